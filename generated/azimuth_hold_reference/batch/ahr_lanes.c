@@ -50,6 +50,7 @@ typedef int ahr_no_lanes; /* a translation unit may not be empty */
 #include "../src/ahr_Qc_kernel.h"
 #undef bs_real
 
+
 /* What the filter carries from call to call, of a block of runs. */
 typedef struct {
     bs_lanes carried[21]; /* nav, reference */
@@ -66,9 +67,8 @@ typedef struct {
     bs_lanes P[AHR_N_PACKED]; /* as it was */
     bs_lanes F[AHR_N_F];
     bs_lanes Qc[AHR_N_QC];
-    bs_lanes Phi[115];
-    bs_lanes B[98];
-    bs_lanes w[AHR_N_STATES];
+    bs_lanes Phi[120]; /* by groups of 3 rows: of each column that they meet, their numbers */
+    bs_lanes B[99]; /* likewise */
     bs_lanes T[AHR_N_STATES * 9]; /* (B times the noise)', rows of 9 */
     bs_lanes S[81]; /* Q of the states that move, rows of 9 */
     bs_lanes Q[AHR_N_PACKED]; /* of the others */
@@ -114,17 +114,27 @@ static void put(bs_lanes *to, const double *from, int n, int lane)
 /* Zeros that the steps to come leave as they are. */
 static void prepare(scratch *s)
 {
-    for (int i = 0; i < (AHR_N_STATES * 9); ++i) {
-        s->T[i] = bs_all_of(0.0);
+    static const unsigned short zero_in_Phi[5] = { 1, 2, 18, 22, 26 };
+    static const unsigned short zero_in_B[1] = { 9 };
+    static const unsigned short zero_in_T[46] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14,
+                                                  15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26,
+                                                  54, 81, 82, 83, 90, 91, 92, 99, 100, 101, 135,
+                                                  136, 137, 138, 139, 140, 141, 142, 143 };
+    static const unsigned short zero_in_Q[40] = { 45, 46, 47, 55, 56, 57, 64, 66, 67, 68, 75, 76,
+                                                  87, 88, 89, 100, 101, 102, 103, 114, 115, 116,
+                                                  117, 118, 120, 121, 122, 123, 124, 125, 126, 127,
+                                                  128, 129, 130, 131, 132, 133, 134, 135 };
+    for (int i = 0; i < 5; ++i) {
+        s->Phi[zero_in_Phi[i]] = bs_all_of(0.0);
     }
-    for (int i = 0; i < AHR_N_PACKED; ++i) {
-        s->Q[i] = bs_all_of(0.0);
+    for (int i = 0; i < 1; ++i) {
+        s->B[zero_in_B[i]] = bs_all_of(0.0);
     }
-    for (int i = 0; i < (AHR_N_STATES * 16); ++i) {
-        s->X[i] = bs_all_of(0.0);
+    for (int i = 0; i < 46; ++i) {
+        s->T[zero_in_T[i]] = bs_all_of(0.0);
     }
-    for (int i = 0; i < (16 * 9); ++i) {
-        s->Y[i] = bs_all_of(0.0);
+    for (int i = 0; i < 40; ++i) {
+        s->Q[zero_in_Q[i]] = bs_all_of(0.0);
     }
 }
 
@@ -287,685 +297,149 @@ static void correct_lanes(block *b, const chosen *runs, const bs_given *given, b
 
 #if !BORESIGHT_UD
 
-/* out = the sum of coefficients times 16 numbers each. */
-BS_INLINE void wide_sums(const bs_lanes *coefficient,
-                         const unsigned short *at,
-                         int count,
-                         const bs_lanes *x,
-                         bs_lanes *out,
-                         int stride)
+/* Sums of 3 rows of coefficients, side by side, times 1 number each; row r of column c goes to
+ * out[r * down + c * over]. */
+static void tile_1(const bs_lanes *coefficient,
+                   const unsigned short *at,
+                   int count,
+                   const bs_lanes *x,
+                   bs_lanes *out,
+                   int down,
+                   int over)
 {
-    bs_lanes s0 = bs_all_of(0.0);
-    bs_lanes s1 = bs_all_of(0.0);
-    bs_lanes s2 = bs_all_of(0.0);
-    bs_lanes s3 = bs_all_of(0.0);
-    bs_lanes s4 = bs_all_of(0.0);
-    bs_lanes s5 = bs_all_of(0.0);
-    bs_lanes s6 = bs_all_of(0.0);
-    bs_lanes s7 = bs_all_of(0.0);
-    bs_lanes s8 = bs_all_of(0.0);
-    bs_lanes s9 = bs_all_of(0.0);
-    bs_lanes s10 = bs_all_of(0.0);
-    bs_lanes s11 = bs_all_of(0.0);
-    bs_lanes s12 = bs_all_of(0.0);
-    bs_lanes s13 = bs_all_of(0.0);
-    bs_lanes s14 = bs_all_of(0.0);
-    bs_lanes s15 = bs_all_of(0.0);
+    bs_lanes s0_0 = bs_all_of(0.0);
+    bs_lanes s1_0 = bs_all_of(0.0);
+    bs_lanes s2_0 = bs_all_of(0.0);
     for (int p = 0; p < count; ++p) {
-        const bs_lanes a = coefficient[p];
         const bs_lanes *const from = &x[at[p]];
-        s0 += a * from[0];
-        s1 += a * from[1];
-        s2 += a * from[2];
-        s3 += a * from[3];
-        s4 += a * from[4];
-        s5 += a * from[5];
-        s6 += a * from[6];
-        s7 += a * from[7];
-        s8 += a * from[8];
-        s9 += a * from[9];
-        s10 += a * from[10];
-        s11 += a * from[11];
-        s12 += a * from[12];
-        s13 += a * from[13];
-        s14 += a * from[14];
-        s15 += a * from[15];
+        const bs_lanes a0 = coefficient[(3 * p) + 0];
+        const bs_lanes a1 = coefficient[(3 * p) + 1];
+        const bs_lanes a2 = coefficient[(3 * p) + 2];
+        s0_0 += a0 * from[0];
+        s1_0 += a1 * from[0];
+        s2_0 += a2 * from[0];
     }
-    out[0] = s0;
-    out[1 * stride] = s1;
-    out[2 * stride] = s2;
-    out[3 * stride] = s3;
-    out[4 * stride] = s4;
-    out[5 * stride] = s5;
-    out[6 * stride] = s6;
-    out[7 * stride] = s7;
-    out[8 * stride] = s8;
-    out[9 * stride] = s9;
-    out[10 * stride] = s10;
-    out[11 * stride] = s11;
-    out[12 * stride] = s12;
-    out[13 * stride] = s13;
-    out[14 * stride] = s14;
-    out[15 * stride] = s15;
+    out[(0 * down) + (0 * over)] = s0_0;
+    out[(1 * down) + (0 * over)] = s1_0;
+    out[(2 * down) + (0 * over)] = s2_0;
 }
 
-/* out = the sum of coefficients times 3 numbers each. */
-BS_INLINE void tall_sums(const bs_lanes *coefficient,
-                         const unsigned short *at,
-                         int count,
-                         const bs_lanes *x,
-                         bs_lanes *out,
-                         int stride)
+/* Sums of 3 rows of coefficients, side by side, times 3 numbers each; row r of column c goes to
+ * out[r * down + c * over]. */
+static void tile_3(const bs_lanes *coefficient,
+                   const unsigned short *at,
+                   int count,
+                   const bs_lanes *x,
+                   bs_lanes *out,
+                   int down,
+                   int over)
 {
-    bs_lanes s0 = bs_all_of(0.0);
-    bs_lanes s1 = bs_all_of(0.0);
-    bs_lanes s2 = bs_all_of(0.0);
+    bs_lanes s0_0 = bs_all_of(0.0);
+    bs_lanes s1_0 = bs_all_of(0.0);
+    bs_lanes s2_0 = bs_all_of(0.0);
+    bs_lanes s0_1 = bs_all_of(0.0);
+    bs_lanes s1_1 = bs_all_of(0.0);
+    bs_lanes s2_1 = bs_all_of(0.0);
+    bs_lanes s0_2 = bs_all_of(0.0);
+    bs_lanes s1_2 = bs_all_of(0.0);
+    bs_lanes s2_2 = bs_all_of(0.0);
     for (int p = 0; p < count; ++p) {
-        const bs_lanes a = coefficient[p];
         const bs_lanes *const from = &x[at[p]];
-        s0 += a * from[0];
-        s1 += a * from[1];
-        s2 += a * from[2];
+        const bs_lanes a0 = coefficient[(3 * p) + 0];
+        const bs_lanes a1 = coefficient[(3 * p) + 1];
+        const bs_lanes a2 = coefficient[(3 * p) + 2];
+        s0_0 += a0 * from[0];
+        s1_0 += a1 * from[0];
+        s2_0 += a2 * from[0];
+        s0_1 += a0 * from[1];
+        s1_1 += a1 * from[1];
+        s2_1 += a2 * from[1];
+        s0_2 += a0 * from[2];
+        s1_2 += a1 * from[2];
+        s2_2 += a2 * from[2];
     }
-    out[0] = s0;
-    out[1 * stride] = s1;
-    out[2 * stride] = s2;
+    out[(0 * down) + (0 * over)] = s0_0;
+    out[(1 * down) + (0 * over)] = s1_0;
+    out[(2 * down) + (0 * over)] = s2_0;
+    out[(0 * down) + (1 * over)] = s0_1;
+    out[(1 * down) + (1 * over)] = s1_1;
+    out[(2 * down) + (1 * over)] = s2_1;
+    out[(0 * down) + (2 * over)] = s0_2;
+    out[(1 * down) + (2 * over)] = s1_2;
+    out[(2 * down) + (2 * over)] = s2_2;
+}
+
+/* Sums of 3 rows of coefficients, side by side, times 4 numbers each; row r of column c goes to
+ * out[r * down + c * over]. */
+static void tile_4(const bs_lanes *coefficient,
+                   const unsigned short *at,
+                   int count,
+                   const bs_lanes *x,
+                   bs_lanes *out,
+                   int down,
+                   int over)
+{
+    bs_lanes s0_0 = bs_all_of(0.0);
+    bs_lanes s1_0 = bs_all_of(0.0);
+    bs_lanes s2_0 = bs_all_of(0.0);
+    bs_lanes s0_1 = bs_all_of(0.0);
+    bs_lanes s1_1 = bs_all_of(0.0);
+    bs_lanes s2_1 = bs_all_of(0.0);
+    bs_lanes s0_2 = bs_all_of(0.0);
+    bs_lanes s1_2 = bs_all_of(0.0);
+    bs_lanes s2_2 = bs_all_of(0.0);
+    bs_lanes s0_3 = bs_all_of(0.0);
+    bs_lanes s1_3 = bs_all_of(0.0);
+    bs_lanes s2_3 = bs_all_of(0.0);
+    for (int p = 0; p < count; ++p) {
+        const bs_lanes *const from = &x[at[p]];
+        const bs_lanes a0 = coefficient[(3 * p) + 0];
+        const bs_lanes a1 = coefficient[(3 * p) + 1];
+        const bs_lanes a2 = coefficient[(3 * p) + 2];
+        s0_0 += a0 * from[0];
+        s1_0 += a1 * from[0];
+        s2_0 += a2 * from[0];
+        s0_1 += a0 * from[1];
+        s1_1 += a1 * from[1];
+        s2_1 += a2 * from[1];
+        s0_2 += a0 * from[2];
+        s1_2 += a1 * from[2];
+        s2_2 += a2 * from[2];
+        s0_3 += a0 * from[3];
+        s1_3 += a1 * from[3];
+        s2_3 += a2 * from[3];
+    }
+    out[(0 * down) + (0 * over)] = s0_0;
+    out[(1 * down) + (0 * over)] = s1_0;
+    out[(2 * down) + (0 * over)] = s2_0;
+    out[(0 * down) + (1 * over)] = s0_1;
+    out[(1 * down) + (1 * over)] = s1_1;
+    out[(2 * down) + (1 * over)] = s2_1;
+    out[(0 * down) + (2 * over)] = s0_2;
+    out[(1 * down) + (2 * over)] = s1_2;
+    out[(2 * down) + (2 * over)] = s2_2;
+    out[(0 * down) + (3 * over)] = s0_3;
+    out[(1 * down) + (3 * over)] = s1_3;
+    out[(2 * down) + (3 * over)] = s2_3;
 }
 
 /* Phi and Q of the step, of the non-zeros of F and Qc: ahr_discretize. */
 static void discretize(scratch *s, const bs_lanes *dt)
 {
-    static const unsigned short start[10] = { 0, 8, 17, 26, 38, 50, 62, 74, 86, 98 };
-    static const unsigned short at[98] = { 27, 36, 45, 63, 72, 108, 117, 126, 27, 36, 45, 54, 63,
-                                           72, 108, 117, 126, 27, 36, 45, 54, 63, 72, 108, 117, 126,
-                                           27, 36, 45, 54, 63, 72, 81, 90, 99, 108, 117, 126, 27,
-                                           36, 45, 54, 63, 72, 81, 90, 99, 108, 117, 126, 27, 36,
-                                           45, 54, 63, 72, 81, 90, 99, 108, 117, 126, 27, 36, 45,
-                                           54, 63, 72, 81, 90, 99, 108, 117, 126, 27, 36, 45, 54,
+    static const unsigned short start[4] = { 0, 9, 21, 33 };
+    static const unsigned short at[33] = { 27, 36, 45, 54, 63, 72, 108, 117, 126, 27, 36, 45, 54,
                                            63, 72, 81, 90, 99, 108, 117, 126, 27, 36, 45, 54, 63,
                                            72, 81, 90, 99, 108, 117, 126 };
     const bs_lanes share = 0.75 * *dt;
     const bs_lanes quarter = 0.25 * *dt;
     bs_lanes A[AHR_N_F];
+    bs_lanes w[AHR_N_STATES];
     bs_lanes *const Phi = s->Phi;
     bs_lanes *const B = s->B;
     bs_lanes *const Q = s->Q;
-    bs_lanes *const w = s->w;
     for (int p = 0; p < AHR_N_F; ++p) {
         A[p] = s->F[p] * *dt;
     }
-    Phi[0] = bs_all_of(1.0);
-    {
-        const bs_lanes twice = 0.0 + (A[0] * A[3]) + (A[2] * A[7]);
-        Phi[1] = A[0] + (0.5 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[0] * A[4]) + (A[2] * A[8]);
-        Phi[2] = A[1] + (0.5 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[2] * A[9]);
-        Phi[3] = A[2] + (0.5 * twice);
-        B[0] = (0.6666666666666666 * A[2]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[0] * A[5]) + (A[2] * A[10]);
-        Phi[4] = 0.0 + (0.5 * twice);
-        B[1] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[1] * A[6]) + (A[2] * A[11]);
-        Phi[5] = 0.0 + (0.5 * twice);
-        B[2] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[2] * A[12]);
-        Phi[6] = 0.0 + (0.5 * twice);
-        B[3] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[2] * A[13]);
-        Phi[7] = 0.0 + (0.5 * twice);
-        B[4] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[2] * A[14]);
-        Phi[8] = 0.0 + (0.5 * twice);
-        B[5] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[2] * A[15]);
-        Phi[9] = 0.0 + (0.5 * twice);
-        B[6] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[2] * A[16]);
-        Phi[10] = 0.0 + (0.5 * twice);
-        B[7] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[3] * A[3]) + (A[5] * A[17]);
-        Phi[11] = (A[3] + (0.5 * twice)) + 1.0;
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[3] * A[4]) + (A[5] * A[18]);
-        Phi[12] = A[4] + (0.5 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[5] * A[19]);
-        Phi[13] = 0.0 + (0.5 * twice);
-        B[8] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[3] * A[5]) + (A[5] * A[20]);
-        Phi[14] = A[5] + (0.5 * twice);
-        B[9] = (0.6666666666666666 * A[5]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[4] * A[6]) + (A[5] * A[21]);
-        Phi[15] = 0.0 + (0.5 * twice);
-        B[10] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[5] * A[22]);
-        Phi[16] = 0.0 + (0.5 * twice);
-        B[11] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[5] * A[23]);
-        Phi[17] = 0.0 + (0.5 * twice);
-        B[13] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[5] * A[24]);
-        Phi[18] = 0.0 + (0.5 * twice);
-        B[14] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[5] * A[25]);
-        Phi[19] = 0.0 + (0.5 * twice);
-        B[15] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[5] * A[26]);
-        Phi[20] = 0.0 + (0.5 * twice);
-        B[16] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[6] * A[27]);
-        Phi[21] = 0.0 + (0.5 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[6] * A[28]);
-        Phi[22] = (0.0 + (0.5 * twice)) + 1.0;
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[6] * A[29]);
-        Phi[23] = 0.0 + (0.5 * twice);
-        B[17] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[6] * A[30]);
-        Phi[24] = 0.0 + (0.5 * twice);
-        B[18] = 0.0 + (0.2222222222222222 * twice);
-    }
-    Phi[25] = A[6] + 0.0;
-    B[19] = (0.6666666666666666 * A[6]) + 0.0;
-    {
-        const bs_lanes twice = 0.0 + (A[6] * A[31]);
-        Phi[26] = 0.0 + (0.5 * twice);
-        B[20] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[6] * A[32]);
-        Phi[27] = 0.0 + (0.5 * twice);
-        B[21] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[6] * A[33]);
-        Phi[28] = 0.0 + (0.5 * twice);
-        B[23] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[6] * A[34]);
-        Phi[29] = 0.0 + (0.5 * twice);
-        B[24] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[6] * A[35]);
-        Phi[30] = 0.0 + (0.5 * twice);
-        B[25] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[7] * A[3]) + (A[9] * A[7]) + (A[10] * A[17]) +
-            (A[11] * A[27]) + (A[12] * A[44]) + (A[13] * A[52]);
-        Phi[31] = A[7] + (0.5 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[7] * A[4]) + (A[9] * A[8]) + (A[10] * A[18]) +
-            (A[11] * A[28]) + (A[12] * A[45]) + (A[13] * A[53]);
-        Phi[32] = A[8] + (0.5 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[9] * A[9]) + (A[10] * A[19]) + (A[11] * A[29]) +
-            (A[12] * A[46]) + (A[13] * A[54]);
-        Phi[33] = (A[9] + (0.5 * twice)) + 1.0;
-        B[26] = ((0.6666666666666666 * A[9]) + (0.2222222222222222 * twice)) + 1.0;
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[7] * A[5]) + (A[9] * A[10]) + (A[10] * A[20]) +
-            (A[11] * A[30]);
-        Phi[34] = A[10] + (0.5 * twice);
-        B[27] = (0.6666666666666666 * A[10]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[8] * A[6]) + (A[9] * A[11]) + (A[10] * A[21]);
-        Phi[35] = A[11] + (0.5 * twice);
-        B[28] = (0.6666666666666666 * A[11]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[10] * A[22]) + (A[11] * A[31]) + (A[12] * A[47]) +
-            (A[13] * A[55]);
-        Phi[36] = 0.0 + (0.5 * twice);
-        B[29] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[9] * A[12]) + (A[11] * A[32]) + (A[13] * A[56]);
-        Phi[37] = A[12] + (0.5 * twice);
-        B[30] = (0.6666666666666666 * A[12]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[9] * A[13]) + (A[10] * A[23]) + (A[12] * A[48]);
-        Phi[38] = A[13] + (0.5 * twice);
-        B[31] = (0.6666666666666666 * A[13]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[12] * A[49]) + (A[13] * A[57]);
-        Phi[39] = 0.0 + (0.5 * twice);
-        B[32] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[12] * A[50]) + (A[13] * A[58]);
-        Phi[40] = 0.0 + (0.5 * twice);
-        B[33] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[12] * A[51]) + (A[13] * A[59]);
-        Phi[41] = 0.0 + (0.5 * twice);
-        B[34] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[9] * A[14]) + (A[10] * A[24]) + (A[11] * A[33]);
-        Phi[42] = A[14] + (0.5 * twice);
-        B[35] = (0.6666666666666666 * A[14]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[9] * A[15]) + (A[10] * A[25]) + (A[11] * A[34]);
-        Phi[43] = A[15] + (0.5 * twice);
-        B[36] = (0.6666666666666666 * A[15]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[9] * A[16]) + (A[10] * A[26]) + (A[11] * A[35]);
-        Phi[44] = A[16] + (0.5 * twice);
-        B[37] = (0.6666666666666666 * A[16]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[17] * A[3]) + (A[19] * A[7]) + (A[20] * A[17]) +
-            (A[21] * A[27]) + (A[22] * A[36]) + (A[23] * A[52]);
-        Phi[45] = A[17] + (0.5 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[17] * A[4]) + (A[19] * A[8]) + (A[20] * A[18]) +
-            (A[21] * A[28]) + (A[22] * A[37]) + (A[23] * A[53]);
-        Phi[46] = A[18] + (0.5 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[19] * A[9]) + (A[20] * A[19]) + (A[21] * A[29]) +
-            (A[23] * A[54]);
-        Phi[47] = A[19] + (0.5 * twice);
-        B[38] = (0.6666666666666666 * A[19]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[17] * A[5]) + (A[19] * A[10]) + (A[20] * A[20]) +
-            (A[21] * A[30]) + (A[22] * A[38]);
-        Phi[48] = (A[20] + (0.5 * twice)) + 1.0;
-        B[39] = ((0.6666666666666666 * A[20]) + (0.2222222222222222 * twice)) + 1.0;
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[18] * A[6]) + (A[19] * A[11]) + (A[20] * A[21]);
-        Phi[49] = A[21] + (0.5 * twice);
-        B[40] = (0.6666666666666666 * A[21]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[20] * A[22]) + (A[21] * A[31]) + (A[23] * A[55]);
-        Phi[50] = A[22] + (0.5 * twice);
-        B[41] = (0.6666666666666666 * A[22]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[19] * A[12]) + (A[21] * A[32]) + (A[22] * A[39]) +
-            (A[23] * A[56]);
-        Phi[51] = 0.0 + (0.5 * twice);
-        B[42] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[19] * A[13]) + (A[20] * A[23]) + (A[22] * A[40]);
-        Phi[52] = A[23] + (0.5 * twice);
-        B[43] = (0.6666666666666666 * A[23]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[22] * A[41]) + (A[23] * A[57]);
-        Phi[53] = 0.0 + (0.5 * twice);
-        B[44] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[22] * A[42]) + (A[23] * A[58]);
-        Phi[54] = 0.0 + (0.5 * twice);
-        B[45] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[22] * A[43]) + (A[23] * A[59]);
-        Phi[55] = 0.0 + (0.5 * twice);
-        B[46] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[19] * A[14]) + (A[20] * A[24]) + (A[21] * A[33]);
-        Phi[56] = A[24] + (0.5 * twice);
-        B[47] = (0.6666666666666666 * A[24]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[19] * A[15]) + (A[20] * A[25]) + (A[21] * A[34]);
-        Phi[57] = A[25] + (0.5 * twice);
-        B[48] = (0.6666666666666666 * A[25]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[19] * A[16]) + (A[20] * A[26]) + (A[21] * A[35]);
-        Phi[58] = A[26] + (0.5 * twice);
-        B[49] = (0.6666666666666666 * A[26]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[27] * A[3]) + (A[29] * A[7]) + (A[30] * A[17]) +
-            (A[31] * A[36]) + (A[32] * A[44]);
-        Phi[59] = A[27] + (0.5 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[27] * A[4]) + (A[29] * A[8]) + (A[30] * A[18]) +
-            (A[31] * A[37]) + (A[32] * A[45]);
-        Phi[60] = A[28] + (0.5 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[29] * A[9]) + (A[30] * A[19]) + (A[32] * A[46]);
-        Phi[61] = A[29] + (0.5 * twice);
-        B[50] = (0.6666666666666666 * A[29]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[27] * A[5]) + (A[29] * A[10]) + (A[30] * A[20]) +
-            (A[31] * A[38]);
-        Phi[62] = A[30] + (0.5 * twice);
-        B[51] = (0.6666666666666666 * A[30]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[28] * A[6]) + (A[29] * A[11]) + (A[30] * A[21]);
-        Phi[63] = (0.0 + (0.5 * twice)) + 1.0;
-        B[52] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[30] * A[22]) + (A[32] * A[47]);
-        Phi[64] = A[31] + (0.5 * twice);
-        B[53] = (0.6666666666666666 * A[31]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[29] * A[12]) + (A[31] * A[39]);
-        Phi[65] = A[32] + (0.5 * twice);
-        B[54] = (0.6666666666666666 * A[32]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[29] * A[13]) + (A[30] * A[23]) + (A[31] * A[40]) +
-            (A[32] * A[48]);
-        Phi[66] = 0.0 + (0.5 * twice);
-        B[55] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[31] * A[41]) + (A[32] * A[49]);
-        Phi[67] = 0.0 + (0.5 * twice);
-        B[56] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[31] * A[42]) + (A[32] * A[50]);
-        Phi[68] = 0.0 + (0.5 * twice);
-        B[57] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[31] * A[43]) + (A[32] * A[51]);
-        Phi[69] = 0.0 + (0.5 * twice);
-        B[58] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[29] * A[14]) + (A[30] * A[24]);
-        Phi[70] = A[33] + (0.5 * twice);
-        B[59] = (0.6666666666666666 * A[33]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[29] * A[15]) + (A[30] * A[25]);
-        Phi[71] = A[34] + (0.5 * twice);
-        B[60] = (0.6666666666666666 * A[34]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[29] * A[16]) + (A[30] * A[26]);
-        Phi[72] = A[35] + (0.5 * twice);
-        B[61] = (0.6666666666666666 * A[35]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[36] * A[3]) + (A[38] * A[17]) + (A[39] * A[44]) +
-            (A[40] * A[52]);
-        Phi[73] = A[36] + (0.5 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[36] * A[4]) + (A[38] * A[18]) + (A[39] * A[45]) +
-            (A[40] * A[53]);
-        Phi[74] = A[37] + (0.5 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[38] * A[19]) + (A[39] * A[46]) + (A[40] * A[54]);
-        Phi[75] = 0.0 + (0.5 * twice);
-        B[62] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[36] * A[5]) + (A[38] * A[20]);
-        Phi[76] = A[38] + (0.5 * twice);
-        B[63] = (0.6666666666666666 * A[38]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[37] * A[6]) + (A[38] * A[21]);
-        Phi[77] = 0.0 + (0.5 * twice);
-        B[64] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[38] * A[22]) + (A[39] * A[47]) + (A[40] * A[55]);
-        Phi[78] = (0.0 + (0.5 * twice)) + 1.0;
-        B[65] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[40] * A[56]);
-        Phi[79] = A[39] + (0.5 * twice);
-        B[66] = (0.6666666666666666 * A[39]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[38] * A[23]) + (A[39] * A[48]);
-        Phi[80] = A[40] + (0.5 * twice);
-        B[67] = (0.6666666666666666 * A[40]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[39] * A[49]) + (A[40] * A[57]);
-        Phi[81] = A[41] + (0.5 * twice);
-        B[68] = (0.6666666666666666 * A[41]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[39] * A[50]) + (A[40] * A[58]);
-        Phi[82] = A[42] + (0.5 * twice);
-        B[69] = (0.6666666666666666 * A[42]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[39] * A[51]) + (A[40] * A[59]);
-        Phi[83] = A[43] + (0.5 * twice);
-        B[70] = (0.6666666666666666 * A[43]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[38] * A[24]);
-        Phi[84] = 0.0 + (0.5 * twice);
-        B[71] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[38] * A[25]);
-        Phi[85] = 0.0 + (0.5 * twice);
-        B[72] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[38] * A[26]);
-        Phi[86] = 0.0 + (0.5 * twice);
-        B[73] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[44] * A[3]) + (A[46] * A[7]) + (A[47] * A[36]) +
-            (A[48] * A[52]);
-        Phi[87] = A[44] + (0.5 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[44] * A[4]) + (A[46] * A[8]) + (A[47] * A[37]) +
-            (A[48] * A[53]);
-        Phi[88] = A[45] + (0.5 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[46] * A[9]) + (A[48] * A[54]);
-        Phi[89] = A[46] + (0.5 * twice);
-        B[74] = (0.6666666666666666 * A[46]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[44] * A[5]) + (A[46] * A[10]) + (A[47] * A[38]);
-        Phi[90] = 0.0 + (0.5 * twice);
-        B[75] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[45] * A[6]) + (A[46] * A[11]);
-        Phi[91] = 0.0 + (0.5 * twice);
-        B[76] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[48] * A[55]);
-        Phi[92] = A[47] + (0.5 * twice);
-        B[77] = (0.6666666666666666 * A[47]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[46] * A[12]) + (A[47] * A[39]) + (A[48] * A[56]);
-        Phi[93] = (0.0 + (0.5 * twice)) + 1.0;
-        B[78] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[46] * A[13]) + (A[47] * A[40]);
-        Phi[94] = A[48] + (0.5 * twice);
-        B[79] = (0.6666666666666666 * A[48]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[47] * A[41]) + (A[48] * A[57]);
-        Phi[95] = A[49] + (0.5 * twice);
-        B[80] = (0.6666666666666666 * A[49]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[47] * A[42]) + (A[48] * A[58]);
-        Phi[96] = A[50] + (0.5 * twice);
-        B[81] = (0.6666666666666666 * A[50]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[47] * A[43]) + (A[48] * A[59]);
-        Phi[97] = A[51] + (0.5 * twice);
-        B[82] = (0.6666666666666666 * A[51]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[46] * A[14]);
-        Phi[98] = 0.0 + (0.5 * twice);
-        B[83] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[46] * A[15]);
-        Phi[99] = 0.0 + (0.5 * twice);
-        B[84] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[46] * A[16]);
-        Phi[100] = 0.0 + (0.5 * twice);
-        B[85] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[52] * A[3]) + (A[54] * A[7]) + (A[55] * A[36]) +
-            (A[56] * A[44]);
-        Phi[101] = A[52] + (0.5 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[52] * A[4]) + (A[54] * A[8]) + (A[55] * A[37]) +
-            (A[56] * A[45]);
-        Phi[102] = A[53] + (0.5 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[54] * A[9]) + (A[56] * A[46]);
-        Phi[103] = A[54] + (0.5 * twice);
-        B[86] = (0.6666666666666666 * A[54]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[52] * A[5]) + (A[54] * A[10]) + (A[55] * A[38]);
-        Phi[104] = 0.0 + (0.5 * twice);
-        B[87] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[53] * A[6]) + (A[54] * A[11]);
-        Phi[105] = 0.0 + (0.5 * twice);
-        B[88] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[56] * A[47]);
-        Phi[106] = A[55] + (0.5 * twice);
-        B[89] = (0.6666666666666666 * A[55]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[54] * A[12]) + (A[55] * A[39]);
-        Phi[107] = A[56] + (0.5 * twice);
-        B[90] = (0.6666666666666666 * A[56]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[54] * A[13]) + (A[55] * A[40]) + (A[56] * A[48]);
-        Phi[108] = (0.0 + (0.5 * twice)) + 1.0;
-        B[91] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[55] * A[41]) + (A[56] * A[49]);
-        Phi[109] = A[57] + (0.5 * twice);
-        B[92] = (0.6666666666666666 * A[57]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[55] * A[42]) + (A[56] * A[50]);
-        Phi[110] = A[58] + (0.5 * twice);
-        B[93] = (0.6666666666666666 * A[58]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[55] * A[43]) + (A[56] * A[51]);
-        Phi[111] = A[59] + (0.5 * twice);
-        B[94] = (0.6666666666666666 * A[59]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[54] * A[14]);
-        Phi[112] = 0.0 + (0.5 * twice);
-        B[95] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[54] * A[15]);
-        Phi[113] = 0.0 + (0.5 * twice);
-        B[96] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[54] * A[16]);
-        Phi[114] = 0.0 + (0.5 * twice);
-        B[97] = 0.0 + (0.2222222222222222 * twice);
-    }
-    B[12] = bs_all_of(0.0);
-    B[22] = bs_all_of(0.0);
     Q[9] = s->Qc[0] * share;
     Q[13] = s->Qc[1] * share;
     Q[18] = s->Qc[2] * share;
@@ -997,260 +471,699 @@ static void discretize(scratch *s, const bs_lanes *dt)
     w[13] = Q[104];
     w[14] = Q[119];
     /* Noises that have a part in common, factored; rounding counts as none. */
+    const bs_bits counts8 = w[8] > ((2.220446049250313e-16 * Q[44]) + 2.2250738585072014e-308);
+    const bs_lanes inverse8 = 1.0 / w[8];
+    const bs_lanes gain8_7 = Q[43] * inverse8;
+    Q[34] = bs_choose(counts8, Q[34] - (Q[42] * gain8_7), Q[34]);
+    w[7] = bs_choose(counts8, w[7] - (Q[43] * gain8_7), w[7]);
+    const bs_lanes gain8_6 = Q[42] * inverse8;
+    w[6] = bs_choose(counts8, w[6] - (Q[42] * gain8_6), w[6]);
+    w[8] = bs_choose(counts8, w[8], bs_all_of(0.0));
+    const bs_bits counts7 = w[7] > ((2.220446049250313e-16 * Q[35]) + 2.2250738585072014e-308);
+    const bs_lanes inverse7 = 1.0 / w[7];
+    const bs_lanes gain7_6 = Q[34] * inverse7;
+    w[6] = bs_choose(counts7, w[6] - (Q[34] * gain7_6), w[6]);
+    w[7] = bs_choose(counts7, w[7], bs_all_of(0.0));
+    const bs_bits counts6 = w[6] > ((2.220446049250313e-16 * Q[27]) + 2.2250738585072014e-308);
+    w[6] = bs_choose(counts6, w[6], bs_all_of(0.0));
+    const bs_bits counts5 = w[5] > ((2.220446049250313e-16 * Q[20]) + 2.2250738585072014e-308);
+    const bs_lanes inverse5 = 1.0 / w[5];
+    const bs_lanes gain5_4 = Q[19] * inverse5;
+    Q[13] = bs_choose(counts5, Q[13] - (Q[18] * gain5_4), Q[13]);
+    w[4] = bs_choose(counts5, w[4] - (Q[19] * gain5_4), w[4]);
+    const bs_lanes gain5_3 = Q[18] * inverse5;
+    w[3] = bs_choose(counts5, w[3] - (Q[18] * gain5_3), w[3]);
+    w[5] = bs_choose(counts5, w[5], bs_all_of(0.0));
+    const bs_bits counts4 = w[4] > ((2.220446049250313e-16 * Q[14]) + 2.2250738585072014e-308);
+    const bs_lanes inverse4 = 1.0 / w[4];
+    const bs_lanes gain4_3 = Q[13] * inverse4;
+    w[3] = bs_choose(counts4, w[3] - (Q[13] * gain4_3), w[3]);
+    w[4] = bs_choose(counts4, w[4], bs_all_of(0.0));
+    const bs_bits counts3 = w[3] > ((2.220446049250313e-16 * Q[9]) + 2.2250738585072014e-308);
+    w[3] = bs_choose(counts3, w[3], bs_all_of(0.0));
+    /* Row by row Phi, and B times the factors. */
     {
-        const bs_bits counts = w[8] > ((2.220446049250313e-16 * Q[44]) + 2.2250738585072014e-308);
-        const bs_lanes inverse = 1.0 / w[8];
-        {
-            const bs_lanes gain = Q[43] * inverse;
-            Q[34] = bs_choose(counts, Q[34] - (Q[42] * gain), Q[34]);
-            w[7] = bs_choose(counts, w[7] - (Q[43] * gain), w[7]);
-            B[4] = bs_choose(counts, B[4] + (B[3] * gain), B[4]);
-            B[22] = bs_choose(counts, B[22] + (B[21] * gain), B[22]);
-            B[31] = bs_choose(counts, B[31] + (B[30] * gain), B[31]);
-            B[43] = bs_choose(counts, B[43] + (B[42] * gain), B[43]);
-            B[55] = bs_choose(counts, B[55] + (B[54] * gain), B[55]);
-            B[67] = bs_choose(counts, B[67] + (B[66] * gain), B[67]);
-            B[79] = bs_choose(counts, B[79] + (B[78] * gain), B[79]);
-            B[91] = bs_choose(counts, B[91] + (B[90] * gain), B[91]);
-        }
-        {
-            const bs_lanes gain = Q[42] * inverse;
-            w[6] = bs_choose(counts, w[6] - (Q[42] * gain), w[6]);
-            B[13] = bs_choose(counts, B[13] + (B[11] * gain), B[13]);
-            B[22] = bs_choose(counts, B[22] + (B[20] * gain), B[22]);
-            B[31] = bs_choose(counts, B[31] + (B[29] * gain), B[31]);
-            B[43] = bs_choose(counts, B[43] + (B[41] * gain), B[43]);
-            B[55] = bs_choose(counts, B[55] + (B[53] * gain), B[55]);
-            B[67] = bs_choose(counts, B[67] + (B[65] * gain), B[67]);
-            B[79] = bs_choose(counts, B[79] + (B[77] * gain), B[79]);
-            B[91] = bs_choose(counts, B[91] + (B[89] * gain), B[91]);
-        }
-        w[8] = bs_choose(counts, w[8], bs_all_of(0.0));
-    }
-    {
-        const bs_bits counts = w[7] > ((2.220446049250313e-16 * Q[35]) + 2.2250738585072014e-308);
-        const bs_lanes inverse = 1.0 / w[7];
-        {
-            const bs_lanes gain = Q[34] * inverse;
-            w[6] = bs_choose(counts, w[6] - (Q[34] * gain), w[6]);
-            B[12] = bs_choose(counts, B[12] + (B[11] * gain), B[12]);
-            B[21] = bs_choose(counts, B[21] + (B[20] * gain), B[21]);
-            B[30] = bs_choose(counts, B[30] + (B[29] * gain), B[30]);
-            B[42] = bs_choose(counts, B[42] + (B[41] * gain), B[42]);
-            B[54] = bs_choose(counts, B[54] + (B[53] * gain), B[54]);
-            B[66] = bs_choose(counts, B[66] + (B[65] * gain), B[66]);
-            B[78] = bs_choose(counts, B[78] + (B[77] * gain), B[78]);
-            B[90] = bs_choose(counts, B[90] + (B[89] * gain), B[90]);
-        }
-        w[7] = bs_choose(counts, w[7], bs_all_of(0.0));
-    }
-    {
-        const bs_bits counts = w[6] > ((2.220446049250313e-16 * Q[27]) + 2.2250738585072014e-308);
-        w[6] = bs_choose(counts, w[6], bs_all_of(0.0));
-    }
-    {
-        const bs_bits counts = w[5] > ((2.220446049250313e-16 * Q[20]) + 2.2250738585072014e-308);
-        const bs_lanes inverse = 1.0 / w[5];
-        {
-            const bs_lanes gain = Q[19] * inverse;
-            Q[13] = bs_choose(counts, Q[13] - (Q[18] * gain), Q[13]);
-            w[4] = bs_choose(counts, w[4] - (Q[19] * gain), w[4]);
-            B[2] = bs_choose(counts, B[2] + (B[1] * gain), B[2]);
-            B[10] = bs_choose(counts, B[10] + (B[9] * gain), B[10]);
-            B[19] = bs_choose(counts, B[19] + (B[18] * gain), B[19]);
-            B[28] = bs_choose(counts, B[28] + (B[27] * gain), B[28]);
-            B[40] = bs_choose(counts, B[40] + (B[39] * gain), B[40]);
-            B[52] = bs_choose(counts, B[52] + (B[51] * gain), B[52]);
-            B[64] = bs_choose(counts, B[64] + (B[63] * gain), B[64]);
-            B[76] = bs_choose(counts, B[76] + (B[75] * gain), B[76]);
-            B[88] = bs_choose(counts, B[88] + (B[87] * gain), B[88]);
-        }
-        {
-            const bs_lanes gain = Q[18] * inverse;
-            w[3] = bs_choose(counts, w[3] - (Q[18] * gain), w[3]);
-            B[2] = bs_choose(counts, B[2] + (B[0] * gain), B[2]);
-            B[10] = bs_choose(counts, B[10] + (B[8] * gain), B[10]);
-            B[19] = bs_choose(counts, B[19] + (B[17] * gain), B[19]);
-            B[28] = bs_choose(counts, B[28] + (B[26] * gain), B[28]);
-            B[40] = bs_choose(counts, B[40] + (B[38] * gain), B[40]);
-            B[52] = bs_choose(counts, B[52] + (B[50] * gain), B[52]);
-            B[64] = bs_choose(counts, B[64] + (B[62] * gain), B[64]);
-            B[76] = bs_choose(counts, B[76] + (B[74] * gain), B[76]);
-            B[88] = bs_choose(counts, B[88] + (B[86] * gain), B[88]);
-        }
-        w[5] = bs_choose(counts, w[5], bs_all_of(0.0));
-    }
-    {
-        const bs_bits counts = w[4] > ((2.220446049250313e-16 * Q[14]) + 2.2250738585072014e-308);
-        const bs_lanes inverse = 1.0 / w[4];
-        {
-            const bs_lanes gain = Q[13] * inverse;
-            w[3] = bs_choose(counts, w[3] - (Q[13] * gain), w[3]);
-            B[1] = bs_choose(counts, B[1] + (B[0] * gain), B[1]);
-            B[9] = bs_choose(counts, B[9] + (B[8] * gain), B[9]);
-            B[18] = bs_choose(counts, B[18] + (B[17] * gain), B[18]);
-            B[27] = bs_choose(counts, B[27] + (B[26] * gain), B[27]);
-            B[39] = bs_choose(counts, B[39] + (B[38] * gain), B[39]);
-            B[51] = bs_choose(counts, B[51] + (B[50] * gain), B[51]);
-            B[63] = bs_choose(counts, B[63] + (B[62] * gain), B[63]);
-            B[75] = bs_choose(counts, B[75] + (B[74] * gain), B[75]);
-            B[87] = bs_choose(counts, B[87] + (B[86] * gain), B[87]);
-        }
-        w[4] = bs_choose(counts, w[4], bs_all_of(0.0));
+        Phi[0] = bs_all_of(1.0);
+        const bs_lanes t1 = 0.0 + (A[0] * A[3]) + (A[2] * A[7]);
+        Phi[3] = A[0] + (0.5 * t1);
+        const bs_lanes t2 = 0.0 + (A[0] * A[4]) + (A[2] * A[8]);
+        Phi[6] = A[1] + (0.5 * t2);
+        const bs_lanes t3 = 0.0 + (A[2] * A[9]);
+        Phi[9] = A[2] + (0.5 * t3);
+        bs_lanes b3 = (0.6666666666666666 * A[2]) + (0.2222222222222222 * t3);
+        const bs_lanes t4 = 0.0 + (A[0] * A[5]) + (A[2] * A[10]);
+        Phi[12] = 0.0 + (0.5 * t4);
+        bs_lanes b4 = 0.0 + (0.2222222222222222 * t4);
+        const bs_lanes t5 = 0.0 + (A[1] * A[6]) + (A[2] * A[11]);
+        Phi[15] = 0.0 + (0.5 * t5);
+        bs_lanes b5 = 0.0 + (0.2222222222222222 * t5);
+        const bs_lanes t7 = 0.0 + (A[2] * A[12]);
+        Phi[21] = 0.0 + (0.5 * t7);
+        bs_lanes b7 = 0.0 + (0.2222222222222222 * t7);
+        const bs_lanes t8 = 0.0 + (A[2] * A[13]);
+        Phi[24] = 0.0 + (0.5 * t8);
+        bs_lanes b8 = 0.0 + (0.2222222222222222 * t8);
+        const bs_lanes t12 = 0.0 + (A[2] * A[14]);
+        Phi[27] = 0.0 + (0.5 * t12);
+        bs_lanes b12 = 0.0 + (0.2222222222222222 * t12);
+        const bs_lanes t13 = 0.0 + (A[2] * A[15]);
+        Phi[30] = 0.0 + (0.5 * t13);
+        bs_lanes b13 = 0.0 + (0.2222222222222222 * t13);
+        const bs_lanes t14 = 0.0 + (A[2] * A[16]);
+        Phi[33] = 0.0 + (0.5 * t14);
+        bs_lanes b14 = 0.0 + (0.2222222222222222 * t14);
+        b8 = bs_choose(counts8, b8 + (b7 * gain8_7), b8);
+        b5 = bs_choose(counts5, b5 + (b4 * gain5_4), b5);
+        b5 = bs_choose(counts5, b5 + (b3 * gain5_3), b5);
+        b4 = bs_choose(counts4, b4 + (b3 * gain4_3), b4);
+        B[0] = b3;
+        s->T[27] = b3 * w[3];
+        B[3] = b4;
+        s->T[36] = b4 * w[4];
+        B[6] = b5;
+        s->T[45] = b5 * w[5];
+        B[12] = b7;
+        s->T[63] = b7 * w[7];
+        B[15] = b8;
+        s->T[72] = b8 * w[8];
+        B[18] = b12;
+        s->T[108] = b12 * w[12];
+        Q[78] = s->T[108];
+        B[21] = b13;
+        s->T[117] = b13 * w[13];
+        Q[91] = s->T[117];
+        B[24] = b14;
+        s->T[126] = b14 * w[14];
+        Q[105] = s->T[126];
     }
     {
-        const bs_bits counts = w[3] > ((2.220446049250313e-16 * Q[9]) + 2.2250738585072014e-308);
-        w[3] = bs_choose(counts, w[3], bs_all_of(0.0));
+        const bs_lanes t1 = 0.0 + (A[3] * A[3]) + (A[5] * A[17]);
+        Phi[4] = (A[3] + (0.5 * t1)) + 1.0;
+        const bs_lanes t2 = 0.0 + (A[3] * A[4]) + (A[5] * A[18]);
+        Phi[7] = A[4] + (0.5 * t2);
+        const bs_lanes t3 = 0.0 + (A[5] * A[19]);
+        Phi[10] = 0.0 + (0.5 * t3);
+        bs_lanes b3 = 0.0 + (0.2222222222222222 * t3);
+        const bs_lanes t4 = 0.0 + (A[3] * A[5]) + (A[5] * A[20]);
+        Phi[13] = A[5] + (0.5 * t4);
+        bs_lanes b4 = (0.6666666666666666 * A[5]) + (0.2222222222222222 * t4);
+        const bs_lanes t5 = 0.0 + (A[4] * A[6]) + (A[5] * A[21]);
+        Phi[16] = 0.0 + (0.5 * t5);
+        bs_lanes b5 = 0.0 + (0.2222222222222222 * t5);
+        const bs_lanes t6 = 0.0 + (A[5] * A[22]);
+        Phi[19] = 0.0 + (0.5 * t6);
+        bs_lanes b6 = 0.0 + (0.2222222222222222 * t6);
+        bs_lanes b7 = bs_all_of(0.0);
+        const bs_lanes t8 = 0.0 + (A[5] * A[23]);
+        Phi[25] = 0.0 + (0.5 * t8);
+        bs_lanes b8 = 0.0 + (0.2222222222222222 * t8);
+        const bs_lanes t12 = 0.0 + (A[5] * A[24]);
+        Phi[28] = 0.0 + (0.5 * t12);
+        bs_lanes b12 = 0.0 + (0.2222222222222222 * t12);
+        const bs_lanes t13 = 0.0 + (A[5] * A[25]);
+        Phi[31] = 0.0 + (0.5 * t13);
+        bs_lanes b13 = 0.0 + (0.2222222222222222 * t13);
+        const bs_lanes t14 = 0.0 + (A[5] * A[26]);
+        Phi[34] = 0.0 + (0.5 * t14);
+        bs_lanes b14 = 0.0 + (0.2222222222222222 * t14);
+        b8 = bs_choose(counts8, b8 + (b6 * gain8_6), b8);
+        b7 = bs_choose(counts7, b7 + (b6 * gain7_6), b7);
+        b5 = bs_choose(counts5, b5 + (b4 * gain5_4), b5);
+        b5 = bs_choose(counts5, b5 + (b3 * gain5_3), b5);
+        b4 = bs_choose(counts4, b4 + (b3 * gain4_3), b4);
+        B[1] = b3;
+        s->T[28] = b3 * w[3];
+        B[4] = b4;
+        s->T[37] = b4 * w[4];
+        B[7] = b5;
+        s->T[46] = b5 * w[5];
+        B[10] = b6;
+        s->T[55] = b6 * w[6];
+        B[13] = b7;
+        s->T[64] = b7 * w[7];
+        B[16] = b8;
+        s->T[73] = b8 * w[8];
+        B[19] = b12;
+        s->T[109] = b12 * w[12];
+        Q[79] = s->T[109];
+        B[22] = b13;
+        s->T[118] = b13 * w[13];
+        Q[92] = s->T[118];
+        B[25] = b14;
+        s->T[127] = b14 * w[14];
+        Q[106] = s->T[127];
     }
-    s->T[27] = B[0] * w[3];
-    s->T[36] = B[1] * w[4];
-    s->T[45] = B[2] * w[5];
-    s->T[63] = B[3] * w[7];
-    s->T[72] = B[4] * w[8];
-    s->T[108] = B[5] * w[12];
-    s->T[117] = B[6] * w[13];
-    s->T[126] = B[7] * w[14];
-    s->T[28] = B[8] * w[3];
-    s->T[37] = B[9] * w[4];
-    s->T[46] = B[10] * w[5];
-    s->T[55] = B[11] * w[6];
-    s->T[64] = B[12] * w[7];
-    s->T[73] = B[13] * w[8];
-    s->T[109] = B[14] * w[12];
-    s->T[118] = B[15] * w[13];
-    s->T[127] = B[16] * w[14];
-    s->T[29] = B[17] * w[3];
-    s->T[38] = B[18] * w[4];
-    s->T[47] = B[19] * w[5];
-    s->T[56] = B[20] * w[6];
-    s->T[65] = B[21] * w[7];
-    s->T[74] = B[22] * w[8];
-    s->T[110] = B[23] * w[12];
-    s->T[119] = B[24] * w[13];
-    s->T[128] = B[25] * w[14];
-    s->T[30] = B[26] * w[3];
-    s->T[39] = B[27] * w[4];
-    s->T[48] = B[28] * w[5];
-    s->T[57] = B[29] * w[6];
-    s->T[66] = B[30] * w[7];
-    s->T[75] = B[31] * w[8];
-    s->T[84] = B[32] * w[9];
-    s->T[93] = B[33] * w[10];
-    s->T[102] = B[34] * w[11];
-    s->T[111] = B[35] * w[12];
-    s->T[120] = B[36] * w[13];
-    s->T[129] = B[37] * w[14];
-    s->T[31] = B[38] * w[3];
-    s->T[40] = B[39] * w[4];
-    s->T[49] = B[40] * w[5];
-    s->T[58] = B[41] * w[6];
-    s->T[67] = B[42] * w[7];
-    s->T[76] = B[43] * w[8];
-    s->T[85] = B[44] * w[9];
-    s->T[94] = B[45] * w[10];
-    s->T[103] = B[46] * w[11];
-    s->T[112] = B[47] * w[12];
-    s->T[121] = B[48] * w[13];
-    s->T[130] = B[49] * w[14];
-    s->T[32] = B[50] * w[3];
-    s->T[41] = B[51] * w[4];
-    s->T[50] = B[52] * w[5];
-    s->T[59] = B[53] * w[6];
-    s->T[68] = B[54] * w[7];
-    s->T[77] = B[55] * w[8];
-    s->T[86] = B[56] * w[9];
-    s->T[95] = B[57] * w[10];
-    s->T[104] = B[58] * w[11];
-    s->T[113] = B[59] * w[12];
-    s->T[122] = B[60] * w[13];
-    s->T[131] = B[61] * w[14];
-    s->T[33] = B[62] * w[3];
-    s->T[42] = B[63] * w[4];
-    s->T[51] = B[64] * w[5];
-    s->T[60] = B[65] * w[6];
-    s->T[69] = B[66] * w[7];
-    s->T[78] = B[67] * w[8];
-    s->T[87] = B[68] * w[9];
-    s->T[96] = B[69] * w[10];
-    s->T[105] = B[70] * w[11];
-    s->T[114] = B[71] * w[12];
-    s->T[123] = B[72] * w[13];
-    s->T[132] = B[73] * w[14];
-    s->T[34] = B[74] * w[3];
-    s->T[43] = B[75] * w[4];
-    s->T[52] = B[76] * w[5];
-    s->T[61] = B[77] * w[6];
-    s->T[70] = B[78] * w[7];
-    s->T[79] = B[79] * w[8];
-    s->T[88] = B[80] * w[9];
-    s->T[97] = B[81] * w[10];
-    s->T[106] = B[82] * w[11];
-    s->T[115] = B[83] * w[12];
-    s->T[124] = B[84] * w[13];
-    s->T[133] = B[85] * w[14];
-    s->T[35] = B[86] * w[3];
-    s->T[44] = B[87] * w[4];
-    s->T[53] = B[88] * w[5];
-    s->T[62] = B[89] * w[6];
-    s->T[71] = B[90] * w[7];
-    s->T[80] = B[91] * w[8];
-    s->T[89] = B[92] * w[9];
-    s->T[98] = B[93] * w[10];
-    s->T[107] = B[94] * w[11];
-    s->T[116] = B[95] * w[12];
-    s->T[125] = B[96] * w[13];
-    s->T[134] = B[97] * w[14];
-    for (int j = 0; j < 9; ++j) {
-        for (int i = 0; i <= j; i += 3) {
-            tall_sums(&B[start[j]], &at[start[j]], (int)start[j + 1] - (int)start[j], &s->T[i],
-                      &s->S[(j * 9) + i], 1);
+    {
+        const bs_lanes t1 = 0.0 + (A[6] * A[27]);
+        Phi[5] = 0.0 + (0.5 * t1);
+        const bs_lanes t2 = 0.0 + (A[6] * A[28]);
+        Phi[8] = (0.0 + (0.5 * t2)) + 1.0;
+        const bs_lanes t3 = 0.0 + (A[6] * A[29]);
+        Phi[11] = 0.0 + (0.5 * t3);
+        bs_lanes b3 = 0.0 + (0.2222222222222222 * t3);
+        const bs_lanes t4 = 0.0 + (A[6] * A[30]);
+        Phi[14] = 0.0 + (0.5 * t4);
+        bs_lanes b4 = 0.0 + (0.2222222222222222 * t4);
+        Phi[17] = A[6] + 0.0;
+        bs_lanes b5 = (0.6666666666666666 * A[6]) + 0.0;
+        const bs_lanes t6 = 0.0 + (A[6] * A[31]);
+        Phi[20] = 0.0 + (0.5 * t6);
+        bs_lanes b6 = 0.0 + (0.2222222222222222 * t6);
+        const bs_lanes t7 = 0.0 + (A[6] * A[32]);
+        Phi[23] = 0.0 + (0.5 * t7);
+        bs_lanes b7 = 0.0 + (0.2222222222222222 * t7);
+        bs_lanes b8 = bs_all_of(0.0);
+        const bs_lanes t12 = 0.0 + (A[6] * A[33]);
+        Phi[29] = 0.0 + (0.5 * t12);
+        bs_lanes b12 = 0.0 + (0.2222222222222222 * t12);
+        const bs_lanes t13 = 0.0 + (A[6] * A[34]);
+        Phi[32] = 0.0 + (0.5 * t13);
+        bs_lanes b13 = 0.0 + (0.2222222222222222 * t13);
+        const bs_lanes t14 = 0.0 + (A[6] * A[35]);
+        Phi[35] = 0.0 + (0.5 * t14);
+        bs_lanes b14 = 0.0 + (0.2222222222222222 * t14);
+        b8 = bs_choose(counts8, b8 + (b7 * gain8_7), b8);
+        b8 = bs_choose(counts8, b8 + (b6 * gain8_6), b8);
+        b7 = bs_choose(counts7, b7 + (b6 * gain7_6), b7);
+        b5 = bs_choose(counts5, b5 + (b4 * gain5_4), b5);
+        b5 = bs_choose(counts5, b5 + (b3 * gain5_3), b5);
+        b4 = bs_choose(counts4, b4 + (b3 * gain4_3), b4);
+        B[2] = b3;
+        s->T[29] = b3 * w[3];
+        B[5] = b4;
+        s->T[38] = b4 * w[4];
+        B[8] = b5;
+        s->T[47] = b5 * w[5];
+        B[11] = b6;
+        s->T[56] = b6 * w[6];
+        B[14] = b7;
+        s->T[65] = b7 * w[7];
+        B[17] = b8;
+        s->T[74] = b8 * w[8];
+        B[20] = b12;
+        s->T[110] = b12 * w[12];
+        Q[80] = s->T[110];
+        B[23] = b13;
+        s->T[119] = b13 * w[13];
+        Q[93] = s->T[119];
+        B[26] = b14;
+        s->T[128] = b14 * w[14];
+        Q[107] = s->T[128];
+    }
+    {
+        const bs_lanes t1 = 0.0 + (A[7] * A[3]) + (A[9] * A[7]) + (A[10] * A[17]) +
+            (A[11] * A[27]) + (A[12] * A[44]) + (A[13] * A[52]);
+        Phi[36] = A[7] + (0.5 * t1);
+        const bs_lanes t2 = 0.0 + (A[7] * A[4]) + (A[9] * A[8]) + (A[10] * A[18]) +
+            (A[11] * A[28]) + (A[12] * A[45]) + (A[13] * A[53]);
+        Phi[39] = A[8] + (0.5 * t2);
+        const bs_lanes t3 = 0.0 + (A[9] * A[9]) + (A[10] * A[19]) + (A[11] * A[29]) +
+            (A[12] * A[46]) + (A[13] * A[54]);
+        Phi[42] = (A[9] + (0.5 * t3)) + 1.0;
+        bs_lanes b3 = ((0.6666666666666666 * A[9]) + (0.2222222222222222 * t3)) + 1.0;
+        const bs_lanes t4 = 0.0 + (A[7] * A[5]) + (A[9] * A[10]) + (A[10] * A[20]) +
+            (A[11] * A[30]);
+        Phi[45] = A[10] + (0.5 * t4);
+        bs_lanes b4 = (0.6666666666666666 * A[10]) + (0.2222222222222222 * t4);
+        const bs_lanes t5 = 0.0 + (A[8] * A[6]) + (A[9] * A[11]) + (A[10] * A[21]);
+        Phi[48] = A[11] + (0.5 * t5);
+        bs_lanes b5 = (0.6666666666666666 * A[11]) + (0.2222222222222222 * t5);
+        const bs_lanes t6 = 0.0 + (A[10] * A[22]) + (A[11] * A[31]) + (A[12] * A[47]) +
+            (A[13] * A[55]);
+        Phi[51] = 0.0 + (0.5 * t6);
+        bs_lanes b6 = 0.0 + (0.2222222222222222 * t6);
+        const bs_lanes t7 = 0.0 + (A[9] * A[12]) + (A[11] * A[32]) + (A[13] * A[56]);
+        Phi[54] = A[12] + (0.5 * t7);
+        bs_lanes b7 = (0.6666666666666666 * A[12]) + (0.2222222222222222 * t7);
+        const bs_lanes t8 = 0.0 + (A[9] * A[13]) + (A[10] * A[23]) + (A[12] * A[48]);
+        Phi[57] = A[13] + (0.5 * t8);
+        bs_lanes b8 = (0.6666666666666666 * A[13]) + (0.2222222222222222 * t8);
+        const bs_lanes t9 = 0.0 + (A[12] * A[49]) + (A[13] * A[57]);
+        Phi[60] = 0.0 + (0.5 * t9);
+        bs_lanes b9 = 0.0 + (0.2222222222222222 * t9);
+        const bs_lanes t10 = 0.0 + (A[12] * A[50]) + (A[13] * A[58]);
+        Phi[63] = 0.0 + (0.5 * t10);
+        bs_lanes b10 = 0.0 + (0.2222222222222222 * t10);
+        const bs_lanes t11 = 0.0 + (A[12] * A[51]) + (A[13] * A[59]);
+        Phi[66] = 0.0 + (0.5 * t11);
+        bs_lanes b11 = 0.0 + (0.2222222222222222 * t11);
+        const bs_lanes t12 = 0.0 + (A[9] * A[14]) + (A[10] * A[24]) + (A[11] * A[33]);
+        Phi[69] = A[14] + (0.5 * t12);
+        bs_lanes b12 = (0.6666666666666666 * A[14]) + (0.2222222222222222 * t12);
+        const bs_lanes t13 = 0.0 + (A[9] * A[15]) + (A[10] * A[25]) + (A[11] * A[34]);
+        Phi[72] = A[15] + (0.5 * t13);
+        bs_lanes b13 = (0.6666666666666666 * A[15]) + (0.2222222222222222 * t13);
+        const bs_lanes t14 = 0.0 + (A[9] * A[16]) + (A[10] * A[26]) + (A[11] * A[35]);
+        Phi[75] = A[16] + (0.5 * t14);
+        bs_lanes b14 = (0.6666666666666666 * A[16]) + (0.2222222222222222 * t14);
+        b8 = bs_choose(counts8, b8 + (b7 * gain8_7), b8);
+        b8 = bs_choose(counts8, b8 + (b6 * gain8_6), b8);
+        b7 = bs_choose(counts7, b7 + (b6 * gain7_6), b7);
+        b5 = bs_choose(counts5, b5 + (b4 * gain5_4), b5);
+        b5 = bs_choose(counts5, b5 + (b3 * gain5_3), b5);
+        b4 = bs_choose(counts4, b4 + (b3 * gain4_3), b4);
+        B[27] = b3;
+        s->T[30] = b3 * w[3];
+        B[30] = b4;
+        s->T[39] = b4 * w[4];
+        B[33] = b5;
+        s->T[48] = b5 * w[5];
+        B[36] = b6;
+        s->T[57] = b6 * w[6];
+        B[39] = b7;
+        s->T[66] = b7 * w[7];
+        B[42] = b8;
+        s->T[75] = b8 * w[8];
+        B[45] = b9;
+        s->T[84] = b9 * w[9];
+        Q[48] = s->T[84];
+        B[48] = b10;
+        s->T[93] = b10 * w[10];
+        Q[58] = s->T[93];
+        B[51] = b11;
+        s->T[102] = b11 * w[11];
+        Q[69] = s->T[102];
+        B[54] = b12;
+        s->T[111] = b12 * w[12];
+        Q[81] = s->T[111];
+        B[57] = b13;
+        s->T[120] = b13 * w[13];
+        Q[94] = s->T[120];
+        B[60] = b14;
+        s->T[129] = b14 * w[14];
+        Q[108] = s->T[129];
+    }
+    {
+        const bs_lanes t1 = 0.0 + (A[17] * A[3]) + (A[19] * A[7]) + (A[20] * A[17]) +
+            (A[21] * A[27]) + (A[22] * A[36]) + (A[23] * A[52]);
+        Phi[37] = A[17] + (0.5 * t1);
+        const bs_lanes t2 = 0.0 + (A[17] * A[4]) + (A[19] * A[8]) + (A[20] * A[18]) +
+            (A[21] * A[28]) + (A[22] * A[37]) + (A[23] * A[53]);
+        Phi[40] = A[18] + (0.5 * t2);
+        const bs_lanes t3 = 0.0 + (A[19] * A[9]) + (A[20] * A[19]) + (A[21] * A[29]) +
+            (A[23] * A[54]);
+        Phi[43] = A[19] + (0.5 * t3);
+        bs_lanes b3 = (0.6666666666666666 * A[19]) + (0.2222222222222222 * t3);
+        const bs_lanes t4 = 0.0 + (A[17] * A[5]) + (A[19] * A[10]) + (A[20] * A[20]) +
+            (A[21] * A[30]) + (A[22] * A[38]);
+        Phi[46] = (A[20] + (0.5 * t4)) + 1.0;
+        bs_lanes b4 = ((0.6666666666666666 * A[20]) + (0.2222222222222222 * t4)) + 1.0;
+        const bs_lanes t5 = 0.0 + (A[18] * A[6]) + (A[19] * A[11]) + (A[20] * A[21]);
+        Phi[49] = A[21] + (0.5 * t5);
+        bs_lanes b5 = (0.6666666666666666 * A[21]) + (0.2222222222222222 * t5);
+        const bs_lanes t6 = 0.0 + (A[20] * A[22]) + (A[21] * A[31]) + (A[23] * A[55]);
+        Phi[52] = A[22] + (0.5 * t6);
+        bs_lanes b6 = (0.6666666666666666 * A[22]) + (0.2222222222222222 * t6);
+        const bs_lanes t7 = 0.0 + (A[19] * A[12]) + (A[21] * A[32]) + (A[22] * A[39]) +
+            (A[23] * A[56]);
+        Phi[55] = 0.0 + (0.5 * t7);
+        bs_lanes b7 = 0.0 + (0.2222222222222222 * t7);
+        const bs_lanes t8 = 0.0 + (A[19] * A[13]) + (A[20] * A[23]) + (A[22] * A[40]);
+        Phi[58] = A[23] + (0.5 * t8);
+        bs_lanes b8 = (0.6666666666666666 * A[23]) + (0.2222222222222222 * t8);
+        const bs_lanes t9 = 0.0 + (A[22] * A[41]) + (A[23] * A[57]);
+        Phi[61] = 0.0 + (0.5 * t9);
+        bs_lanes b9 = 0.0 + (0.2222222222222222 * t9);
+        const bs_lanes t10 = 0.0 + (A[22] * A[42]) + (A[23] * A[58]);
+        Phi[64] = 0.0 + (0.5 * t10);
+        bs_lanes b10 = 0.0 + (0.2222222222222222 * t10);
+        const bs_lanes t11 = 0.0 + (A[22] * A[43]) + (A[23] * A[59]);
+        Phi[67] = 0.0 + (0.5 * t11);
+        bs_lanes b11 = 0.0 + (0.2222222222222222 * t11);
+        const bs_lanes t12 = 0.0 + (A[19] * A[14]) + (A[20] * A[24]) + (A[21] * A[33]);
+        Phi[70] = A[24] + (0.5 * t12);
+        bs_lanes b12 = (0.6666666666666666 * A[24]) + (0.2222222222222222 * t12);
+        const bs_lanes t13 = 0.0 + (A[19] * A[15]) + (A[20] * A[25]) + (A[21] * A[34]);
+        Phi[73] = A[25] + (0.5 * t13);
+        bs_lanes b13 = (0.6666666666666666 * A[25]) + (0.2222222222222222 * t13);
+        const bs_lanes t14 = 0.0 + (A[19] * A[16]) + (A[20] * A[26]) + (A[21] * A[35]);
+        Phi[76] = A[26] + (0.5 * t14);
+        bs_lanes b14 = (0.6666666666666666 * A[26]) + (0.2222222222222222 * t14);
+        b8 = bs_choose(counts8, b8 + (b7 * gain8_7), b8);
+        b8 = bs_choose(counts8, b8 + (b6 * gain8_6), b8);
+        b7 = bs_choose(counts7, b7 + (b6 * gain7_6), b7);
+        b5 = bs_choose(counts5, b5 + (b4 * gain5_4), b5);
+        b5 = bs_choose(counts5, b5 + (b3 * gain5_3), b5);
+        b4 = bs_choose(counts4, b4 + (b3 * gain4_3), b4);
+        B[28] = b3;
+        s->T[31] = b3 * w[3];
+        B[31] = b4;
+        s->T[40] = b4 * w[4];
+        B[34] = b5;
+        s->T[49] = b5 * w[5];
+        B[37] = b6;
+        s->T[58] = b6 * w[6];
+        B[40] = b7;
+        s->T[67] = b7 * w[7];
+        B[43] = b8;
+        s->T[76] = b8 * w[8];
+        B[46] = b9;
+        s->T[85] = b9 * w[9];
+        Q[49] = s->T[85];
+        B[49] = b10;
+        s->T[94] = b10 * w[10];
+        Q[59] = s->T[94];
+        B[52] = b11;
+        s->T[103] = b11 * w[11];
+        Q[70] = s->T[103];
+        B[55] = b12;
+        s->T[112] = b12 * w[12];
+        Q[82] = s->T[112];
+        B[58] = b13;
+        s->T[121] = b13 * w[13];
+        Q[95] = s->T[121];
+        B[61] = b14;
+        s->T[130] = b14 * w[14];
+        Q[109] = s->T[130];
+    }
+    {
+        const bs_lanes t1 = 0.0 + (A[27] * A[3]) + (A[29] * A[7]) + (A[30] * A[17]) +
+            (A[31] * A[36]) + (A[32] * A[44]);
+        Phi[38] = A[27] + (0.5 * t1);
+        const bs_lanes t2 = 0.0 + (A[27] * A[4]) + (A[29] * A[8]) + (A[30] * A[18]) +
+            (A[31] * A[37]) + (A[32] * A[45]);
+        Phi[41] = A[28] + (0.5 * t2);
+        const bs_lanes t3 = 0.0 + (A[29] * A[9]) + (A[30] * A[19]) + (A[32] * A[46]);
+        Phi[44] = A[29] + (0.5 * t3);
+        bs_lanes b3 = (0.6666666666666666 * A[29]) + (0.2222222222222222 * t3);
+        const bs_lanes t4 = 0.0 + (A[27] * A[5]) + (A[29] * A[10]) + (A[30] * A[20]) +
+            (A[31] * A[38]);
+        Phi[47] = A[30] + (0.5 * t4);
+        bs_lanes b4 = (0.6666666666666666 * A[30]) + (0.2222222222222222 * t4);
+        const bs_lanes t5 = 0.0 + (A[28] * A[6]) + (A[29] * A[11]) + (A[30] * A[21]);
+        Phi[50] = (0.0 + (0.5 * t5)) + 1.0;
+        bs_lanes b5 = (0.0 + (0.2222222222222222 * t5)) + 1.0;
+        const bs_lanes t6 = 0.0 + (A[30] * A[22]) + (A[32] * A[47]);
+        Phi[53] = A[31] + (0.5 * t6);
+        bs_lanes b6 = (0.6666666666666666 * A[31]) + (0.2222222222222222 * t6);
+        const bs_lanes t7 = 0.0 + (A[29] * A[12]) + (A[31] * A[39]);
+        Phi[56] = A[32] + (0.5 * t7);
+        bs_lanes b7 = (0.6666666666666666 * A[32]) + (0.2222222222222222 * t7);
+        const bs_lanes t8 = 0.0 + (A[29] * A[13]) + (A[30] * A[23]) + (A[31] * A[40]) +
+            (A[32] * A[48]);
+        Phi[59] = 0.0 + (0.5 * t8);
+        bs_lanes b8 = 0.0 + (0.2222222222222222 * t8);
+        const bs_lanes t9 = 0.0 + (A[31] * A[41]) + (A[32] * A[49]);
+        Phi[62] = 0.0 + (0.5 * t9);
+        bs_lanes b9 = 0.0 + (0.2222222222222222 * t9);
+        const bs_lanes t10 = 0.0 + (A[31] * A[42]) + (A[32] * A[50]);
+        Phi[65] = 0.0 + (0.5 * t10);
+        bs_lanes b10 = 0.0 + (0.2222222222222222 * t10);
+        const bs_lanes t11 = 0.0 + (A[31] * A[43]) + (A[32] * A[51]);
+        Phi[68] = 0.0 + (0.5 * t11);
+        bs_lanes b11 = 0.0 + (0.2222222222222222 * t11);
+        const bs_lanes t12 = 0.0 + (A[29] * A[14]) + (A[30] * A[24]);
+        Phi[71] = A[33] + (0.5 * t12);
+        bs_lanes b12 = (0.6666666666666666 * A[33]) + (0.2222222222222222 * t12);
+        const bs_lanes t13 = 0.0 + (A[29] * A[15]) + (A[30] * A[25]);
+        Phi[74] = A[34] + (0.5 * t13);
+        bs_lanes b13 = (0.6666666666666666 * A[34]) + (0.2222222222222222 * t13);
+        const bs_lanes t14 = 0.0 + (A[29] * A[16]) + (A[30] * A[26]);
+        Phi[77] = A[35] + (0.5 * t14);
+        bs_lanes b14 = (0.6666666666666666 * A[35]) + (0.2222222222222222 * t14);
+        b8 = bs_choose(counts8, b8 + (b7 * gain8_7), b8);
+        b8 = bs_choose(counts8, b8 + (b6 * gain8_6), b8);
+        b7 = bs_choose(counts7, b7 + (b6 * gain7_6), b7);
+        b5 = bs_choose(counts5, b5 + (b4 * gain5_4), b5);
+        b5 = bs_choose(counts5, b5 + (b3 * gain5_3), b5);
+        b4 = bs_choose(counts4, b4 + (b3 * gain4_3), b4);
+        B[29] = b3;
+        s->T[32] = b3 * w[3];
+        B[32] = b4;
+        s->T[41] = b4 * w[4];
+        B[35] = b5;
+        s->T[50] = b5 * w[5];
+        B[38] = b6;
+        s->T[59] = b6 * w[6];
+        B[41] = b7;
+        s->T[68] = b7 * w[7];
+        B[44] = b8;
+        s->T[77] = b8 * w[8];
+        B[47] = b9;
+        s->T[86] = b9 * w[9];
+        Q[50] = s->T[86];
+        B[50] = b10;
+        s->T[95] = b10 * w[10];
+        Q[60] = s->T[95];
+        B[53] = b11;
+        s->T[104] = b11 * w[11];
+        Q[71] = s->T[104];
+        B[56] = b12;
+        s->T[113] = b12 * w[12];
+        Q[83] = s->T[113];
+        B[59] = b13;
+        s->T[122] = b13 * w[13];
+        Q[96] = s->T[122];
+        B[62] = b14;
+        s->T[131] = b14 * w[14];
+        Q[110] = s->T[131];
+    }
+    {
+        const bs_lanes t1 = 0.0 + (A[36] * A[3]) + (A[38] * A[17]) + (A[39] * A[44]) +
+            (A[40] * A[52]);
+        Phi[78] = A[36] + (0.5 * t1);
+        const bs_lanes t2 = 0.0 + (A[36] * A[4]) + (A[38] * A[18]) + (A[39] * A[45]) +
+            (A[40] * A[53]);
+        Phi[81] = A[37] + (0.5 * t2);
+        const bs_lanes t3 = 0.0 + (A[38] * A[19]) + (A[39] * A[46]) + (A[40] * A[54]);
+        Phi[84] = 0.0 + (0.5 * t3);
+        bs_lanes b3 = 0.0 + (0.2222222222222222 * t3);
+        const bs_lanes t4 = 0.0 + (A[36] * A[5]) + (A[38] * A[20]);
+        Phi[87] = A[38] + (0.5 * t4);
+        bs_lanes b4 = (0.6666666666666666 * A[38]) + (0.2222222222222222 * t4);
+        const bs_lanes t5 = 0.0 + (A[37] * A[6]) + (A[38] * A[21]);
+        Phi[90] = 0.0 + (0.5 * t5);
+        bs_lanes b5 = 0.0 + (0.2222222222222222 * t5);
+        const bs_lanes t6 = 0.0 + (A[38] * A[22]) + (A[39] * A[47]) + (A[40] * A[55]);
+        Phi[93] = (0.0 + (0.5 * t6)) + 1.0;
+        bs_lanes b6 = (0.0 + (0.2222222222222222 * t6)) + 1.0;
+        const bs_lanes t7 = 0.0 + (A[40] * A[56]);
+        Phi[96] = A[39] + (0.5 * t7);
+        bs_lanes b7 = (0.6666666666666666 * A[39]) + (0.2222222222222222 * t7);
+        const bs_lanes t8 = 0.0 + (A[38] * A[23]) + (A[39] * A[48]);
+        Phi[99] = A[40] + (0.5 * t8);
+        bs_lanes b8 = (0.6666666666666666 * A[40]) + (0.2222222222222222 * t8);
+        const bs_lanes t9 = 0.0 + (A[39] * A[49]) + (A[40] * A[57]);
+        Phi[102] = A[41] + (0.5 * t9);
+        bs_lanes b9 = (0.6666666666666666 * A[41]) + (0.2222222222222222 * t9);
+        const bs_lanes t10 = 0.0 + (A[39] * A[50]) + (A[40] * A[58]);
+        Phi[105] = A[42] + (0.5 * t10);
+        bs_lanes b10 = (0.6666666666666666 * A[42]) + (0.2222222222222222 * t10);
+        const bs_lanes t11 = 0.0 + (A[39] * A[51]) + (A[40] * A[59]);
+        Phi[108] = A[43] + (0.5 * t11);
+        bs_lanes b11 = (0.6666666666666666 * A[43]) + (0.2222222222222222 * t11);
+        const bs_lanes t12 = 0.0 + (A[38] * A[24]);
+        Phi[111] = 0.0 + (0.5 * t12);
+        bs_lanes b12 = 0.0 + (0.2222222222222222 * t12);
+        const bs_lanes t13 = 0.0 + (A[38] * A[25]);
+        Phi[114] = 0.0 + (0.5 * t13);
+        bs_lanes b13 = 0.0 + (0.2222222222222222 * t13);
+        const bs_lanes t14 = 0.0 + (A[38] * A[26]);
+        Phi[117] = 0.0 + (0.5 * t14);
+        bs_lanes b14 = 0.0 + (0.2222222222222222 * t14);
+        b8 = bs_choose(counts8, b8 + (b7 * gain8_7), b8);
+        b8 = bs_choose(counts8, b8 + (b6 * gain8_6), b8);
+        b7 = bs_choose(counts7, b7 + (b6 * gain7_6), b7);
+        b5 = bs_choose(counts5, b5 + (b4 * gain5_4), b5);
+        b5 = bs_choose(counts5, b5 + (b3 * gain5_3), b5);
+        b4 = bs_choose(counts4, b4 + (b3 * gain4_3), b4);
+        B[63] = b3;
+        s->T[33] = b3 * w[3];
+        B[66] = b4;
+        s->T[42] = b4 * w[4];
+        B[69] = b5;
+        s->T[51] = b5 * w[5];
+        B[72] = b6;
+        s->T[60] = b6 * w[6];
+        B[75] = b7;
+        s->T[69] = b7 * w[7];
+        B[78] = b8;
+        s->T[78] = b8 * w[8];
+        B[81] = b9;
+        s->T[87] = b9 * w[9];
+        Q[51] = s->T[87];
+        B[84] = b10;
+        s->T[96] = b10 * w[10];
+        Q[61] = s->T[96];
+        B[87] = b11;
+        s->T[105] = b11 * w[11];
+        Q[72] = s->T[105];
+        B[90] = b12;
+        s->T[114] = b12 * w[12];
+        Q[84] = s->T[114];
+        B[93] = b13;
+        s->T[123] = b13 * w[13];
+        Q[97] = s->T[123];
+        B[96] = b14;
+        s->T[132] = b14 * w[14];
+        Q[111] = s->T[132];
+    }
+    {
+        const bs_lanes t1 = 0.0 + (A[44] * A[3]) + (A[46] * A[7]) + (A[47] * A[36]) +
+            (A[48] * A[52]);
+        Phi[79] = A[44] + (0.5 * t1);
+        const bs_lanes t2 = 0.0 + (A[44] * A[4]) + (A[46] * A[8]) + (A[47] * A[37]) +
+            (A[48] * A[53]);
+        Phi[82] = A[45] + (0.5 * t2);
+        const bs_lanes t3 = 0.0 + (A[46] * A[9]) + (A[48] * A[54]);
+        Phi[85] = A[46] + (0.5 * t3);
+        bs_lanes b3 = (0.6666666666666666 * A[46]) + (0.2222222222222222 * t3);
+        const bs_lanes t4 = 0.0 + (A[44] * A[5]) + (A[46] * A[10]) + (A[47] * A[38]);
+        Phi[88] = 0.0 + (0.5 * t4);
+        bs_lanes b4 = 0.0 + (0.2222222222222222 * t4);
+        const bs_lanes t5 = 0.0 + (A[45] * A[6]) + (A[46] * A[11]);
+        Phi[91] = 0.0 + (0.5 * t5);
+        bs_lanes b5 = 0.0 + (0.2222222222222222 * t5);
+        const bs_lanes t6 = 0.0 + (A[48] * A[55]);
+        Phi[94] = A[47] + (0.5 * t6);
+        bs_lanes b6 = (0.6666666666666666 * A[47]) + (0.2222222222222222 * t6);
+        const bs_lanes t7 = 0.0 + (A[46] * A[12]) + (A[47] * A[39]) + (A[48] * A[56]);
+        Phi[97] = (0.0 + (0.5 * t7)) + 1.0;
+        bs_lanes b7 = (0.0 + (0.2222222222222222 * t7)) + 1.0;
+        const bs_lanes t8 = 0.0 + (A[46] * A[13]) + (A[47] * A[40]);
+        Phi[100] = A[48] + (0.5 * t8);
+        bs_lanes b8 = (0.6666666666666666 * A[48]) + (0.2222222222222222 * t8);
+        const bs_lanes t9 = 0.0 + (A[47] * A[41]) + (A[48] * A[57]);
+        Phi[103] = A[49] + (0.5 * t9);
+        bs_lanes b9 = (0.6666666666666666 * A[49]) + (0.2222222222222222 * t9);
+        const bs_lanes t10 = 0.0 + (A[47] * A[42]) + (A[48] * A[58]);
+        Phi[106] = A[50] + (0.5 * t10);
+        bs_lanes b10 = (0.6666666666666666 * A[50]) + (0.2222222222222222 * t10);
+        const bs_lanes t11 = 0.0 + (A[47] * A[43]) + (A[48] * A[59]);
+        Phi[109] = A[51] + (0.5 * t11);
+        bs_lanes b11 = (0.6666666666666666 * A[51]) + (0.2222222222222222 * t11);
+        const bs_lanes t12 = 0.0 + (A[46] * A[14]);
+        Phi[112] = 0.0 + (0.5 * t12);
+        bs_lanes b12 = 0.0 + (0.2222222222222222 * t12);
+        const bs_lanes t13 = 0.0 + (A[46] * A[15]);
+        Phi[115] = 0.0 + (0.5 * t13);
+        bs_lanes b13 = 0.0 + (0.2222222222222222 * t13);
+        const bs_lanes t14 = 0.0 + (A[46] * A[16]);
+        Phi[118] = 0.0 + (0.5 * t14);
+        bs_lanes b14 = 0.0 + (0.2222222222222222 * t14);
+        b8 = bs_choose(counts8, b8 + (b7 * gain8_7), b8);
+        b8 = bs_choose(counts8, b8 + (b6 * gain8_6), b8);
+        b7 = bs_choose(counts7, b7 + (b6 * gain7_6), b7);
+        b5 = bs_choose(counts5, b5 + (b4 * gain5_4), b5);
+        b5 = bs_choose(counts5, b5 + (b3 * gain5_3), b5);
+        b4 = bs_choose(counts4, b4 + (b3 * gain4_3), b4);
+        B[64] = b3;
+        s->T[34] = b3 * w[3];
+        B[67] = b4;
+        s->T[43] = b4 * w[4];
+        B[70] = b5;
+        s->T[52] = b5 * w[5];
+        B[73] = b6;
+        s->T[61] = b6 * w[6];
+        B[76] = b7;
+        s->T[70] = b7 * w[7];
+        B[79] = b8;
+        s->T[79] = b8 * w[8];
+        B[82] = b9;
+        s->T[88] = b9 * w[9];
+        Q[52] = s->T[88];
+        B[85] = b10;
+        s->T[97] = b10 * w[10];
+        Q[62] = s->T[97];
+        B[88] = b11;
+        s->T[106] = b11 * w[11];
+        Q[73] = s->T[106];
+        B[91] = b12;
+        s->T[115] = b12 * w[12];
+        Q[85] = s->T[115];
+        B[94] = b13;
+        s->T[124] = b13 * w[13];
+        Q[98] = s->T[124];
+        B[97] = b14;
+        s->T[133] = b14 * w[14];
+        Q[112] = s->T[133];
+    }
+    {
+        const bs_lanes t1 = 0.0 + (A[52] * A[3]) + (A[54] * A[7]) + (A[55] * A[36]) +
+            (A[56] * A[44]);
+        Phi[80] = A[52] + (0.5 * t1);
+        const bs_lanes t2 = 0.0 + (A[52] * A[4]) + (A[54] * A[8]) + (A[55] * A[37]) +
+            (A[56] * A[45]);
+        Phi[83] = A[53] + (0.5 * t2);
+        const bs_lanes t3 = 0.0 + (A[54] * A[9]) + (A[56] * A[46]);
+        Phi[86] = A[54] + (0.5 * t3);
+        bs_lanes b3 = (0.6666666666666666 * A[54]) + (0.2222222222222222 * t3);
+        const bs_lanes t4 = 0.0 + (A[52] * A[5]) + (A[54] * A[10]) + (A[55] * A[38]);
+        Phi[89] = 0.0 + (0.5 * t4);
+        bs_lanes b4 = 0.0 + (0.2222222222222222 * t4);
+        const bs_lanes t5 = 0.0 + (A[53] * A[6]) + (A[54] * A[11]);
+        Phi[92] = 0.0 + (0.5 * t5);
+        bs_lanes b5 = 0.0 + (0.2222222222222222 * t5);
+        const bs_lanes t6 = 0.0 + (A[56] * A[47]);
+        Phi[95] = A[55] + (0.5 * t6);
+        bs_lanes b6 = (0.6666666666666666 * A[55]) + (0.2222222222222222 * t6);
+        const bs_lanes t7 = 0.0 + (A[54] * A[12]) + (A[55] * A[39]);
+        Phi[98] = A[56] + (0.5 * t7);
+        bs_lanes b7 = (0.6666666666666666 * A[56]) + (0.2222222222222222 * t7);
+        const bs_lanes t8 = 0.0 + (A[54] * A[13]) + (A[55] * A[40]) + (A[56] * A[48]);
+        Phi[101] = (0.0 + (0.5 * t8)) + 1.0;
+        bs_lanes b8 = (0.0 + (0.2222222222222222 * t8)) + 1.0;
+        const bs_lanes t9 = 0.0 + (A[55] * A[41]) + (A[56] * A[49]);
+        Phi[104] = A[57] + (0.5 * t9);
+        bs_lanes b9 = (0.6666666666666666 * A[57]) + (0.2222222222222222 * t9);
+        const bs_lanes t10 = 0.0 + (A[55] * A[42]) + (A[56] * A[50]);
+        Phi[107] = A[58] + (0.5 * t10);
+        bs_lanes b10 = (0.6666666666666666 * A[58]) + (0.2222222222222222 * t10);
+        const bs_lanes t11 = 0.0 + (A[55] * A[43]) + (A[56] * A[51]);
+        Phi[110] = A[59] + (0.5 * t11);
+        bs_lanes b11 = (0.6666666666666666 * A[59]) + (0.2222222222222222 * t11);
+        const bs_lanes t12 = 0.0 + (A[54] * A[14]);
+        Phi[113] = 0.0 + (0.5 * t12);
+        bs_lanes b12 = 0.0 + (0.2222222222222222 * t12);
+        const bs_lanes t13 = 0.0 + (A[54] * A[15]);
+        Phi[116] = 0.0 + (0.5 * t13);
+        bs_lanes b13 = 0.0 + (0.2222222222222222 * t13);
+        const bs_lanes t14 = 0.0 + (A[54] * A[16]);
+        Phi[119] = 0.0 + (0.5 * t14);
+        bs_lanes b14 = 0.0 + (0.2222222222222222 * t14);
+        b8 = bs_choose(counts8, b8 + (b7 * gain8_7), b8);
+        b8 = bs_choose(counts8, b8 + (b6 * gain8_6), b8);
+        b7 = bs_choose(counts7, b7 + (b6 * gain7_6), b7);
+        b5 = bs_choose(counts5, b5 + (b4 * gain5_4), b5);
+        b5 = bs_choose(counts5, b5 + (b3 * gain5_3), b5);
+        b4 = bs_choose(counts4, b4 + (b3 * gain4_3), b4);
+        B[65] = b3;
+        s->T[35] = b3 * w[3];
+        B[68] = b4;
+        s->T[44] = b4 * w[4];
+        B[71] = b5;
+        s->T[53] = b5 * w[5];
+        B[74] = b6;
+        s->T[62] = b6 * w[6];
+        B[77] = b7;
+        s->T[71] = b7 * w[7];
+        B[80] = b8;
+        s->T[80] = b8 * w[8];
+        B[83] = b9;
+        s->T[89] = b9 * w[9];
+        Q[53] = s->T[89];
+        B[86] = b10;
+        s->T[98] = b10 * w[10];
+        Q[63] = s->T[98];
+        B[89] = b11;
+        s->T[107] = b11 * w[11];
+        Q[74] = s->T[107];
+        B[92] = b12;
+        s->T[116] = b12 * w[12];
+        Q[86] = s->T[116];
+        B[95] = b13;
+        s->T[125] = b13 * w[13];
+        Q[99] = s->T[125];
+        B[98] = b14;
+        s->T[134] = b14 * w[14];
+        Q[113] = s->T[134];
+    }
+    for (int j = 0; j < 3; ++j) {
+        for (int i = 0; i <= j; ++i) {
+            tile_3(&B[3 * (int)start[j]], &at[start[j]], (int)start[j + 1] - (int)start[j],
+                   &s->T[3 * i], &s->S[(27 * j) + (3 * i)], 9, 1);
         }
     }
-    Q[78] = s->T[108];
-    Q[91] = s->T[117];
-    Q[105] = s->T[126];
-    Q[79] = s->T[109];
-    Q[92] = s->T[118];
-    Q[106] = s->T[127];
-    Q[80] = s->T[110];
-    Q[93] = s->T[119];
-    Q[107] = s->T[128];
-    Q[48] = s->T[84];
-    Q[58] = s->T[93];
-    Q[69] = s->T[102];
-    Q[81] = s->T[111];
-    Q[94] = s->T[120];
-    Q[108] = s->T[129];
-    Q[49] = s->T[85];
-    Q[59] = s->T[94];
-    Q[70] = s->T[103];
-    Q[82] = s->T[112];
-    Q[95] = s->T[121];
-    Q[109] = s->T[130];
-    Q[50] = s->T[86];
-    Q[60] = s->T[95];
-    Q[71] = s->T[104];
-    Q[83] = s->T[113];
-    Q[96] = s->T[122];
-    Q[110] = s->T[131];
-    Q[51] = s->T[87];
-    Q[61] = s->T[96];
-    Q[72] = s->T[105];
-    Q[84] = s->T[114];
-    Q[97] = s->T[123];
-    Q[111] = s->T[132];
-    Q[52] = s->T[88];
-    Q[62] = s->T[97];
-    Q[73] = s->T[106];
-    Q[85] = s->T[115];
-    Q[98] = s->T[124];
-    Q[112] = s->T[133];
-    Q[53] = s->T[89];
-    Q[63] = s->T[98];
-    Q[74] = s->T[107];
-    Q[86] = s->T[116];
-    Q[99] = s->T[125];
-    Q[113] = s->T[134];
     s->S[30] += quarter * s->Qc[0];
     s->S[39] += quarter * s->Qc[1];
     s->S[48] += quarter * s->Qc[2];
@@ -1274,27 +1187,15 @@ static void discretize(scratch *s, const bs_lanes *dt)
 /* P = Phi P Phi' + Q: ahr_joseph_predict.  P as it was stands in s->X. */
 static void predict(scratch *s, bs_lanes *P)
 {
-    static const unsigned short start[10] = { 0, 11, 21, 31, 45, 59, 73, 87, 101, 115 };
-    static const unsigned short at[115] = { 0, 16, 32, 48, 64, 80, 112, 128, 192, 208, 224, 16, 32,
-                                            48, 64, 80, 96, 128, 192, 208, 224, 16, 32, 48, 64, 80,
-                                            96, 112, 192, 208, 224, 16, 32, 48, 64, 80, 96, 112,
-                                            128, 144, 160, 176, 192, 208, 224, 16, 32, 48, 64, 80,
-                                            96, 112, 128, 144, 160, 176, 192, 208, 224, 16, 32, 48,
-                                            64, 80, 96, 112, 128, 144, 160, 176, 192, 208, 224, 16,
-                                            32, 48, 64, 80, 96, 112, 128, 144, 160, 176, 192, 208,
-                                            224, 16, 32, 48, 64, 80, 96, 112, 128, 144, 160, 176,
-                                            192, 208, 224, 16, 32, 48, 64, 80, 96, 112, 128, 144,
-                                            160, 176, 192, 208, 224 };
-    static const unsigned short across[115] = { 0, 9, 18, 27, 36, 45, 63, 72, 108, 117, 126, 9, 18,
-                                                27, 36, 45, 54, 72, 108, 117, 126, 9, 18, 27, 36,
-                                                45, 54, 63, 108, 117, 126, 9, 18, 27, 36, 45, 54,
-                                                63, 72, 81, 90, 99, 108, 117, 126, 9, 18, 27, 36,
-                                                45, 54, 63, 72, 81, 90, 99, 108, 117, 126, 9, 18,
-                                                27, 36, 45, 54, 63, 72, 81, 90, 99, 108, 117, 126,
-                                                9, 18, 27, 36, 45, 54, 63, 72, 81, 90, 99, 108, 117,
-                                                126, 9, 18, 27, 36, 45, 54, 63, 72, 81, 90, 99, 108,
-                                                117, 126, 9, 18, 27, 36, 45, 54, 63, 72, 81, 90, 99,
-                                                108, 117, 126 };
+    static const unsigned short start[4] = { 0, 12, 26, 40 };
+    static const unsigned short at[40] = { 0, 16, 32, 48, 64, 80, 96, 112, 128, 192, 208, 224, 16,
+                                           32, 48, 64, 80, 96, 112, 128, 144, 160, 176, 192, 208,
+                                           224, 16, 32, 48, 64, 80, 96, 112, 128, 144, 160, 176,
+                                           192, 208, 224 };
+    static const unsigned short across[40] = { 0, 9, 18, 27, 36, 45, 54, 63, 72, 108, 117, 126, 9,
+                                               18, 27, 36, 45, 54, 63, 72, 81, 90, 99, 108, 117,
+                                               126, 9, 18, 27, 36, 45, 54, 63, 72, 81, 90, 99, 108,
+                                               117, 126 };
     const bs_lanes *next = P;
     for (int j = 0; j < AHR_N_STATES; ++j) {
         for (int i = 0; i <= j; ++i, ++next) {
@@ -1302,21 +1203,24 @@ static void predict(scratch *s, bs_lanes *P)
             s->X[(j * 16) + i] = *next;
         }
     }
-    for (int i = 0; i < 9; ++i) {
-        for (int j = 0; j < 16; j += 16) {
-            wide_sums(&s->Phi[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], &s->X[j],
-                      &s->Y[(j * 9) + i], 9);
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 16; j += 4) {
+            tile_4(&s->Phi[3 * (int)start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i],
+                   &s->X[j], &s->Y[(j * 9) + (3 * i)], 1, 9);
         }
     }
-    for (int j = 0; j < 9; ++j) {
-        bs_lanes *const to = &P[(j * (j + 1)) / 2];
-        bs_lanes sum[9];
-        for (int i = 0; i <= j; i += 3) {
-            tall_sums(&s->Phi[start[j]], &across[start[j]], (int)start[j + 1] - (int)start[j],
-                      &s->Y[i], &sum[i], 1);
-        }
+    for (int j = 0; j < 3; ++j) {
+        bs_lanes sum[27];
         for (int i = 0; i <= j; ++i) {
-            to[i] = sum[i] + s->S[(j * 9) + i];
+            tile_3(&s->Phi[3 * (int)start[j]], &across[start[j]], (int)start[j + 1] - (int)start[j],
+                   &s->Y[3 * i], &sum[3 * i], 9, 1);
+        }
+        for (int r = 0; (r < 3) && (((3 * j) + r) < 9); ++r) {
+            const int row = (3 * j) + r;
+            bs_lanes *const to = &P[(row * (row + 1)) / 2];
+            for (int i = 0; i <= row; ++i) {
+                to[i] = sum[(r * 9) + i] + s->S[(row * 9) + i];
+            }
         }
     }
     for (int j = 9; j < AHR_N_STATES; ++j) {
@@ -1333,17 +1237,13 @@ static void predict(scratch *s, bs_lanes *P)
 
 static void propagate_lanes(block *b, const chosen *runs, const bs_given *given, bs_bits *rare)
 {
-    static const unsigned short start[10] = { 0, 11, 21, 31, 45, 59, 73, 87, 101, 115 };
-    static const unsigned short at[115] = { 0, 1, 2, 3, 4, 5, 7, 8, 12, 13, 14, 1, 2, 3, 4, 5, 6, 8,
-                                            12, 13, 14, 1, 2, 3, 4, 5, 6, 7, 12, 13, 14, 1, 2, 3, 4,
-                                            5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 1, 2, 3, 4, 5, 6, 7,
-                                            8, 9, 10, 11, 12, 13, 14, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10,
-                                            11, 12, 13, 14, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12,
-                                            13, 14, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14,
-                                            1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14 };
+    static const unsigned short start[4] = { 0, 12, 26, 40 };
+    static const unsigned short at[40] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 13, 14, 1, 2, 3, 4, 5, 6,
+                                           7, 8, 9, 10, 11, 12, 13, 14, 1, 2, 3, 4, 5, 6, 7, 8, 9,
+                                           10, 11, 12, 13, 14 };
     scratch *const s = runs->s;
     bs_bits good = *rare;
-    bs_lanes x[AHR_N_STATES];
+    bs_lanes x[16];
     bs_lanes in[16];
     bs_read(&in[0], &given[0], 0, 3, runs->first, runs->n);
     bs_read(&in[3], &given[0], 6, 1, runs->first, runs->n);
@@ -1360,15 +1260,12 @@ static void propagate_lanes(block *b, const chosen *runs, const bs_given *given,
     ahr_F_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &in[0], s->F);
     ahr_Qc_kernel(&b->carried[6], &in[4], &in[7], &in[10], &in[13], s->Qc);
     discretize(s, &in[3]);
-    for (int i = 0; i < AHR_N_STATES; ++i) {
-        x[i] = b->x[i];
+    for (int i = 0; i < 3; ++i) {
+        tile_1(&s->Phi[3 * (int)start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], b->x,
+               &x[3 * i], 1, 1);
     }
-    for (int i = 0; i < 9; ++i) {
-        bs_lanes sum = bs_all_of(0.0);
-        for (int p = (int)start[i]; p < (int)start[i + 1]; ++p) {
-            sum += s->Phi[p] * b->x[at[p]];
-        }
-        x[i] = sum;
+    for (int i = 9; i < AHR_N_STATES; ++i) {
+        x[i] = b->x[i];
     }
     predict(s, b->P);
     good &= judged(x, b->P);
@@ -1384,20 +1281,26 @@ static void propagate_lanes(block *b, const chosen *runs, const bs_given *given,
     *rare &= ~good;
 }
 
-/* One row of a measurement: ahr_joseph_update.  Returns by `good` where it went its usual way; nis
- * grows. */
-static void take_row(block *b,
-                     const bs_lanes *h,
-                     const unsigned short *states,
-                     int count,
-                     const bs_lanes *z,
-                     const bs_lanes *R,
-                     double gate,
-                     int asked,
-                     bs_lanes *nu,
-                     bs_lanes *S,
-                     bs_lanes *nis,
-                     bs_bits *good)
+/* How a measurement is going. */
+typedef struct {
+    bs_lanes nu[3];
+    bs_lanes S[3];
+    bs_lanes nis;
+    bs_lanes x[AHR_N_STATES]; /* as it was, as is P in the scratch memory */
+    unsigned int asked;           /* which rows are taken */
+    bs_bits good;                 /* where it went its usual way */
+} taken;
+
+/* One row of a measurement: ahr_joseph_update.  In line, so that its few states are known. */
+BS_INLINE void take_row(block *b,
+                        int row,
+                        const bs_lanes *h,
+                        const unsigned short *states,
+                        int count,
+                        const bs_lanes *z,
+                        const bs_lanes *R,
+                        double gate,
+                        taken *t)
 {
     bs_lanes g[AHR_N_STATES];
     bs_lanes K[AHR_N_STATES];
@@ -1405,12 +1308,12 @@ static void take_row(block *b,
     bs_lanes *const P = b->P;
     const bs_lanes zero = bs_all_of(0.0);
     bs_lanes inverse;
-    *nu = *z;
-    *S = *R;
+    bs_lanes nu = z[row];
+    bs_lanes S = R[row];
     for (int p = 0; p < count; ++p) {
         const int k = (int)states[p];
         const bs_lanes *const column = &P[(k * (k + 1)) / 2];
-        *nu -= h[p] * b->x[k];
+        nu -= h[p] * b->x[k];
         for (int i = 0; i < k; ++i) {
             g[i] = ((p > 0) ? g[i] : zero) + (h[p] * column[i]);
         }
@@ -1419,20 +1322,22 @@ static void take_row(block *b,
         }
     }
     for (int p = 0; p < count; ++p) {
-        *S += h[p] * g[states[p]];
+        S += h[p] * g[states[p]];
     }
-    *good &= ((*nu - *nu) <= 0.0) & ((*S - *S) <= 0.0) & (*S >= 2.2250738585072014e-308);
-    if (asked == 0) {
+    t->good &= ((nu - nu) <= 0.0) & ((S - S) <= 0.0) & (S >= 2.2250738585072014e-308);
+    t->nu[row] = nu;
+    t->S[row] = S;
+    if (((t->asked >> (unsigned int)row) & 1U) == 0U) {
         return;
     }
     if (gate > 0.0) {
-        *good &= (*nu * *nu) <= ((gate * gate) * *S);
+        t->good &= (nu * nu) <= ((gate * gate) * S);
     }
-    *nis += (*nu * *nu) / *S;
-    inverse = 1.0 / *S;
+    t->nis += (nu * nu) / S;
+    inverse = 1.0 / S;
     for (int i = 0; i < AHR_N_STATES; ++i) {
         K[i] = g[i] * inverse;
-        b->x[i] += K[i] * *nu;
+        b->x[i] += K[i] * nu;
     }
     for (int p = 0; p < count; ++p) {
         const int k = (int)states[p];
@@ -1446,100 +1351,104 @@ static void take_row(block *b,
         }
     }
     for (int i = 0; i < AHR_N_STATES; ++i) {
-        own[i] -= *R * K[i];
+        own[i] -= R[row] * K[i];
     }
-    for (int j = 0; j < AHR_N_STATES; ++j) {
-        bs_lanes *const to = &P[(j * (j + 1)) / 2];
-        const bs_lanes gj = g[j];
-        const bs_lanes Kj = K[j];
+    for (int j = 0; j < (AHR_N_STATES - 1); j += 2) { /* two columns at a time read K and own
+                                                       * once */
+        bs_lanes *const one = &P[(j * (j + 1)) / 2];
+        bs_lanes *const other = &one[j + 1];
         for (int i = 0; i <= j; ++i) {
-            to[i] = (to[i] - (K[i] * gj)) - (own[i] * Kj);
+            one[i] = (one[i] - (K[i] * g[j])) - (own[i] * K[j]);
+            other[i] = (other[i] - (K[i] * g[j + 1])) - (own[i] * K[j + 1]);
         }
+        other[j + 1] = (other[j + 1] - (K[j + 1] * g[j + 1])) - (own[j + 1] * K[j + 1]);
     }
 }
 
-/* What all measurements share: H, z and R of m rows are ready, and good says where. */
-static void take_lanes(block *b,
-                       const chosen *runs,
-                       const bs_lanes *H,
-                       const unsigned short *start,
-                       const unsigned short *at,
-                       int m,
-                       const bs_lanes *z,
-                       const bs_lanes *R,
-                       unsigned int angles,
-                       int index,
-                       const bs_taking *taking,
-                       bs_bits *good,
-                       bs_bits *rare)
+/* Before the rows of a measurement: H, z and R of m rows are ready, and t->good says where. */
+static void begin_taking(block *b,
+                         const chosen *runs,
+                         const bs_lanes *H,
+                         const unsigned short *start,
+                         const unsigned short *at,
+                         int m,
+                         const bs_lanes *z,
+                         unsigned int angles,
+                         const bs_taking *taking,
+                         taken *t)
 {
-    bs_lanes nu[3];
-    bs_lanes S[3];
-    bs_lanes nis = bs_all_of(0.0);
-    bs_lanes x[AHR_N_STATES];
     scratch *const s = runs->s;
-    unsigned int asked = 0U;
     const unsigned char *rows = &taking->rows[runs->first * taking->stride];
+    t->nis = bs_all_of(0.0);
+    t->asked = 0U;
     for (int k = 0; k < m; ++k) { /* as the first run of the block has them */
-        asked |= (rows[k] != 0U) ? (1U << (unsigned int)k) : 0U;
+        t->asked |= (rows[k] != 0U) ? (1U << (unsigned int)k) : 0U;
     }
-    for (size_t l = 1U; (l < BORESIGHT_LANES) && ((runs->first + l) < runs->n); ++l) {
+    for (size_t l = 1U; (taking->stride != 0U) && (l < BORESIGHT_LANES) &&
+         ((runs->first + l) < runs->n); ++l) {
         unsigned int own = 0U;
         for (int k = 0; k < m; ++k) {
             own |= (rows[(l * taking->stride) + (size_t)k] != 0U) ? (1U << (unsigned int)k) : 0U;
         }
-        if (own != asked) {
-            (*good)[l] = 0;
+        if (own != t->asked) {
+            t->good[l] = 0;
         }
     }
     for (int i = 0; i < AHR_N_PACKED; ++i) {
         s->P[i] = b->P[i];
     }
     for (int i = 0; i < AHR_N_STATES; ++i) {
-        x[i] = b->x[i];
+        t->x[i] = b->x[i];
     }
     for (int i = 0; i < m; ++i) {
         if (((angles >> (unsigned int)i) & 1U) != 0U) { /* no whole turn is to be taken */
             bs_lanes off = z[i];
             for (int p = (int)start[i]; p < (int)start[i + 1]; ++p) {
-                off -= H[p] * x[at[p]];
+                off -= H[p] * b->x[at[p]];
             }
-            *good &= (off >= -3.141592653589793) & (off < 3.141592653589793);
+            t->good &= (off >= -3.141592653589793) & (off < 3.141592653589793);
         }
     }
-    for (int i = 0; i < m; ++i) {
-        take_row(b, &H[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], &z[i], &R[i],
-                 taking->gates[0], (int)((asked >> (unsigned int)i) & 1U), &nu[i], &S[i], &nis,
-                 good);
-    }
+}
+
+/* After them. */
+static void end_taking(block *b,
+                       const chosen *runs,
+                       int m,
+                       int index,
+                       const bs_taking *taking,
+                       taken *t,
+                       bs_bits *rare)
+{
+    scratch *const s = runs->s;
     if (taking->gates[1] > 0.0) {
-        *good &= nis <= taking->gates[1];
+        t->good &= t->nis <= taking->gates[1];
     }
-    *good &= judged(b->x, b->P);
-    if (!bs_everywhere(*good)) {
+    t->good &= judged(b->x, b->P);
+    if (!bs_everywhere(t->good)) {
         for (int i = 0; i < AHR_N_PACKED; ++i) {
-            b->P[i] = bs_choose(*good, b->P[i], s->P[i]);
+            b->P[i] = bs_choose(t->good, b->P[i], s->P[i]);
         }
         for (int i = 0; i < AHR_N_STATES; ++i) {
-            b->x[i] = bs_choose(*good, b->x[i], x[i]);
+            b->x[i] = bs_choose(t->good, b->x[i], t->x[i]);
         }
     }
-    if (asked != 0U) {
-        b->rejected[index] = bs_choose(*good, bs_all_of(0.0), b->rejected[index]);
+    if (t->asked != 0U) {
+        b->rejected[index] = bs_choose(t->good, bs_all_of(0.0), b->rejected[index]);
     }
     for (int l = 0; l < BORESIGHT_LANES; ++l) {
-        if ((*good)[l] != 0) {
+        if (t->good[l] != 0) {
             const size_t run = runs->first + (size_t)l;
-            taking->nis[run] = nis[l];
+            taking->nis[run] = t->nis[l];
             for (int k = 0; k < m; ++k) {
-                taking->nu[(run * (size_t)m) + (size_t)k] = nu[k][l];
-                taking->S[(run * (size_t)m) + (size_t)k] = S[k][l];
+                taking->nu[(run * (size_t)m) + (size_t)k] = t->nu[k][l];
+                taking->S[(run * (size_t)m) + (size_t)k] = t->S[k][l];
                 taking->used[(run * (size_t)m) +
-                             (size_t)k] = (unsigned char)((asked >> (unsigned int)k) & 1U);
+                             (size_t)k] = (unsigned char)((t->asked >> (unsigned int)k) & 1U);
             }
         }
     }
-    *rare &= ~*good;
+    *rare &= ~t->good;
 }
 
 static void measure_zupt_lanes(block *b,
@@ -1556,6 +1465,7 @@ static void measure_zupt_lanes(block *b,
     bs_lanes z[3];
     bs_lanes R[3];
     bs_lanes H[3];
+    taken t;
     bs_lanes in[1];
     for (int i = 0; i < 2; ++i) {
         if (!((taking->gates[i] >= 0.0) && (taking->gates[i] <= most[0]))) {
@@ -1572,7 +1482,12 @@ static void measure_zupt_lanes(block *b,
     good &= in_box(b);
     ahr_zupt_z_kernel(&b->carried[3], z);
     ahr_zupt_H_kernel(H);
-    take_lanes(b, runs, H, start, at, 3, z, R, 0U, AHR_MEASUREMENT_ZUPT, taking, &good, rare);
+    t.good = good;
+    begin_taking(b, runs, H, start, at, 3, z, 0U, taking, &t);
+    take_row(b, 0, &H[0], &at[0], 1, z, R, taking->gates[0], &t);
+    take_row(b, 1, &H[1], &at[1], 1, z, R, taking->gates[0], &t);
+    take_row(b, 2, &H[2], &at[2], 1, z, R, taking->gates[0], &t);
+    end_taking(b, runs, 3, AHR_MEASUREMENT_ZUPT, taking, &t, rare);
     (void)in;
 }
 
@@ -1590,6 +1505,7 @@ static void measure_zaru_lanes(block *b,
     bs_lanes z[3];
     bs_lanes R[3];
     bs_lanes H[15];
+    taken t;
     bs_lanes in[3];
     bs_read(&in[0], &given[0], 3, 3, runs->first, runs->n);
     static const double low[3] = { (-20.0), (-20.0), (-20.0) };
@@ -1610,7 +1526,12 @@ static void measure_zaru_lanes(block *b,
     good &= in_box(b);
     ahr_zaru_z_kernel(&b->carried[0], &b->carried[6], &in[0], z);
     ahr_zaru_H_kernel(&b->carried[0], &b->carried[6], H);
-    take_lanes(b, runs, H, start, at, 3, z, R, 0U, AHR_MEASUREMENT_ZARU, taking, &good, rare);
+    t.good = good;
+    begin_taking(b, runs, H, start, at, 3, z, 0U, taking, &t);
+    take_row(b, 0, &H[0], &at[0], 5, z, R, taking->gates[0], &t);
+    take_row(b, 1, &H[5], &at[5], 5, z, R, taking->gates[0], &t);
+    take_row(b, 2, &H[10], &at[10], 5, z, R, taking->gates[0], &t);
+    end_taking(b, runs, 3, AHR_MEASUREMENT_ZARU, taking, &t, rare);
 }
 
 static void measure_azimuth_lanes(block *b,
@@ -1627,6 +1548,7 @@ static void measure_azimuth_lanes(block *b,
     bs_lanes z[1];
     bs_lanes R[1];
     bs_lanes H[2];
+    taken t;
     bs_lanes in[1];
     for (int i = 0; i < 2; ++i) {
         if (!((taking->gates[i] >= 0.0) && (taking->gates[i] <= most[0]))) {
@@ -1643,7 +1565,10 @@ static void measure_azimuth_lanes(block *b,
     good &= in_box(b);
     ahr_azimuth_z_kernel(&b->carried[6], &b->carried[16], &b->carried[20], z);
     ahr_azimuth_H_kernel(H);
-    take_lanes(b, runs, H, start, at, 1, z, R, 0U, AHR_MEASUREMENT_AZIMUTH, taking, &good, rare);
+    t.good = good;
+    begin_taking(b, runs, H, start, at, 1, z, 0U, taking, &t);
+    take_row(b, 0, &H[0], &at[0], 2, z, R, taking->gates[0], &t);
+    end_taking(b, runs, 1, AHR_MEASUREMENT_AZIMUTH, taking, &t, rare);
     (void)in;
 }
 

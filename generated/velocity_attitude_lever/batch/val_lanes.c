@@ -52,6 +52,7 @@ typedef int val_no_lanes; /* a translation unit may not be empty */
 #include "../src/val_Qc_kernel.h"
 #undef bs_real
 
+
 /* What the filter carries from call to call, of a block of runs. */
 typedef struct {
     bs_lanes carried[24]; /* nav, mounting */
@@ -68,9 +69,8 @@ typedef struct {
     bs_lanes P[VAL_N_PACKED]; /* as it was */
     bs_lanes F[VAL_N_F];
     bs_lanes Qc[VAL_N_QC];
-    bs_lanes Phi[72];
-    bs_lanes B[72];
-    bs_lanes w[VAL_N_STATES];
+    bs_lanes Phi[72]; /* by groups of 3 rows: of each column that they meet, their numbers */
+    bs_lanes B[72]; /* likewise */
     bs_lanes T[VAL_N_STATES * 6]; /* (B times the noise)', rows of 6 */
     bs_lanes S[36]; /* Q of the states that move, rows of 6 */
     bs_lanes Q[VAL_N_PACKED]; /* of the others */
@@ -116,17 +116,32 @@ static void put(bs_lanes *to, const double *from, int n, int lane)
 /* Zeros that the steps to come leave as they are. */
 static void prepare(scratch *s)
 {
-    for (int i = 0; i < (VAL_N_STATES * 6); ++i) {
-        s->T[i] = bs_all_of(0.0);
+    static const unsigned short zero_in_T[42] = { 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83,
+                                                  84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95,
+                                                  96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106,
+                                                  107, 108, 109, 110, 111, 112, 113 };
+    static const unsigned short zero_in_Q[123] = { 34, 42, 43, 51, 52, 53, 61, 62, 63, 64, 72, 73,
+                                                   74, 75, 76, 78, 79, 80, 81, 82, 83, 84, 85, 86,
+                                                   87, 88, 89, 91, 92, 93, 94, 95, 96, 97, 98, 99,
+                                                   100, 101, 102, 103, 105, 106, 107, 108, 109, 110,
+                                                   111, 112, 113, 114, 115, 116, 117, 118, 120, 121,
+                                                   122, 123, 124, 125, 126, 127, 128, 129, 130, 131,
+                                                   132, 133, 134, 136, 137, 138, 139, 140, 141, 142,
+                                                   143, 144, 145, 146, 147, 148, 149, 150, 151, 152,
+                                                   153, 154, 155, 156, 157, 158, 159, 160, 161, 162,
+                                                   163, 164, 165, 166, 167, 168, 169, 170, 171, 172,
+                                                   173, 174, 175, 176, 177, 178, 179, 180, 181, 182,
+                                                   183, 184, 185, 186, 187, 188, 189 };
+    static const unsigned short zero_in_X[19] = { 19, 39, 59, 79, 99, 119, 139, 159, 179, 199, 219,
+                                                  239, 259, 279, 299, 319, 339, 359, 379 };
+    for (int i = 0; i < 42; ++i) {
+        s->T[zero_in_T[i]] = bs_all_of(0.0);
     }
-    for (int i = 0; i < VAL_N_PACKED; ++i) {
-        s->Q[i] = bs_all_of(0.0);
+    for (int i = 0; i < 123; ++i) {
+        s->Q[zero_in_Q[i]] = bs_all_of(0.0);
     }
-    for (int i = 0; i < (VAL_N_STATES * 20); ++i) {
-        s->X[i] = bs_all_of(0.0);
-    }
-    for (int i = 0; i < (20 * 6); ++i) {
-        s->Y[i] = bs_all_of(0.0);
+    for (int i = 0; i < 19; ++i) {
+        s->X[zero_in_X[i]] = bs_all_of(0.0);
     }
 }
 
@@ -291,457 +306,156 @@ static void correct_lanes(block *b, const chosen *runs, const bs_given *given, b
 
 #if !BORESIGHT_UD
 
-/* out = the sum of coefficients times 10 numbers each. */
-BS_INLINE void wide_sums(const bs_lanes *coefficient,
-                         const unsigned short *at,
-                         int count,
-                         const bs_lanes *x,
-                         bs_lanes *out,
-                         int stride)
+/* Sums of 3 rows of coefficients, side by side, times 1 number each; row r of column c goes to
+ * out[r * down + c * over]. */
+static void tile_1(const bs_lanes *coefficient,
+                   const unsigned short *at,
+                   int count,
+                   const bs_lanes *x,
+                   bs_lanes *out,
+                   int down,
+                   int over)
 {
-    bs_lanes s0 = bs_all_of(0.0);
-    bs_lanes s1 = bs_all_of(0.0);
-    bs_lanes s2 = bs_all_of(0.0);
-    bs_lanes s3 = bs_all_of(0.0);
-    bs_lanes s4 = bs_all_of(0.0);
-    bs_lanes s5 = bs_all_of(0.0);
-    bs_lanes s6 = bs_all_of(0.0);
-    bs_lanes s7 = bs_all_of(0.0);
-    bs_lanes s8 = bs_all_of(0.0);
-    bs_lanes s9 = bs_all_of(0.0);
+    bs_lanes s0_0 = bs_all_of(0.0);
+    bs_lanes s1_0 = bs_all_of(0.0);
+    bs_lanes s2_0 = bs_all_of(0.0);
     for (int p = 0; p < count; ++p) {
-        const bs_lanes a = coefficient[p];
         const bs_lanes *const from = &x[at[p]];
-        s0 += a * from[0];
-        s1 += a * from[1];
-        s2 += a * from[2];
-        s3 += a * from[3];
-        s4 += a * from[4];
-        s5 += a * from[5];
-        s6 += a * from[6];
-        s7 += a * from[7];
-        s8 += a * from[8];
-        s9 += a * from[9];
+        const bs_lanes a0 = coefficient[(3 * p) + 0];
+        const bs_lanes a1 = coefficient[(3 * p) + 1];
+        const bs_lanes a2 = coefficient[(3 * p) + 2];
+        s0_0 += a0 * from[0];
+        s1_0 += a1 * from[0];
+        s2_0 += a2 * from[0];
     }
-    out[0] = s0;
-    out[1 * stride] = s1;
-    out[2 * stride] = s2;
-    out[3 * stride] = s3;
-    out[4 * stride] = s4;
-    out[5 * stride] = s5;
-    out[6 * stride] = s6;
-    out[7 * stride] = s7;
-    out[8 * stride] = s8;
-    out[9 * stride] = s9;
+    out[(0 * down) + (0 * over)] = s0_0;
+    out[(1 * down) + (0 * over)] = s1_0;
+    out[(2 * down) + (0 * over)] = s2_0;
 }
 
-/* out = the sum of coefficients times 3 numbers each. */
-BS_INLINE void tall_sums(const bs_lanes *coefficient,
-                         const unsigned short *at,
-                         int count,
-                         const bs_lanes *x,
-                         bs_lanes *out,
-                         int stride)
+/* Sums of 3 rows of coefficients, side by side, times 3 numbers each; row r of column c goes to
+ * out[r * down + c * over]. */
+static void tile_3(const bs_lanes *coefficient,
+                   const unsigned short *at,
+                   int count,
+                   const bs_lanes *x,
+                   bs_lanes *out,
+                   int down,
+                   int over)
 {
-    bs_lanes s0 = bs_all_of(0.0);
-    bs_lanes s1 = bs_all_of(0.0);
-    bs_lanes s2 = bs_all_of(0.0);
+    bs_lanes s0_0 = bs_all_of(0.0);
+    bs_lanes s1_0 = bs_all_of(0.0);
+    bs_lanes s2_0 = bs_all_of(0.0);
+    bs_lanes s0_1 = bs_all_of(0.0);
+    bs_lanes s1_1 = bs_all_of(0.0);
+    bs_lanes s2_1 = bs_all_of(0.0);
+    bs_lanes s0_2 = bs_all_of(0.0);
+    bs_lanes s1_2 = bs_all_of(0.0);
+    bs_lanes s2_2 = bs_all_of(0.0);
     for (int p = 0; p < count; ++p) {
-        const bs_lanes a = coefficient[p];
         const bs_lanes *const from = &x[at[p]];
-        s0 += a * from[0];
-        s1 += a * from[1];
-        s2 += a * from[2];
+        const bs_lanes a0 = coefficient[(3 * p) + 0];
+        const bs_lanes a1 = coefficient[(3 * p) + 1];
+        const bs_lanes a2 = coefficient[(3 * p) + 2];
+        s0_0 += a0 * from[0];
+        s1_0 += a1 * from[0];
+        s2_0 += a2 * from[0];
+        s0_1 += a0 * from[1];
+        s1_1 += a1 * from[1];
+        s2_1 += a2 * from[1];
+        s0_2 += a0 * from[2];
+        s1_2 += a1 * from[2];
+        s2_2 += a2 * from[2];
     }
-    out[0] = s0;
-    out[1 * stride] = s1;
-    out[2 * stride] = s2;
+    out[(0 * down) + (0 * over)] = s0_0;
+    out[(1 * down) + (0 * over)] = s1_0;
+    out[(2 * down) + (0 * over)] = s2_0;
+    out[(0 * down) + (1 * over)] = s0_1;
+    out[(1 * down) + (1 * over)] = s1_1;
+    out[(2 * down) + (1 * over)] = s2_1;
+    out[(0 * down) + (2 * over)] = s0_2;
+    out[(1 * down) + (2 * over)] = s1_2;
+    out[(2 * down) + (2 * over)] = s2_2;
+}
+
+/* Sums of 3 rows of coefficients, side by side, times 5 numbers each; row r of column c goes to
+ * out[r * down + c * over]. */
+static void tile_5(const bs_lanes *coefficient,
+                   const unsigned short *at,
+                   int count,
+                   const bs_lanes *x,
+                   bs_lanes *out,
+                   int down,
+                   int over)
+{
+    bs_lanes s0_0 = bs_all_of(0.0);
+    bs_lanes s1_0 = bs_all_of(0.0);
+    bs_lanes s2_0 = bs_all_of(0.0);
+    bs_lanes s0_1 = bs_all_of(0.0);
+    bs_lanes s1_1 = bs_all_of(0.0);
+    bs_lanes s2_1 = bs_all_of(0.0);
+    bs_lanes s0_2 = bs_all_of(0.0);
+    bs_lanes s1_2 = bs_all_of(0.0);
+    bs_lanes s2_2 = bs_all_of(0.0);
+    bs_lanes s0_3 = bs_all_of(0.0);
+    bs_lanes s1_3 = bs_all_of(0.0);
+    bs_lanes s2_3 = bs_all_of(0.0);
+    bs_lanes s0_4 = bs_all_of(0.0);
+    bs_lanes s1_4 = bs_all_of(0.0);
+    bs_lanes s2_4 = bs_all_of(0.0);
+    for (int p = 0; p < count; ++p) {
+        const bs_lanes *const from = &x[at[p]];
+        const bs_lanes a0 = coefficient[(3 * p) + 0];
+        const bs_lanes a1 = coefficient[(3 * p) + 1];
+        const bs_lanes a2 = coefficient[(3 * p) + 2];
+        s0_0 += a0 * from[0];
+        s1_0 += a1 * from[0];
+        s2_0 += a2 * from[0];
+        s0_1 += a0 * from[1];
+        s1_1 += a1 * from[1];
+        s2_1 += a2 * from[1];
+        s0_2 += a0 * from[2];
+        s1_2 += a1 * from[2];
+        s2_2 += a2 * from[2];
+        s0_3 += a0 * from[3];
+        s1_3 += a1 * from[3];
+        s2_3 += a2 * from[3];
+        s0_4 += a0 * from[4];
+        s1_4 += a1 * from[4];
+        s2_4 += a2 * from[4];
+    }
+    out[(0 * down) + (0 * over)] = s0_0;
+    out[(1 * down) + (0 * over)] = s1_0;
+    out[(2 * down) + (0 * over)] = s2_0;
+    out[(0 * down) + (1 * over)] = s0_1;
+    out[(1 * down) + (1 * over)] = s1_1;
+    out[(2 * down) + (1 * over)] = s2_1;
+    out[(0 * down) + (2 * over)] = s0_2;
+    out[(1 * down) + (2 * over)] = s1_2;
+    out[(2 * down) + (2 * over)] = s2_2;
+    out[(0 * down) + (3 * over)] = s0_3;
+    out[(1 * down) + (3 * over)] = s1_3;
+    out[(2 * down) + (3 * over)] = s2_3;
+    out[(0 * down) + (4 * over)] = s0_4;
+    out[(1 * down) + (4 * over)] = s1_4;
+    out[(2 * down) + (4 * over)] = s2_4;
 }
 
 /* Phi and Q of the step, of the non-zeros of F and Qc: val_discretize. */
 static void discretize(scratch *s, const bs_lanes *dt)
 {
-    static const unsigned short start[7] = { 0, 12, 24, 36, 48, 60, 72 };
-    static const unsigned short at[72] = { 0, 6, 12, 18, 24, 30, 36, 42, 48, 54, 60, 66, 0, 6, 12,
-                                           18, 24, 30, 36, 42, 48, 54, 60, 66, 0, 6, 12, 18, 24, 30,
-                                           36, 42, 48, 54, 60, 66, 0, 6, 12, 18, 24, 30, 36, 42, 48,
-                                           54, 60, 66, 0, 6, 12, 18, 24, 30, 36, 42, 48, 54, 60, 66,
-                                           0, 6, 12, 18, 24, 30, 36, 42, 48, 54, 60, 66 };
+    static const unsigned short start[3] = { 0, 12, 24 };
+    static const unsigned short at[24] = { 0, 6, 12, 18, 24, 30, 36, 42, 48, 54, 60, 66, 0, 6, 12,
+                                           18, 24, 30, 36, 42, 48, 54, 60, 66 };
     const bs_lanes share = 0.75 * *dt;
     const bs_lanes quarter = 0.25 * *dt;
     bs_lanes A[VAL_N_F];
+    bs_lanes w[VAL_N_STATES];
     bs_lanes *const Phi = s->Phi;
     bs_lanes *const B = s->B;
     bs_lanes *const Q = s->Q;
-    bs_lanes *const w = s->w;
     for (int p = 0; p < VAL_N_F; ++p) {
         A[p] = s->F[p] * *dt;
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[0] * A[6]) + (A[1] * A[12]) + (A[2] * A[26]);
-        Phi[0] = (0.0 + (0.5 * twice)) + 1.0;
-        B[0] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[1] * A[13]);
-        Phi[1] = A[0] + (0.5 * twice);
-        B[1] = (0.6666666666666666 * A[0]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[0] * A[7]) + (A[2] * A[27]);
-        Phi[2] = A[1] + (0.5 * twice);
-        B[2] = (0.6666666666666666 * A[1]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[0] * A[8]) + (A[2] * A[28]);
-        Phi[3] = 0.0 + (0.5 * twice);
-        B[3] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[1] * A[14]) + (A[2] * A[29]);
-        Phi[4] = A[2] + (0.5 * twice);
-        B[4] = (0.6666666666666666 * A[2]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[2] * A[30]);
-        Phi[5] = 0.0 + (0.5 * twice);
-        B[5] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[0] * A[9]) + (A[1] * A[15]);
-        Phi[6] = A[3] + (0.5 * twice);
-        B[6] = (0.6666666666666666 * A[3]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[0] * A[10]) + (A[1] * A[16]);
-        Phi[7] = A[4] + (0.5 * twice);
-        B[7] = (0.6666666666666666 * A[4]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[0] * A[11]) + (A[1] * A[17]);
-        Phi[8] = A[5] + (0.5 * twice);
-        B[8] = (0.6666666666666666 * A[5]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[2] * A[31]);
-        Phi[9] = 0.0 + (0.5 * twice);
-        B[9] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[2] * A[32]);
-        Phi[10] = 0.0 + (0.5 * twice);
-        B[10] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[2] * A[33]);
-        Phi[11] = 0.0 + (0.5 * twice);
-        B[11] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[7] * A[12]);
-        Phi[12] = A[6] + (0.5 * twice);
-        B[12] = (0.6666666666666666 * A[6]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[6] * A[0]) + (A[7] * A[13]) + (A[8] * A[18]);
-        Phi[13] = (0.0 + (0.5 * twice)) + 1.0;
-        B[13] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[6] * A[1]) + (A[8] * A[19]);
-        Phi[14] = A[7] + (0.5 * twice);
-        B[14] = (0.6666666666666666 * A[7]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[8] * A[20]);
-        Phi[15] = A[8] + (0.5 * twice);
-        B[15] = (0.6666666666666666 * A[8]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[6] * A[2]) + (A[7] * A[14]) + (A[8] * A[21]);
-        Phi[16] = 0.0 + (0.5 * twice);
-        B[16] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[8] * A[22]);
-        Phi[17] = 0.0 + (0.5 * twice);
-        B[17] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[6] * A[3]) + (A[7] * A[15]);
-        Phi[18] = A[9] + (0.5 * twice);
-        B[18] = (0.6666666666666666 * A[9]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[6] * A[4]) + (A[7] * A[16]);
-        Phi[19] = A[10] + (0.5 * twice);
-        B[19] = (0.6666666666666666 * A[10]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[6] * A[5]) + (A[7] * A[17]);
-        Phi[20] = A[11] + (0.5 * twice);
-        B[20] = (0.6666666666666666 * A[11]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[8] * A[23]);
-        Phi[21] = 0.0 + (0.5 * twice);
-        B[21] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[8] * A[24]);
-        Phi[22] = 0.0 + (0.5 * twice);
-        B[22] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[8] * A[25]);
-        Phi[23] = 0.0 + (0.5 * twice);
-        B[23] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[13] * A[6]) + (A[14] * A[26]);
-        Phi[24] = A[12] + (0.5 * twice);
-        B[24] = (0.6666666666666666 * A[12]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[12] * A[0]);
-        Phi[25] = A[13] + (0.5 * twice);
-        B[25] = (0.6666666666666666 * A[13]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[12] * A[1]) + (A[13] * A[7]) + (A[14] * A[27]);
-        Phi[26] = (0.0 + (0.5 * twice)) + 1.0;
-        B[26] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[13] * A[8]) + (A[14] * A[28]);
-        Phi[27] = 0.0 + (0.5 * twice);
-        B[27] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[12] * A[2]) + (A[14] * A[29]);
-        Phi[28] = A[14] + (0.5 * twice);
-        B[28] = (0.6666666666666666 * A[14]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[14] * A[30]);
-        Phi[29] = 0.0 + (0.5 * twice);
-        B[29] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[12] * A[3]) + (A[13] * A[9]);
-        Phi[30] = A[15] + (0.5 * twice);
-        B[30] = (0.6666666666666666 * A[15]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[12] * A[4]) + (A[13] * A[10]);
-        Phi[31] = A[16] + (0.5 * twice);
-        B[31] = (0.6666666666666666 * A[16]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[12] * A[5]) + (A[13] * A[11]);
-        Phi[32] = A[17] + (0.5 * twice);
-        B[32] = (0.6666666666666666 * A[17]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[14] * A[31]);
-        Phi[33] = 0.0 + (0.5 * twice);
-        B[33] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[14] * A[32]);
-        Phi[34] = 0.0 + (0.5 * twice);
-        B[34] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[14] * A[33]);
-        Phi[35] = 0.0 + (0.5 * twice);
-        B[35] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[18] * A[6]) + (A[19] * A[12]) + (A[21] * A[26]) +
-            (A[22] * A[34]);
-        Phi[36] = 0.0 + (0.5 * twice);
-        B[36] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[19] * A[13]) + (A[20] * A[18]) + (A[22] * A[35]);
-        Phi[37] = A[18] + (0.5 * twice);
-        B[37] = (0.6666666666666666 * A[18]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[18] * A[7]) + (A[20] * A[19]) + (A[21] * A[27]);
-        Phi[38] = A[19] + (0.5 * twice);
-        B[38] = (0.6666666666666666 * A[19]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[18] * A[8]) + (A[20] * A[20]) + (A[21] * A[28]) +
-            (A[22] * A[36]);
-        Phi[39] = (A[20] + (0.5 * twice)) + 1.0;
-        B[39] = ((0.6666666666666666 * A[20]) + (0.2222222222222222 * twice)) + 1.0;
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[19] * A[14]) + (A[20] * A[21]) + (A[21] * A[29]) +
-            (A[22] * A[37]);
-        Phi[40] = A[21] + (0.5 * twice);
-        B[40] = (0.6666666666666666 * A[21]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[20] * A[22]) + (A[21] * A[30]);
-        Phi[41] = A[22] + (0.5 * twice);
-        B[41] = (0.6666666666666666 * A[22]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[18] * A[9]) + (A[19] * A[15]);
-        Phi[42] = 0.0 + (0.5 * twice);
-        B[42] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[18] * A[10]) + (A[19] * A[16]);
-        Phi[43] = 0.0 + (0.5 * twice);
-        B[43] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[18] * A[11]) + (A[19] * A[17]);
-        Phi[44] = 0.0 + (0.5 * twice);
-        B[44] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[20] * A[23]) + (A[21] * A[31]) + (A[22] * A[38]);
-        Phi[45] = A[23] + (0.5 * twice);
-        B[45] = (0.6666666666666666 * A[23]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[20] * A[24]) + (A[21] * A[32]) + (A[22] * A[39]);
-        Phi[46] = A[24] + (0.5 * twice);
-        B[46] = (0.6666666666666666 * A[24]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[20] * A[25]) + (A[21] * A[33]) + (A[22] * A[40]);
-        Phi[47] = A[25] + (0.5 * twice);
-        B[47] = (0.6666666666666666 * A[25]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[27] * A[12]) + (A[29] * A[26]) + (A[30] * A[34]);
-        Phi[48] = A[26] + (0.5 * twice);
-        B[48] = (0.6666666666666666 * A[26]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[26] * A[0]) + (A[27] * A[13]) + (A[28] * A[18]) +
-            (A[30] * A[35]);
-        Phi[49] = 0.0 + (0.5 * twice);
-        B[49] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[26] * A[1]) + (A[28] * A[19]) + (A[29] * A[27]);
-        Phi[50] = A[27] + (0.5 * twice);
-        B[50] = (0.6666666666666666 * A[27]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[28] * A[20]) + (A[29] * A[28]) + (A[30] * A[36]);
-        Phi[51] = A[28] + (0.5 * twice);
-        B[51] = (0.6666666666666666 * A[28]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[26] * A[2]) + (A[27] * A[14]) + (A[28] * A[21]) +
-            (A[29] * A[29]) + (A[30] * A[37]);
-        Phi[52] = (A[29] + (0.5 * twice)) + 1.0;
-        B[52] = ((0.6666666666666666 * A[29]) + (0.2222222222222222 * twice)) + 1.0;
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[28] * A[22]) + (A[29] * A[30]);
-        Phi[53] = A[30] + (0.5 * twice);
-        B[53] = (0.6666666666666666 * A[30]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[26] * A[3]) + (A[27] * A[15]);
-        Phi[54] = 0.0 + (0.5 * twice);
-        B[54] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[26] * A[4]) + (A[27] * A[16]);
-        Phi[55] = 0.0 + (0.5 * twice);
-        B[55] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[26] * A[5]) + (A[27] * A[17]);
-        Phi[56] = 0.0 + (0.5 * twice);
-        B[56] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[28] * A[23]) + (A[29] * A[31]) + (A[30] * A[38]);
-        Phi[57] = A[31] + (0.5 * twice);
-        B[57] = (0.6666666666666666 * A[31]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[28] * A[24]) + (A[29] * A[32]) + (A[30] * A[39]);
-        Phi[58] = A[32] + (0.5 * twice);
-        B[58] = (0.6666666666666666 * A[32]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[28] * A[25]) + (A[29] * A[33]) + (A[30] * A[40]);
-        Phi[59] = A[33] + (0.5 * twice);
-        B[59] = (0.6666666666666666 * A[33]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[35] * A[6]) + (A[37] * A[26]);
-        Phi[60] = A[34] + (0.5 * twice);
-        B[60] = (0.6666666666666666 * A[34]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[34] * A[0]) + (A[36] * A[18]);
-        Phi[61] = A[35] + (0.5 * twice);
-        B[61] = (0.6666666666666666 * A[35]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[34] * A[1]) + (A[35] * A[7]) + (A[36] * A[19]) +
-            (A[37] * A[27]);
-        Phi[62] = 0.0 + (0.5 * twice);
-        B[62] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[35] * A[8]) + (A[36] * A[20]) + (A[37] * A[28]);
-        Phi[63] = A[36] + (0.5 * twice);
-        B[63] = (0.6666666666666666 * A[36]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[34] * A[2]) + (A[36] * A[21]) + (A[37] * A[29]);
-        Phi[64] = A[37] + (0.5 * twice);
-        B[64] = (0.6666666666666666 * A[37]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[36] * A[22]) + (A[37] * A[30]);
-        Phi[65] = (0.0 + (0.5 * twice)) + 1.0;
-        B[65] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[34] * A[3]) + (A[35] * A[9]);
-        Phi[66] = 0.0 + (0.5 * twice);
-        B[66] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[34] * A[4]) + (A[35] * A[10]);
-        Phi[67] = 0.0 + (0.5 * twice);
-        B[67] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[34] * A[5]) + (A[35] * A[11]);
-        Phi[68] = 0.0 + (0.5 * twice);
-        B[68] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[36] * A[23]) + (A[37] * A[31]);
-        Phi[69] = A[38] + (0.5 * twice);
-        B[69] = (0.6666666666666666 * A[38]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[36] * A[24]) + (A[37] * A[32]);
-        Phi[70] = A[39] + (0.5 * twice);
-        B[70] = (0.6666666666666666 * A[39]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[36] * A[25]) + (A[37] * A[33]);
-        Phi[71] = A[40] + (0.5 * twice);
-        B[71] = (0.6666666666666666 * A[40]) + (0.2222222222222222 * twice);
     }
     Q[0] = s->Qc[0] * share;
     Q[1] = s->Qc[1] * share;
@@ -782,210 +496,493 @@ static void discretize(scratch *s, const bs_lanes *dt)
     w[14] = Q[119];
     w[15] = Q[135];
     /* Noises that have a part in common, factored; rounding counts as none. */
+    const bs_bits counts5 = w[5] > ((2.220446049250313e-16 * Q[20]) + 2.2250738585072014e-308);
+    const bs_lanes inverse5 = 1.0 / w[5];
+    const bs_lanes gain5_4 = Q[19] * inverse5;
+    Q[13] = bs_choose(counts5, Q[13] - (Q[18] * gain5_4), Q[13]);
+    w[4] = bs_choose(counts5, w[4] - (Q[19] * gain5_4), w[4]);
+    const bs_lanes gain5_3 = Q[18] * inverse5;
+    w[3] = bs_choose(counts5, w[3] - (Q[18] * gain5_3), w[3]);
+    w[5] = bs_choose(counts5, w[5], bs_all_of(0.0));
+    const bs_bits counts4 = w[4] > ((2.220446049250313e-16 * Q[14]) + 2.2250738585072014e-308);
+    const bs_lanes inverse4 = 1.0 / w[4];
+    const bs_lanes gain4_3 = Q[13] * inverse4;
+    w[3] = bs_choose(counts4, w[3] - (Q[13] * gain4_3), w[3]);
+    w[4] = bs_choose(counts4, w[4], bs_all_of(0.0));
+    const bs_bits counts3 = w[3] > ((2.220446049250313e-16 * Q[9]) + 2.2250738585072014e-308);
+    w[3] = bs_choose(counts3, w[3], bs_all_of(0.0));
+    const bs_bits counts2 = w[2] > ((2.220446049250313e-16 * Q[5]) + 2.2250738585072014e-308);
+    const bs_lanes inverse2 = 1.0 / w[2];
+    const bs_lanes gain2_1 = Q[4] * inverse2;
+    Q[1] = bs_choose(counts2, Q[1] - (Q[3] * gain2_1), Q[1]);
+    w[1] = bs_choose(counts2, w[1] - (Q[4] * gain2_1), w[1]);
+    const bs_lanes gain2_0 = Q[3] * inverse2;
+    w[0] = bs_choose(counts2, w[0] - (Q[3] * gain2_0), w[0]);
+    w[2] = bs_choose(counts2, w[2], bs_all_of(0.0));
+    const bs_bits counts1 = w[1] > ((2.220446049250313e-16 * Q[2]) + 2.2250738585072014e-308);
+    const bs_lanes inverse1 = 1.0 / w[1];
+    const bs_lanes gain1_0 = Q[1] * inverse1;
+    w[0] = bs_choose(counts1, w[0] - (Q[1] * gain1_0), w[0]);
+    w[1] = bs_choose(counts1, w[1], bs_all_of(0.0));
+    const bs_bits counts0 = w[0] > ((2.220446049250313e-16 * Q[0]) + 2.2250738585072014e-308);
+    w[0] = bs_choose(counts0, w[0], bs_all_of(0.0));
+    /* Row by row Phi, and B times the factors. */
     {
-        const bs_bits counts = w[5] > ((2.220446049250313e-16 * Q[20]) + 2.2250738585072014e-308);
-        const bs_lanes inverse = 1.0 / w[5];
-        {
-            const bs_lanes gain = Q[19] * inverse;
-            Q[13] = bs_choose(counts, Q[13] - (Q[18] * gain), Q[13]);
-            w[4] = bs_choose(counts, w[4] - (Q[19] * gain), w[4]);
-            B[5] = bs_choose(counts, B[5] + (B[4] * gain), B[5]);
-            B[17] = bs_choose(counts, B[17] + (B[16] * gain), B[17]);
-            B[29] = bs_choose(counts, B[29] + (B[28] * gain), B[29]);
-            B[41] = bs_choose(counts, B[41] + (B[40] * gain), B[41]);
-            B[53] = bs_choose(counts, B[53] + (B[52] * gain), B[53]);
-            B[65] = bs_choose(counts, B[65] + (B[64] * gain), B[65]);
-        }
-        {
-            const bs_lanes gain = Q[18] * inverse;
-            w[3] = bs_choose(counts, w[3] - (Q[18] * gain), w[3]);
-            B[5] = bs_choose(counts, B[5] + (B[3] * gain), B[5]);
-            B[17] = bs_choose(counts, B[17] + (B[15] * gain), B[17]);
-            B[29] = bs_choose(counts, B[29] + (B[27] * gain), B[29]);
-            B[41] = bs_choose(counts, B[41] + (B[39] * gain), B[41]);
-            B[53] = bs_choose(counts, B[53] + (B[51] * gain), B[53]);
-            B[65] = bs_choose(counts, B[65] + (B[63] * gain), B[65]);
-        }
-        w[5] = bs_choose(counts, w[5], bs_all_of(0.0));
+        const bs_lanes t0 = 0.0 + (A[0] * A[6]) + (A[1] * A[12]) + (A[2] * A[26]);
+        Phi[0] = (0.0 + (0.5 * t0)) + 1.0;
+        bs_lanes b0 = (0.0 + (0.2222222222222222 * t0)) + 1.0;
+        const bs_lanes t1 = 0.0 + (A[1] * A[13]);
+        Phi[3] = A[0] + (0.5 * t1);
+        bs_lanes b1 = (0.6666666666666666 * A[0]) + (0.2222222222222222 * t1);
+        const bs_lanes t2 = 0.0 + (A[0] * A[7]) + (A[2] * A[27]);
+        Phi[6] = A[1] + (0.5 * t2);
+        bs_lanes b2 = (0.6666666666666666 * A[1]) + (0.2222222222222222 * t2);
+        const bs_lanes t3 = 0.0 + (A[0] * A[8]) + (A[2] * A[28]);
+        Phi[9] = 0.0 + (0.5 * t3);
+        bs_lanes b3 = 0.0 + (0.2222222222222222 * t3);
+        const bs_lanes t4 = 0.0 + (A[1] * A[14]) + (A[2] * A[29]);
+        Phi[12] = A[2] + (0.5 * t4);
+        bs_lanes b4 = (0.6666666666666666 * A[2]) + (0.2222222222222222 * t4);
+        const bs_lanes t5 = 0.0 + (A[2] * A[30]);
+        Phi[15] = 0.0 + (0.5 * t5);
+        bs_lanes b5 = 0.0 + (0.2222222222222222 * t5);
+        const bs_lanes t6 = 0.0 + (A[0] * A[9]) + (A[1] * A[15]);
+        Phi[18] = A[3] + (0.5 * t6);
+        bs_lanes b6 = (0.6666666666666666 * A[3]) + (0.2222222222222222 * t6);
+        const bs_lanes t7 = 0.0 + (A[0] * A[10]) + (A[1] * A[16]);
+        Phi[21] = A[4] + (0.5 * t7);
+        bs_lanes b7 = (0.6666666666666666 * A[4]) + (0.2222222222222222 * t7);
+        const bs_lanes t8 = 0.0 + (A[0] * A[11]) + (A[1] * A[17]);
+        Phi[24] = A[5] + (0.5 * t8);
+        bs_lanes b8 = (0.6666666666666666 * A[5]) + (0.2222222222222222 * t8);
+        const bs_lanes t9 = 0.0 + (A[2] * A[31]);
+        Phi[27] = 0.0 + (0.5 * t9);
+        bs_lanes b9 = 0.0 + (0.2222222222222222 * t9);
+        const bs_lanes t10 = 0.0 + (A[2] * A[32]);
+        Phi[30] = 0.0 + (0.5 * t10);
+        bs_lanes b10 = 0.0 + (0.2222222222222222 * t10);
+        const bs_lanes t11 = 0.0 + (A[2] * A[33]);
+        Phi[33] = 0.0 + (0.5 * t11);
+        bs_lanes b11 = 0.0 + (0.2222222222222222 * t11);
+        b5 = bs_choose(counts5, b5 + (b4 * gain5_4), b5);
+        b5 = bs_choose(counts5, b5 + (b3 * gain5_3), b5);
+        b4 = bs_choose(counts4, b4 + (b3 * gain4_3), b4);
+        b2 = bs_choose(counts2, b2 + (b1 * gain2_1), b2);
+        b2 = bs_choose(counts2, b2 + (b0 * gain2_0), b2);
+        b1 = bs_choose(counts1, b1 + (b0 * gain1_0), b1);
+        B[0] = b0;
+        s->T[0] = b0 * w[0];
+        B[3] = b1;
+        s->T[6] = b1 * w[1];
+        B[6] = b2;
+        s->T[12] = b2 * w[2];
+        B[9] = b3;
+        s->T[18] = b3 * w[3];
+        B[12] = b4;
+        s->T[24] = b4 * w[4];
+        B[15] = b5;
+        s->T[30] = b5 * w[5];
+        B[18] = b6;
+        s->T[36] = b6 * w[6];
+        Q[21] = s->T[36];
+        B[21] = b7;
+        s->T[42] = b7 * w[7];
+        Q[28] = s->T[42];
+        B[24] = b8;
+        s->T[48] = b8 * w[8];
+        Q[36] = s->T[48];
+        B[27] = b9;
+        s->T[54] = b9 * w[9];
+        Q[45] = s->T[54];
+        B[30] = b10;
+        s->T[60] = b10 * w[10];
+        Q[55] = s->T[60];
+        B[33] = b11;
+        s->T[66] = b11 * w[11];
+        Q[66] = s->T[66];
     }
     {
-        const bs_bits counts = w[4] > ((2.220446049250313e-16 * Q[14]) + 2.2250738585072014e-308);
-        const bs_lanes inverse = 1.0 / w[4];
-        {
-            const bs_lanes gain = Q[13] * inverse;
-            w[3] = bs_choose(counts, w[3] - (Q[13] * gain), w[3]);
-            B[4] = bs_choose(counts, B[4] + (B[3] * gain), B[4]);
-            B[16] = bs_choose(counts, B[16] + (B[15] * gain), B[16]);
-            B[28] = bs_choose(counts, B[28] + (B[27] * gain), B[28]);
-            B[40] = bs_choose(counts, B[40] + (B[39] * gain), B[40]);
-            B[52] = bs_choose(counts, B[52] + (B[51] * gain), B[52]);
-            B[64] = bs_choose(counts, B[64] + (B[63] * gain), B[64]);
-        }
-        w[4] = bs_choose(counts, w[4], bs_all_of(0.0));
+        const bs_lanes t0 = 0.0 + (A[7] * A[12]);
+        Phi[1] = A[6] + (0.5 * t0);
+        bs_lanes b0 = (0.6666666666666666 * A[6]) + (0.2222222222222222 * t0);
+        const bs_lanes t1 = 0.0 + (A[6] * A[0]) + (A[7] * A[13]) + (A[8] * A[18]);
+        Phi[4] = (0.0 + (0.5 * t1)) + 1.0;
+        bs_lanes b1 = (0.0 + (0.2222222222222222 * t1)) + 1.0;
+        const bs_lanes t2 = 0.0 + (A[6] * A[1]) + (A[8] * A[19]);
+        Phi[7] = A[7] + (0.5 * t2);
+        bs_lanes b2 = (0.6666666666666666 * A[7]) + (0.2222222222222222 * t2);
+        const bs_lanes t3 = 0.0 + (A[8] * A[20]);
+        Phi[10] = A[8] + (0.5 * t3);
+        bs_lanes b3 = (0.6666666666666666 * A[8]) + (0.2222222222222222 * t3);
+        const bs_lanes t4 = 0.0 + (A[6] * A[2]) + (A[7] * A[14]) + (A[8] * A[21]);
+        Phi[13] = 0.0 + (0.5 * t4);
+        bs_lanes b4 = 0.0 + (0.2222222222222222 * t4);
+        const bs_lanes t5 = 0.0 + (A[8] * A[22]);
+        Phi[16] = 0.0 + (0.5 * t5);
+        bs_lanes b5 = 0.0 + (0.2222222222222222 * t5);
+        const bs_lanes t6 = 0.0 + (A[6] * A[3]) + (A[7] * A[15]);
+        Phi[19] = A[9] + (0.5 * t6);
+        bs_lanes b6 = (0.6666666666666666 * A[9]) + (0.2222222222222222 * t6);
+        const bs_lanes t7 = 0.0 + (A[6] * A[4]) + (A[7] * A[16]);
+        Phi[22] = A[10] + (0.5 * t7);
+        bs_lanes b7 = (0.6666666666666666 * A[10]) + (0.2222222222222222 * t7);
+        const bs_lanes t8 = 0.0 + (A[6] * A[5]) + (A[7] * A[17]);
+        Phi[25] = A[11] + (0.5 * t8);
+        bs_lanes b8 = (0.6666666666666666 * A[11]) + (0.2222222222222222 * t8);
+        const bs_lanes t9 = 0.0 + (A[8] * A[23]);
+        Phi[28] = 0.0 + (0.5 * t9);
+        bs_lanes b9 = 0.0 + (0.2222222222222222 * t9);
+        const bs_lanes t10 = 0.0 + (A[8] * A[24]);
+        Phi[31] = 0.0 + (0.5 * t10);
+        bs_lanes b10 = 0.0 + (0.2222222222222222 * t10);
+        const bs_lanes t11 = 0.0 + (A[8] * A[25]);
+        Phi[34] = 0.0 + (0.5 * t11);
+        bs_lanes b11 = 0.0 + (0.2222222222222222 * t11);
+        b5 = bs_choose(counts5, b5 + (b4 * gain5_4), b5);
+        b5 = bs_choose(counts5, b5 + (b3 * gain5_3), b5);
+        b4 = bs_choose(counts4, b4 + (b3 * gain4_3), b4);
+        b2 = bs_choose(counts2, b2 + (b1 * gain2_1), b2);
+        b2 = bs_choose(counts2, b2 + (b0 * gain2_0), b2);
+        b1 = bs_choose(counts1, b1 + (b0 * gain1_0), b1);
+        B[1] = b0;
+        s->T[1] = b0 * w[0];
+        B[4] = b1;
+        s->T[7] = b1 * w[1];
+        B[7] = b2;
+        s->T[13] = b2 * w[2];
+        B[10] = b3;
+        s->T[19] = b3 * w[3];
+        B[13] = b4;
+        s->T[25] = b4 * w[4];
+        B[16] = b5;
+        s->T[31] = b5 * w[5];
+        B[19] = b6;
+        s->T[37] = b6 * w[6];
+        Q[22] = s->T[37];
+        B[22] = b7;
+        s->T[43] = b7 * w[7];
+        Q[29] = s->T[43];
+        B[25] = b8;
+        s->T[49] = b8 * w[8];
+        Q[37] = s->T[49];
+        B[28] = b9;
+        s->T[55] = b9 * w[9];
+        Q[46] = s->T[55];
+        B[31] = b10;
+        s->T[61] = b10 * w[10];
+        Q[56] = s->T[61];
+        B[34] = b11;
+        s->T[67] = b11 * w[11];
+        Q[67] = s->T[67];
     }
     {
-        const bs_bits counts = w[3] > ((2.220446049250313e-16 * Q[9]) + 2.2250738585072014e-308);
-        w[3] = bs_choose(counts, w[3], bs_all_of(0.0));
+        const bs_lanes t0 = 0.0 + (A[13] * A[6]) + (A[14] * A[26]);
+        Phi[2] = A[12] + (0.5 * t0);
+        bs_lanes b0 = (0.6666666666666666 * A[12]) + (0.2222222222222222 * t0);
+        const bs_lanes t1 = 0.0 + (A[12] * A[0]);
+        Phi[5] = A[13] + (0.5 * t1);
+        bs_lanes b1 = (0.6666666666666666 * A[13]) + (0.2222222222222222 * t1);
+        const bs_lanes t2 = 0.0 + (A[12] * A[1]) + (A[13] * A[7]) + (A[14] * A[27]);
+        Phi[8] = (0.0 + (0.5 * t2)) + 1.0;
+        bs_lanes b2 = (0.0 + (0.2222222222222222 * t2)) + 1.0;
+        const bs_lanes t3 = 0.0 + (A[13] * A[8]) + (A[14] * A[28]);
+        Phi[11] = 0.0 + (0.5 * t3);
+        bs_lanes b3 = 0.0 + (0.2222222222222222 * t3);
+        const bs_lanes t4 = 0.0 + (A[12] * A[2]) + (A[14] * A[29]);
+        Phi[14] = A[14] + (0.5 * t4);
+        bs_lanes b4 = (0.6666666666666666 * A[14]) + (0.2222222222222222 * t4);
+        const bs_lanes t5 = 0.0 + (A[14] * A[30]);
+        Phi[17] = 0.0 + (0.5 * t5);
+        bs_lanes b5 = 0.0 + (0.2222222222222222 * t5);
+        const bs_lanes t6 = 0.0 + (A[12] * A[3]) + (A[13] * A[9]);
+        Phi[20] = A[15] + (0.5 * t6);
+        bs_lanes b6 = (0.6666666666666666 * A[15]) + (0.2222222222222222 * t6);
+        const bs_lanes t7 = 0.0 + (A[12] * A[4]) + (A[13] * A[10]);
+        Phi[23] = A[16] + (0.5 * t7);
+        bs_lanes b7 = (0.6666666666666666 * A[16]) + (0.2222222222222222 * t7);
+        const bs_lanes t8 = 0.0 + (A[12] * A[5]) + (A[13] * A[11]);
+        Phi[26] = A[17] + (0.5 * t8);
+        bs_lanes b8 = (0.6666666666666666 * A[17]) + (0.2222222222222222 * t8);
+        const bs_lanes t9 = 0.0 + (A[14] * A[31]);
+        Phi[29] = 0.0 + (0.5 * t9);
+        bs_lanes b9 = 0.0 + (0.2222222222222222 * t9);
+        const bs_lanes t10 = 0.0 + (A[14] * A[32]);
+        Phi[32] = 0.0 + (0.5 * t10);
+        bs_lanes b10 = 0.0 + (0.2222222222222222 * t10);
+        const bs_lanes t11 = 0.0 + (A[14] * A[33]);
+        Phi[35] = 0.0 + (0.5 * t11);
+        bs_lanes b11 = 0.0 + (0.2222222222222222 * t11);
+        b5 = bs_choose(counts5, b5 + (b4 * gain5_4), b5);
+        b5 = bs_choose(counts5, b5 + (b3 * gain5_3), b5);
+        b4 = bs_choose(counts4, b4 + (b3 * gain4_3), b4);
+        b2 = bs_choose(counts2, b2 + (b1 * gain2_1), b2);
+        b2 = bs_choose(counts2, b2 + (b0 * gain2_0), b2);
+        b1 = bs_choose(counts1, b1 + (b0 * gain1_0), b1);
+        B[2] = b0;
+        s->T[2] = b0 * w[0];
+        B[5] = b1;
+        s->T[8] = b1 * w[1];
+        B[8] = b2;
+        s->T[14] = b2 * w[2];
+        B[11] = b3;
+        s->T[20] = b3 * w[3];
+        B[14] = b4;
+        s->T[26] = b4 * w[4];
+        B[17] = b5;
+        s->T[32] = b5 * w[5];
+        B[20] = b6;
+        s->T[38] = b6 * w[6];
+        Q[23] = s->T[38];
+        B[23] = b7;
+        s->T[44] = b7 * w[7];
+        Q[30] = s->T[44];
+        B[26] = b8;
+        s->T[50] = b8 * w[8];
+        Q[38] = s->T[50];
+        B[29] = b9;
+        s->T[56] = b9 * w[9];
+        Q[47] = s->T[56];
+        B[32] = b10;
+        s->T[62] = b10 * w[10];
+        Q[57] = s->T[62];
+        B[35] = b11;
+        s->T[68] = b11 * w[11];
+        Q[68] = s->T[68];
     }
     {
-        const bs_bits counts = w[2] > ((2.220446049250313e-16 * Q[5]) + 2.2250738585072014e-308);
-        const bs_lanes inverse = 1.0 / w[2];
-        {
-            const bs_lanes gain = Q[4] * inverse;
-            Q[1] = bs_choose(counts, Q[1] - (Q[3] * gain), Q[1]);
-            w[1] = bs_choose(counts, w[1] - (Q[4] * gain), w[1]);
-            B[2] = bs_choose(counts, B[2] + (B[1] * gain), B[2]);
-            B[14] = bs_choose(counts, B[14] + (B[13] * gain), B[14]);
-            B[26] = bs_choose(counts, B[26] + (B[25] * gain), B[26]);
-            B[38] = bs_choose(counts, B[38] + (B[37] * gain), B[38]);
-            B[50] = bs_choose(counts, B[50] + (B[49] * gain), B[50]);
-            B[62] = bs_choose(counts, B[62] + (B[61] * gain), B[62]);
-        }
-        {
-            const bs_lanes gain = Q[3] * inverse;
-            w[0] = bs_choose(counts, w[0] - (Q[3] * gain), w[0]);
-            B[2] = bs_choose(counts, B[2] + (B[0] * gain), B[2]);
-            B[14] = bs_choose(counts, B[14] + (B[12] * gain), B[14]);
-            B[26] = bs_choose(counts, B[26] + (B[24] * gain), B[26]);
-            B[38] = bs_choose(counts, B[38] + (B[36] * gain), B[38]);
-            B[50] = bs_choose(counts, B[50] + (B[48] * gain), B[50]);
-            B[62] = bs_choose(counts, B[62] + (B[60] * gain), B[62]);
-        }
-        w[2] = bs_choose(counts, w[2], bs_all_of(0.0));
+        const bs_lanes t0 = 0.0 + (A[18] * A[6]) + (A[19] * A[12]) + (A[21] * A[26]) +
+            (A[22] * A[34]);
+        Phi[36] = 0.0 + (0.5 * t0);
+        bs_lanes b0 = 0.0 + (0.2222222222222222 * t0);
+        const bs_lanes t1 = 0.0 + (A[19] * A[13]) + (A[20] * A[18]) + (A[22] * A[35]);
+        Phi[39] = A[18] + (0.5 * t1);
+        bs_lanes b1 = (0.6666666666666666 * A[18]) + (0.2222222222222222 * t1);
+        const bs_lanes t2 = 0.0 + (A[18] * A[7]) + (A[20] * A[19]) + (A[21] * A[27]);
+        Phi[42] = A[19] + (0.5 * t2);
+        bs_lanes b2 = (0.6666666666666666 * A[19]) + (0.2222222222222222 * t2);
+        const bs_lanes t3 = 0.0 + (A[18] * A[8]) + (A[20] * A[20]) + (A[21] * A[28]) +
+            (A[22] * A[36]);
+        Phi[45] = (A[20] + (0.5 * t3)) + 1.0;
+        bs_lanes b3 = ((0.6666666666666666 * A[20]) + (0.2222222222222222 * t3)) + 1.0;
+        const bs_lanes t4 = 0.0 + (A[19] * A[14]) + (A[20] * A[21]) + (A[21] * A[29]) +
+            (A[22] * A[37]);
+        Phi[48] = A[21] + (0.5 * t4);
+        bs_lanes b4 = (0.6666666666666666 * A[21]) + (0.2222222222222222 * t4);
+        const bs_lanes t5 = 0.0 + (A[20] * A[22]) + (A[21] * A[30]);
+        Phi[51] = A[22] + (0.5 * t5);
+        bs_lanes b5 = (0.6666666666666666 * A[22]) + (0.2222222222222222 * t5);
+        const bs_lanes t6 = 0.0 + (A[18] * A[9]) + (A[19] * A[15]);
+        Phi[54] = 0.0 + (0.5 * t6);
+        bs_lanes b6 = 0.0 + (0.2222222222222222 * t6);
+        const bs_lanes t7 = 0.0 + (A[18] * A[10]) + (A[19] * A[16]);
+        Phi[57] = 0.0 + (0.5 * t7);
+        bs_lanes b7 = 0.0 + (0.2222222222222222 * t7);
+        const bs_lanes t8 = 0.0 + (A[18] * A[11]) + (A[19] * A[17]);
+        Phi[60] = 0.0 + (0.5 * t8);
+        bs_lanes b8 = 0.0 + (0.2222222222222222 * t8);
+        const bs_lanes t9 = 0.0 + (A[20] * A[23]) + (A[21] * A[31]) + (A[22] * A[38]);
+        Phi[63] = A[23] + (0.5 * t9);
+        bs_lanes b9 = (0.6666666666666666 * A[23]) + (0.2222222222222222 * t9);
+        const bs_lanes t10 = 0.0 + (A[20] * A[24]) + (A[21] * A[32]) + (A[22] * A[39]);
+        Phi[66] = A[24] + (0.5 * t10);
+        bs_lanes b10 = (0.6666666666666666 * A[24]) + (0.2222222222222222 * t10);
+        const bs_lanes t11 = 0.0 + (A[20] * A[25]) + (A[21] * A[33]) + (A[22] * A[40]);
+        Phi[69] = A[25] + (0.5 * t11);
+        bs_lanes b11 = (0.6666666666666666 * A[25]) + (0.2222222222222222 * t11);
+        b5 = bs_choose(counts5, b5 + (b4 * gain5_4), b5);
+        b5 = bs_choose(counts5, b5 + (b3 * gain5_3), b5);
+        b4 = bs_choose(counts4, b4 + (b3 * gain4_3), b4);
+        b2 = bs_choose(counts2, b2 + (b1 * gain2_1), b2);
+        b2 = bs_choose(counts2, b2 + (b0 * gain2_0), b2);
+        b1 = bs_choose(counts1, b1 + (b0 * gain1_0), b1);
+        B[36] = b0;
+        s->T[3] = b0 * w[0];
+        B[39] = b1;
+        s->T[9] = b1 * w[1];
+        B[42] = b2;
+        s->T[15] = b2 * w[2];
+        B[45] = b3;
+        s->T[21] = b3 * w[3];
+        B[48] = b4;
+        s->T[27] = b4 * w[4];
+        B[51] = b5;
+        s->T[33] = b5 * w[5];
+        B[54] = b6;
+        s->T[39] = b6 * w[6];
+        Q[24] = s->T[39];
+        B[57] = b7;
+        s->T[45] = b7 * w[7];
+        Q[31] = s->T[45];
+        B[60] = b8;
+        s->T[51] = b8 * w[8];
+        Q[39] = s->T[51];
+        B[63] = b9;
+        s->T[57] = b9 * w[9];
+        Q[48] = s->T[57];
+        B[66] = b10;
+        s->T[63] = b10 * w[10];
+        Q[58] = s->T[63];
+        B[69] = b11;
+        s->T[69] = b11 * w[11];
+        Q[69] = s->T[69];
     }
     {
-        const bs_bits counts = w[1] > ((2.220446049250313e-16 * Q[2]) + 2.2250738585072014e-308);
-        const bs_lanes inverse = 1.0 / w[1];
-        {
-            const bs_lanes gain = Q[1] * inverse;
-            w[0] = bs_choose(counts, w[0] - (Q[1] * gain), w[0]);
-            B[1] = bs_choose(counts, B[1] + (B[0] * gain), B[1]);
-            B[13] = bs_choose(counts, B[13] + (B[12] * gain), B[13]);
-            B[25] = bs_choose(counts, B[25] + (B[24] * gain), B[25]);
-            B[37] = bs_choose(counts, B[37] + (B[36] * gain), B[37]);
-            B[49] = bs_choose(counts, B[49] + (B[48] * gain), B[49]);
-            B[61] = bs_choose(counts, B[61] + (B[60] * gain), B[61]);
-        }
-        w[1] = bs_choose(counts, w[1], bs_all_of(0.0));
+        const bs_lanes t0 = 0.0 + (A[27] * A[12]) + (A[29] * A[26]) + (A[30] * A[34]);
+        Phi[37] = A[26] + (0.5 * t0);
+        bs_lanes b0 = (0.6666666666666666 * A[26]) + (0.2222222222222222 * t0);
+        const bs_lanes t1 = 0.0 + (A[26] * A[0]) + (A[27] * A[13]) + (A[28] * A[18]) +
+            (A[30] * A[35]);
+        Phi[40] = 0.0 + (0.5 * t1);
+        bs_lanes b1 = 0.0 + (0.2222222222222222 * t1);
+        const bs_lanes t2 = 0.0 + (A[26] * A[1]) + (A[28] * A[19]) + (A[29] * A[27]);
+        Phi[43] = A[27] + (0.5 * t2);
+        bs_lanes b2 = (0.6666666666666666 * A[27]) + (0.2222222222222222 * t2);
+        const bs_lanes t3 = 0.0 + (A[28] * A[20]) + (A[29] * A[28]) + (A[30] * A[36]);
+        Phi[46] = A[28] + (0.5 * t3);
+        bs_lanes b3 = (0.6666666666666666 * A[28]) + (0.2222222222222222 * t3);
+        const bs_lanes t4 = 0.0 + (A[26] * A[2]) + (A[27] * A[14]) + (A[28] * A[21]) +
+            (A[29] * A[29]) + (A[30] * A[37]);
+        Phi[49] = (A[29] + (0.5 * t4)) + 1.0;
+        bs_lanes b4 = ((0.6666666666666666 * A[29]) + (0.2222222222222222 * t4)) + 1.0;
+        const bs_lanes t5 = 0.0 + (A[28] * A[22]) + (A[29] * A[30]);
+        Phi[52] = A[30] + (0.5 * t5);
+        bs_lanes b5 = (0.6666666666666666 * A[30]) + (0.2222222222222222 * t5);
+        const bs_lanes t6 = 0.0 + (A[26] * A[3]) + (A[27] * A[15]);
+        Phi[55] = 0.0 + (0.5 * t6);
+        bs_lanes b6 = 0.0 + (0.2222222222222222 * t6);
+        const bs_lanes t7 = 0.0 + (A[26] * A[4]) + (A[27] * A[16]);
+        Phi[58] = 0.0 + (0.5 * t7);
+        bs_lanes b7 = 0.0 + (0.2222222222222222 * t7);
+        const bs_lanes t8 = 0.0 + (A[26] * A[5]) + (A[27] * A[17]);
+        Phi[61] = 0.0 + (0.5 * t8);
+        bs_lanes b8 = 0.0 + (0.2222222222222222 * t8);
+        const bs_lanes t9 = 0.0 + (A[28] * A[23]) + (A[29] * A[31]) + (A[30] * A[38]);
+        Phi[64] = A[31] + (0.5 * t9);
+        bs_lanes b9 = (0.6666666666666666 * A[31]) + (0.2222222222222222 * t9);
+        const bs_lanes t10 = 0.0 + (A[28] * A[24]) + (A[29] * A[32]) + (A[30] * A[39]);
+        Phi[67] = A[32] + (0.5 * t10);
+        bs_lanes b10 = (0.6666666666666666 * A[32]) + (0.2222222222222222 * t10);
+        const bs_lanes t11 = 0.0 + (A[28] * A[25]) + (A[29] * A[33]) + (A[30] * A[40]);
+        Phi[70] = A[33] + (0.5 * t11);
+        bs_lanes b11 = (0.6666666666666666 * A[33]) + (0.2222222222222222 * t11);
+        b5 = bs_choose(counts5, b5 + (b4 * gain5_4), b5);
+        b5 = bs_choose(counts5, b5 + (b3 * gain5_3), b5);
+        b4 = bs_choose(counts4, b4 + (b3 * gain4_3), b4);
+        b2 = bs_choose(counts2, b2 + (b1 * gain2_1), b2);
+        b2 = bs_choose(counts2, b2 + (b0 * gain2_0), b2);
+        b1 = bs_choose(counts1, b1 + (b0 * gain1_0), b1);
+        B[37] = b0;
+        s->T[4] = b0 * w[0];
+        B[40] = b1;
+        s->T[10] = b1 * w[1];
+        B[43] = b2;
+        s->T[16] = b2 * w[2];
+        B[46] = b3;
+        s->T[22] = b3 * w[3];
+        B[49] = b4;
+        s->T[28] = b4 * w[4];
+        B[52] = b5;
+        s->T[34] = b5 * w[5];
+        B[55] = b6;
+        s->T[40] = b6 * w[6];
+        Q[25] = s->T[40];
+        B[58] = b7;
+        s->T[46] = b7 * w[7];
+        Q[32] = s->T[46];
+        B[61] = b8;
+        s->T[52] = b8 * w[8];
+        Q[40] = s->T[52];
+        B[64] = b9;
+        s->T[58] = b9 * w[9];
+        Q[49] = s->T[58];
+        B[67] = b10;
+        s->T[64] = b10 * w[10];
+        Q[59] = s->T[64];
+        B[70] = b11;
+        s->T[70] = b11 * w[11];
+        Q[70] = s->T[70];
     }
     {
-        const bs_bits counts = w[0] > ((2.220446049250313e-16 * Q[0]) + 2.2250738585072014e-308);
-        w[0] = bs_choose(counts, w[0], bs_all_of(0.0));
+        const bs_lanes t0 = 0.0 + (A[35] * A[6]) + (A[37] * A[26]);
+        Phi[38] = A[34] + (0.5 * t0);
+        bs_lanes b0 = (0.6666666666666666 * A[34]) + (0.2222222222222222 * t0);
+        const bs_lanes t1 = 0.0 + (A[34] * A[0]) + (A[36] * A[18]);
+        Phi[41] = A[35] + (0.5 * t1);
+        bs_lanes b1 = (0.6666666666666666 * A[35]) + (0.2222222222222222 * t1);
+        const bs_lanes t2 = 0.0 + (A[34] * A[1]) + (A[35] * A[7]) + (A[36] * A[19]) +
+            (A[37] * A[27]);
+        Phi[44] = 0.0 + (0.5 * t2);
+        bs_lanes b2 = 0.0 + (0.2222222222222222 * t2);
+        const bs_lanes t3 = 0.0 + (A[35] * A[8]) + (A[36] * A[20]) + (A[37] * A[28]);
+        Phi[47] = A[36] + (0.5 * t3);
+        bs_lanes b3 = (0.6666666666666666 * A[36]) + (0.2222222222222222 * t3);
+        const bs_lanes t4 = 0.0 + (A[34] * A[2]) + (A[36] * A[21]) + (A[37] * A[29]);
+        Phi[50] = A[37] + (0.5 * t4);
+        bs_lanes b4 = (0.6666666666666666 * A[37]) + (0.2222222222222222 * t4);
+        const bs_lanes t5 = 0.0 + (A[36] * A[22]) + (A[37] * A[30]);
+        Phi[53] = (0.0 + (0.5 * t5)) + 1.0;
+        bs_lanes b5 = (0.0 + (0.2222222222222222 * t5)) + 1.0;
+        const bs_lanes t6 = 0.0 + (A[34] * A[3]) + (A[35] * A[9]);
+        Phi[56] = 0.0 + (0.5 * t6);
+        bs_lanes b6 = 0.0 + (0.2222222222222222 * t6);
+        const bs_lanes t7 = 0.0 + (A[34] * A[4]) + (A[35] * A[10]);
+        Phi[59] = 0.0 + (0.5 * t7);
+        bs_lanes b7 = 0.0 + (0.2222222222222222 * t7);
+        const bs_lanes t8 = 0.0 + (A[34] * A[5]) + (A[35] * A[11]);
+        Phi[62] = 0.0 + (0.5 * t8);
+        bs_lanes b8 = 0.0 + (0.2222222222222222 * t8);
+        const bs_lanes t9 = 0.0 + (A[36] * A[23]) + (A[37] * A[31]);
+        Phi[65] = A[38] + (0.5 * t9);
+        bs_lanes b9 = (0.6666666666666666 * A[38]) + (0.2222222222222222 * t9);
+        const bs_lanes t10 = 0.0 + (A[36] * A[24]) + (A[37] * A[32]);
+        Phi[68] = A[39] + (0.5 * t10);
+        bs_lanes b10 = (0.6666666666666666 * A[39]) + (0.2222222222222222 * t10);
+        const bs_lanes t11 = 0.0 + (A[36] * A[25]) + (A[37] * A[33]);
+        Phi[71] = A[40] + (0.5 * t11);
+        bs_lanes b11 = (0.6666666666666666 * A[40]) + (0.2222222222222222 * t11);
+        b5 = bs_choose(counts5, b5 + (b4 * gain5_4), b5);
+        b5 = bs_choose(counts5, b5 + (b3 * gain5_3), b5);
+        b4 = bs_choose(counts4, b4 + (b3 * gain4_3), b4);
+        b2 = bs_choose(counts2, b2 + (b1 * gain2_1), b2);
+        b2 = bs_choose(counts2, b2 + (b0 * gain2_0), b2);
+        b1 = bs_choose(counts1, b1 + (b0 * gain1_0), b1);
+        B[38] = b0;
+        s->T[5] = b0 * w[0];
+        B[41] = b1;
+        s->T[11] = b1 * w[1];
+        B[44] = b2;
+        s->T[17] = b2 * w[2];
+        B[47] = b3;
+        s->T[23] = b3 * w[3];
+        B[50] = b4;
+        s->T[29] = b4 * w[4];
+        B[53] = b5;
+        s->T[35] = b5 * w[5];
+        B[56] = b6;
+        s->T[41] = b6 * w[6];
+        Q[26] = s->T[41];
+        B[59] = b7;
+        s->T[47] = b7 * w[7];
+        Q[33] = s->T[47];
+        B[62] = b8;
+        s->T[53] = b8 * w[8];
+        Q[41] = s->T[53];
+        B[65] = b9;
+        s->T[59] = b9 * w[9];
+        Q[50] = s->T[59];
+        B[68] = b10;
+        s->T[65] = b10 * w[10];
+        Q[60] = s->T[65];
+        B[71] = b11;
+        s->T[71] = b11 * w[11];
+        Q[71] = s->T[71];
     }
-    s->T[0] = B[0] * w[0];
-    s->T[6] = B[1] * w[1];
-    s->T[12] = B[2] * w[2];
-    s->T[18] = B[3] * w[3];
-    s->T[24] = B[4] * w[4];
-    s->T[30] = B[5] * w[5];
-    s->T[36] = B[6] * w[6];
-    s->T[42] = B[7] * w[7];
-    s->T[48] = B[8] * w[8];
-    s->T[54] = B[9] * w[9];
-    s->T[60] = B[10] * w[10];
-    s->T[66] = B[11] * w[11];
-    s->T[1] = B[12] * w[0];
-    s->T[7] = B[13] * w[1];
-    s->T[13] = B[14] * w[2];
-    s->T[19] = B[15] * w[3];
-    s->T[25] = B[16] * w[4];
-    s->T[31] = B[17] * w[5];
-    s->T[37] = B[18] * w[6];
-    s->T[43] = B[19] * w[7];
-    s->T[49] = B[20] * w[8];
-    s->T[55] = B[21] * w[9];
-    s->T[61] = B[22] * w[10];
-    s->T[67] = B[23] * w[11];
-    s->T[2] = B[24] * w[0];
-    s->T[8] = B[25] * w[1];
-    s->T[14] = B[26] * w[2];
-    s->T[20] = B[27] * w[3];
-    s->T[26] = B[28] * w[4];
-    s->T[32] = B[29] * w[5];
-    s->T[38] = B[30] * w[6];
-    s->T[44] = B[31] * w[7];
-    s->T[50] = B[32] * w[8];
-    s->T[56] = B[33] * w[9];
-    s->T[62] = B[34] * w[10];
-    s->T[68] = B[35] * w[11];
-    s->T[3] = B[36] * w[0];
-    s->T[9] = B[37] * w[1];
-    s->T[15] = B[38] * w[2];
-    s->T[21] = B[39] * w[3];
-    s->T[27] = B[40] * w[4];
-    s->T[33] = B[41] * w[5];
-    s->T[39] = B[42] * w[6];
-    s->T[45] = B[43] * w[7];
-    s->T[51] = B[44] * w[8];
-    s->T[57] = B[45] * w[9];
-    s->T[63] = B[46] * w[10];
-    s->T[69] = B[47] * w[11];
-    s->T[4] = B[48] * w[0];
-    s->T[10] = B[49] * w[1];
-    s->T[16] = B[50] * w[2];
-    s->T[22] = B[51] * w[3];
-    s->T[28] = B[52] * w[4];
-    s->T[34] = B[53] * w[5];
-    s->T[40] = B[54] * w[6];
-    s->T[46] = B[55] * w[7];
-    s->T[52] = B[56] * w[8];
-    s->T[58] = B[57] * w[9];
-    s->T[64] = B[58] * w[10];
-    s->T[70] = B[59] * w[11];
-    s->T[5] = B[60] * w[0];
-    s->T[11] = B[61] * w[1];
-    s->T[17] = B[62] * w[2];
-    s->T[23] = B[63] * w[3];
-    s->T[29] = B[64] * w[4];
-    s->T[35] = B[65] * w[5];
-    s->T[41] = B[66] * w[6];
-    s->T[47] = B[67] * w[7];
-    s->T[53] = B[68] * w[8];
-    s->T[59] = B[69] * w[9];
-    s->T[65] = B[70] * w[10];
-    s->T[71] = B[71] * w[11];
-    for (int j = 0; j < 6; ++j) {
-        for (int i = 0; i <= j; i += 3) {
-            tall_sums(&B[start[j]], &at[start[j]], (int)start[j + 1] - (int)start[j], &s->T[i],
-                      &s->S[(j * 6) + i], 1);
+    for (int j = 0; j < 2; ++j) {
+        for (int i = 0; i <= j; ++i) {
+            tile_3(&B[3 * (int)start[j]], &at[start[j]], (int)start[j + 1] - (int)start[j],
+                   &s->T[3 * i], &s->S[(18 * j) + (3 * i)], 6, 1);
         }
     }
-    Q[21] = s->T[36];
-    Q[28] = s->T[42];
-    Q[36] = s->T[48];
-    Q[45] = s->T[54];
-    Q[55] = s->T[60];
-    Q[66] = s->T[66];
-    Q[22] = s->T[37];
-    Q[29] = s->T[43];
-    Q[37] = s->T[49];
-    Q[46] = s->T[55];
-    Q[56] = s->T[61];
-    Q[67] = s->T[67];
-    Q[23] = s->T[38];
-    Q[30] = s->T[44];
-    Q[38] = s->T[50];
-    Q[47] = s->T[56];
-    Q[57] = s->T[62];
-    Q[68] = s->T[68];
-    Q[24] = s->T[39];
-    Q[31] = s->T[45];
-    Q[39] = s->T[51];
-    Q[48] = s->T[57];
-    Q[58] = s->T[63];
-    Q[69] = s->T[69];
-    Q[25] = s->T[40];
-    Q[32] = s->T[46];
-    Q[40] = s->T[52];
-    Q[49] = s->T[58];
-    Q[59] = s->T[64];
-    Q[70] = s->T[70];
-    Q[26] = s->T[41];
-    Q[33] = s->T[47];
-    Q[41] = s->T[53];
-    Q[50] = s->T[59];
-    Q[60] = s->T[65];
-    Q[71] = s->T[71];
     s->S[0] += quarter * s->Qc[0];
     s->S[6] += quarter * s->Qc[1];
     s->S[12] += quarter * s->Qc[2];
@@ -1013,19 +1010,11 @@ static void discretize(scratch *s, const bs_lanes *dt)
 /* P = Phi P Phi' + Q: val_joseph_predict.  P as it was stands in s->X. */
 static void predict(scratch *s, bs_lanes *P)
 {
-    static const unsigned short start[7] = { 0, 12, 24, 36, 48, 60, 72 };
-    static const unsigned short at[72] = { 0, 20, 40, 60, 80, 100, 120, 140, 160, 180, 200, 220, 0,
-                                           20, 40, 60, 80, 100, 120, 140, 160, 180, 200, 220, 0, 20,
-                                           40, 60, 80, 100, 120, 140, 160, 180, 200, 220, 0, 20, 40,
-                                           60, 80, 100, 120, 140, 160, 180, 200, 220, 0, 20, 40, 60,
-                                           80, 100, 120, 140, 160, 180, 200, 220, 0, 20, 40, 60, 80,
-                                           100, 120, 140, 160, 180, 200, 220 };
-    static const unsigned short across[72] = { 0, 6, 12, 18, 24, 30, 36, 42, 48, 54, 60, 66, 0, 6,
-                                               12, 18, 24, 30, 36, 42, 48, 54, 60, 66, 0, 6, 12, 18,
-                                               24, 30, 36, 42, 48, 54, 60, 66, 0, 6, 12, 18, 24, 30,
-                                               36, 42, 48, 54, 60, 66, 0, 6, 12, 18, 24, 30, 36, 42,
-                                               48, 54, 60, 66, 0, 6, 12, 18, 24, 30, 36, 42, 48, 54,
-                                               60, 66 };
+    static const unsigned short start[3] = { 0, 12, 24 };
+    static const unsigned short at[24] = { 0, 20, 40, 60, 80, 100, 120, 140, 160, 180, 200, 220, 0,
+                                           20, 40, 60, 80, 100, 120, 140, 160, 180, 200, 220 };
+    static const unsigned short across[24] = { 0, 6, 12, 18, 24, 30, 36, 42, 48, 54, 60, 66, 0, 6,
+                                               12, 18, 24, 30, 36, 42, 48, 54, 60, 66 };
     const bs_lanes *next = P;
     for (int j = 0; j < VAL_N_STATES; ++j) {
         for (int i = 0; i <= j; ++i, ++next) {
@@ -1033,21 +1022,24 @@ static void predict(scratch *s, bs_lanes *P)
             s->X[(j * 20) + i] = *next;
         }
     }
-    for (int i = 0; i < 6; ++i) {
-        for (int j = 0; j < 20; j += 10) {
-            wide_sums(&s->Phi[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], &s->X[j],
-                      &s->Y[(j * 6) + i], 6);
+    for (int i = 0; i < 2; ++i) {
+        for (int j = 0; j < 20; j += 5) {
+            tile_5(&s->Phi[3 * (int)start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i],
+                   &s->X[j], &s->Y[(j * 6) + (3 * i)], 1, 6);
         }
     }
-    for (int j = 0; j < 6; ++j) {
-        bs_lanes *const to = &P[(j * (j + 1)) / 2];
-        bs_lanes sum[6];
-        for (int i = 0; i <= j; i += 3) {
-            tall_sums(&s->Phi[start[j]], &across[start[j]], (int)start[j + 1] - (int)start[j],
-                      &s->Y[i], &sum[i], 1);
-        }
+    for (int j = 0; j < 2; ++j) {
+        bs_lanes sum[18];
         for (int i = 0; i <= j; ++i) {
-            to[i] = sum[i] + s->S[(j * 6) + i];
+            tile_3(&s->Phi[3 * (int)start[j]], &across[start[j]], (int)start[j + 1] - (int)start[j],
+                   &s->Y[3 * i], &sum[3 * i], 6, 1);
+        }
+        for (int r = 0; (r < 3) && (((3 * j) + r) < 6); ++r) {
+            const int row = (3 * j) + r;
+            bs_lanes *const to = &P[(row * (row + 1)) / 2];
+            for (int i = 0; i <= row; ++i) {
+                to[i] = sum[(r * 6) + i] + s->S[(row * 6) + i];
+            }
         }
     }
     for (int j = 6; j < VAL_N_STATES; ++j) {
@@ -1064,15 +1056,12 @@ static void predict(scratch *s, bs_lanes *P)
 
 static void propagate_lanes(block *b, const chosen *runs, const bs_given *given, bs_bits *rare)
 {
-    static const unsigned short start[7] = { 0, 12, 24, 36, 48, 60, 72 };
-    static const unsigned short at[72] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4, 5,
-                                           6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11,
-                                           0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4, 5,
-                                           6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10,
-                                           11 };
+    static const unsigned short start[3] = { 0, 12, 24 };
+    static const unsigned short at[24] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4, 5,
+                                           6, 7, 8, 9, 10, 11 };
     scratch *const s = runs->s;
     bs_bits good = *rare;
-    bs_lanes x[VAL_N_STATES];
+    bs_lanes x[19];
     bs_lanes in[20];
     bs_read(&in[0], &given[0], 0, 3, runs->first, runs->n);
     bs_read(&in[3], &given[0], 6, 1, runs->first, runs->n);
@@ -1093,15 +1082,12 @@ static void propagate_lanes(block *b, const chosen *runs, const bs_given *given,
     val_F_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &in[0], s->F);
     val_Qc_kernel(&b->carried[6], &in[4], &in[7], &in[10], &in[13], &in[16], &in[19], s->Qc);
     discretize(s, &in[3]);
-    for (int i = 0; i < VAL_N_STATES; ++i) {
-        x[i] = b->x[i];
+    for (int i = 0; i < 2; ++i) {
+        tile_1(&s->Phi[3 * (int)start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], b->x,
+               &x[3 * i], 1, 1);
     }
-    for (int i = 0; i < 6; ++i) {
-        bs_lanes sum = bs_all_of(0.0);
-        for (int p = (int)start[i]; p < (int)start[i + 1]; ++p) {
-            sum += s->Phi[p] * b->x[at[p]];
-        }
-        x[i] = sum;
+    for (int i = 6; i < VAL_N_STATES; ++i) {
+        x[i] = b->x[i];
     }
     predict(s, b->P);
     good &= judged(x, b->P);
@@ -1117,20 +1103,26 @@ static void propagate_lanes(block *b, const chosen *runs, const bs_given *given,
     *rare &= ~good;
 }
 
-/* One row of a measurement: val_joseph_update.  Returns by `good` where it went its usual way; nis
- * grows. */
-static void take_row(block *b,
-                     const bs_lanes *h,
-                     const unsigned short *states,
-                     int count,
-                     const bs_lanes *z,
-                     const bs_lanes *R,
-                     double gate,
-                     int asked,
-                     bs_lanes *nu,
-                     bs_lanes *S,
-                     bs_lanes *nis,
-                     bs_bits *good)
+/* How a measurement is going. */
+typedef struct {
+    bs_lanes nu[3];
+    bs_lanes S[3];
+    bs_lanes nis;
+    bs_lanes x[VAL_N_STATES]; /* as it was, as is P in the scratch memory */
+    unsigned int asked;           /* which rows are taken */
+    bs_bits good;                 /* where it went its usual way */
+} taken;
+
+/* One row of a measurement: val_joseph_update.  In line, so that its few states are known. */
+BS_INLINE void take_row(block *b,
+                        int row,
+                        const bs_lanes *h,
+                        const unsigned short *states,
+                        int count,
+                        const bs_lanes *z,
+                        const bs_lanes *R,
+                        double gate,
+                        taken *t)
 {
     bs_lanes g[VAL_N_STATES];
     bs_lanes K[VAL_N_STATES];
@@ -1138,12 +1130,12 @@ static void take_row(block *b,
     bs_lanes *const P = b->P;
     const bs_lanes zero = bs_all_of(0.0);
     bs_lanes inverse;
-    *nu = *z;
-    *S = *R;
+    bs_lanes nu = z[row];
+    bs_lanes S = R[row];
     for (int p = 0; p < count; ++p) {
         const int k = (int)states[p];
         const bs_lanes *const column = &P[(k * (k + 1)) / 2];
-        *nu -= h[p] * b->x[k];
+        nu -= h[p] * b->x[k];
         for (int i = 0; i < k; ++i) {
             g[i] = ((p > 0) ? g[i] : zero) + (h[p] * column[i]);
         }
@@ -1152,20 +1144,22 @@ static void take_row(block *b,
         }
     }
     for (int p = 0; p < count; ++p) {
-        *S += h[p] * g[states[p]];
+        S += h[p] * g[states[p]];
     }
-    *good &= ((*nu - *nu) <= 0.0) & ((*S - *S) <= 0.0) & (*S >= 2.2250738585072014e-308);
-    if (asked == 0) {
+    t->good &= ((nu - nu) <= 0.0) & ((S - S) <= 0.0) & (S >= 2.2250738585072014e-308);
+    t->nu[row] = nu;
+    t->S[row] = S;
+    if (((t->asked >> (unsigned int)row) & 1U) == 0U) {
         return;
     }
     if (gate > 0.0) {
-        *good &= (*nu * *nu) <= ((gate * gate) * *S);
+        t->good &= (nu * nu) <= ((gate * gate) * S);
     }
-    *nis += (*nu * *nu) / *S;
-    inverse = 1.0 / *S;
+    t->nis += (nu * nu) / S;
+    inverse = 1.0 / S;
     for (int i = 0; i < VAL_N_STATES; ++i) {
         K[i] = g[i] * inverse;
-        b->x[i] += K[i] * *nu;
+        b->x[i] += K[i] * nu;
     }
     for (int p = 0; p < count; ++p) {
         const int k = (int)states[p];
@@ -1179,100 +1173,108 @@ static void take_row(block *b,
         }
     }
     for (int i = 0; i < VAL_N_STATES; ++i) {
-        own[i] -= *R * K[i];
+        own[i] -= R[row] * K[i];
     }
-    for (int j = 0; j < VAL_N_STATES; ++j) {
-        bs_lanes *const to = &P[(j * (j + 1)) / 2];
-        const bs_lanes gj = g[j];
-        const bs_lanes Kj = K[j];
+    for (int j = 0; j < (VAL_N_STATES - 1); j += 2) { /* two columns at a time read K and own
+                                                       * once */
+        bs_lanes *const one = &P[(j * (j + 1)) / 2];
+        bs_lanes *const other = &one[j + 1];
         for (int i = 0; i <= j; ++i) {
-            to[i] = (to[i] - (K[i] * gj)) - (own[i] * Kj);
+            one[i] = (one[i] - (K[i] * g[j])) - (own[i] * K[j]);
+            other[i] = (other[i] - (K[i] * g[j + 1])) - (own[i] * K[j + 1]);
         }
+        other[j + 1] = (other[j + 1] - (K[j + 1] * g[j + 1])) - (own[j + 1] * K[j + 1]);
+    }
+    for (int i = 0; i < VAL_N_STATES; ++i) {
+        bs_lanes *const last = &P[(VAL_N_STATES * (VAL_N_STATES - 1)) / 2];
+        last[i] = (last[i] - (K[i] * g[VAL_N_STATES - 1])) - (own[i] * K[VAL_N_STATES - 1]);
     }
 }
 
-/* What all measurements share: H, z and R of m rows are ready, and good says where. */
-static void take_lanes(block *b,
-                       const chosen *runs,
-                       const bs_lanes *H,
-                       const unsigned short *start,
-                       const unsigned short *at,
-                       int m,
-                       const bs_lanes *z,
-                       const bs_lanes *R,
-                       unsigned int angles,
-                       int index,
-                       const bs_taking *taking,
-                       bs_bits *good,
-                       bs_bits *rare)
+/* Before the rows of a measurement: H, z and R of m rows are ready, and t->good says where. */
+static void begin_taking(block *b,
+                         const chosen *runs,
+                         const bs_lanes *H,
+                         const unsigned short *start,
+                         const unsigned short *at,
+                         int m,
+                         const bs_lanes *z,
+                         unsigned int angles,
+                         const bs_taking *taking,
+                         taken *t)
 {
-    bs_lanes nu[3];
-    bs_lanes S[3];
-    bs_lanes nis = bs_all_of(0.0);
-    bs_lanes x[VAL_N_STATES];
     scratch *const s = runs->s;
-    unsigned int asked = 0U;
     const unsigned char *rows = &taking->rows[runs->first * taking->stride];
+    t->nis = bs_all_of(0.0);
+    t->asked = 0U;
     for (int k = 0; k < m; ++k) { /* as the first run of the block has them */
-        asked |= (rows[k] != 0U) ? (1U << (unsigned int)k) : 0U;
+        t->asked |= (rows[k] != 0U) ? (1U << (unsigned int)k) : 0U;
     }
-    for (size_t l = 1U; (l < BORESIGHT_LANES) && ((runs->first + l) < runs->n); ++l) {
+    for (size_t l = 1U; (taking->stride != 0U) && (l < BORESIGHT_LANES) &&
+         ((runs->first + l) < runs->n); ++l) {
         unsigned int own = 0U;
         for (int k = 0; k < m; ++k) {
             own |= (rows[(l * taking->stride) + (size_t)k] != 0U) ? (1U << (unsigned int)k) : 0U;
         }
-        if (own != asked) {
-            (*good)[l] = 0;
+        if (own != t->asked) {
+            t->good[l] = 0;
         }
     }
     for (int i = 0; i < VAL_N_PACKED; ++i) {
         s->P[i] = b->P[i];
     }
     for (int i = 0; i < VAL_N_STATES; ++i) {
-        x[i] = b->x[i];
+        t->x[i] = b->x[i];
     }
     for (int i = 0; i < m; ++i) {
         if (((angles >> (unsigned int)i) & 1U) != 0U) { /* no whole turn is to be taken */
             bs_lanes off = z[i];
             for (int p = (int)start[i]; p < (int)start[i + 1]; ++p) {
-                off -= H[p] * x[at[p]];
+                off -= H[p] * b->x[at[p]];
             }
-            *good &= (off >= -3.141592653589793) & (off < 3.141592653589793);
+            t->good &= (off >= -3.141592653589793) & (off < 3.141592653589793);
         }
     }
-    for (int i = 0; i < m; ++i) {
-        take_row(b, &H[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], &z[i], &R[i],
-                 taking->gates[0], (int)((asked >> (unsigned int)i) & 1U), &nu[i], &S[i], &nis,
-                 good);
-    }
+}
+
+/* After them. */
+static void end_taking(block *b,
+                       const chosen *runs,
+                       int m,
+                       int index,
+                       const bs_taking *taking,
+                       taken *t,
+                       bs_bits *rare)
+{
+    scratch *const s = runs->s;
     if (taking->gates[1] > 0.0) {
-        *good &= nis <= taking->gates[1];
+        t->good &= t->nis <= taking->gates[1];
     }
-    *good &= judged(b->x, b->P);
-    if (!bs_everywhere(*good)) {
+    t->good &= judged(b->x, b->P);
+    if (!bs_everywhere(t->good)) {
         for (int i = 0; i < VAL_N_PACKED; ++i) {
-            b->P[i] = bs_choose(*good, b->P[i], s->P[i]);
+            b->P[i] = bs_choose(t->good, b->P[i], s->P[i]);
         }
         for (int i = 0; i < VAL_N_STATES; ++i) {
-            b->x[i] = bs_choose(*good, b->x[i], x[i]);
+            b->x[i] = bs_choose(t->good, b->x[i], t->x[i]);
         }
     }
-    if (asked != 0U) {
-        b->rejected[index] = bs_choose(*good, bs_all_of(0.0), b->rejected[index]);
+    if (t->asked != 0U) {
+        b->rejected[index] = bs_choose(t->good, bs_all_of(0.0), b->rejected[index]);
     }
     for (int l = 0; l < BORESIGHT_LANES; ++l) {
-        if ((*good)[l] != 0) {
+        if (t->good[l] != 0) {
             const size_t run = runs->first + (size_t)l;
-            taking->nis[run] = nis[l];
+            taking->nis[run] = t->nis[l];
             for (int k = 0; k < m; ++k) {
-                taking->nu[(run * (size_t)m) + (size_t)k] = nu[k][l];
-                taking->S[(run * (size_t)m) + (size_t)k] = S[k][l];
+                taking->nu[(run * (size_t)m) + (size_t)k] = t->nu[k][l];
+                taking->S[(run * (size_t)m) + (size_t)k] = t->S[k][l];
                 taking->used[(run * (size_t)m) +
-                             (size_t)k] = (unsigned char)((asked >> (unsigned int)k) & 1U);
+                             (size_t)k] = (unsigned char)((t->asked >> (unsigned int)k) & 1U);
             }
         }
     }
-    *rare &= ~*good;
+    *rare &= ~t->good;
 }
 
 static void measure_dcm_lanes(block *b,
@@ -1290,6 +1292,7 @@ static void measure_dcm_lanes(block *b,
     bs_lanes z[3];
     bs_lanes R[3];
     bs_lanes H[15];
+    taken t;
     bs_lanes in[8];
     bs_read(&in[0], &given[0], 3, 3, runs->first, runs->n);
     bs_read(&in[3], &given[1], 3, 4, runs->first, runs->n);
@@ -1316,7 +1319,12 @@ static void measure_dcm_lanes(block *b,
     val_dcm_z_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &b->carried[16], &in[0],
                      &in[3], &in[7], z);
     val_dcm_H_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &b->carried[16], &in[0], H);
-    take_lanes(b, runs, H, start, at, 3, z, R, 0U, VAL_MEASUREMENT_DCM, taking, &good, rare);
+    t.good = good;
+    begin_taking(b, runs, H, start, at, 3, z, 0U, taking, &t);
+    take_row(b, 0, &H[0], &at[0], 5, z, R, taking->gates[0], &t);
+    take_row(b, 1, &H[5], &at[5], 5, z, R, taking->gates[0], &t);
+    take_row(b, 2, &H[10], &at[10], 5, z, R, taking->gates[0], &t);
+    end_taking(b, runs, 3, VAL_MEASUREMENT_DCM, taking, &t, rare);
 }
 
 static void measure_euler_lanes(block *b,
@@ -1334,6 +1342,7 @@ static void measure_euler_lanes(block *b,
     bs_lanes z[3];
     bs_lanes R[3];
     bs_lanes H[17];
+    taken t;
     bs_lanes in[7];
     bs_read(&in[0], &given[0], 3, 3, runs->first, runs->n);
     bs_read(&in[3], &given[1], 7, 3, runs->first, runs->n);
@@ -1359,7 +1368,12 @@ static void measure_euler_lanes(block *b,
     val_euler_z_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &b->carried[16], &in[0],
                        &in[3], &in[6], z);
     val_euler_H_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &in[0], &in[3], H);
-    take_lanes(b, runs, H, start, at, 3, z, R, 7U, VAL_MEASUREMENT_EULER, taking, &good, rare);
+    t.good = good;
+    begin_taking(b, runs, H, start, at, 3, z, 7U, taking, &t);
+    take_row(b, 0, &H[0], &at[0], 6, z, R, taking->gates[0], &t);
+    take_row(b, 1, &H[6], &at[6], 5, z, R, taking->gates[0], &t);
+    take_row(b, 2, &H[11], &at[11], 6, z, R, taking->gates[0], &t);
+    end_taking(b, runs, 3, VAL_MEASUREMENT_EULER, taking, &t, rare);
 }
 
 static void measure_velocity_lanes(block *b,
@@ -1377,6 +1391,7 @@ static void measure_velocity_lanes(block *b,
     bs_lanes z[3];
     bs_lanes R[3];
     bs_lanes H[33];
+    taken t;
     bs_lanes in[10];
     bs_read(&in[0], &given[0], 3, 3, runs->first, runs->n);
     bs_read(&in[3], &given[1], 0, 3, runs->first, runs->n);
@@ -1404,7 +1419,12 @@ static void measure_velocity_lanes(block *b,
                           &in[3], &in[6], &in[9], z);
     val_velocity_H_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &in[0], &b->carried[21],
                           &in[6], H);
-    take_lanes(b, runs, H, start, at, 3, z, R, 0U, VAL_MEASUREMENT_VELOCITY, taking, &good, rare);
+    t.good = good;
+    begin_taking(b, runs, H, start, at, 3, z, 0U, taking, &t);
+    take_row(b, 0, &H[0], &at[0], 11, z, R, taking->gates[0], &t);
+    take_row(b, 1, &H[11], &at[11], 11, z, R, taking->gates[0], &t);
+    take_row(b, 2, &H[22], &at[22], 11, z, R, taking->gates[0], &t);
+    end_taking(b, runs, 3, VAL_MEASUREMENT_VELOCITY, taking, &t, rare);
 }
 
 #endif

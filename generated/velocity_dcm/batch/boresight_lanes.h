@@ -351,6 +351,29 @@ BS_INLINE bs_bits bs_going(const unsigned char *status, size_t first, size_t n)
     return going;
 }
 
+/* The numbers of a lane, each at its place among `total` of which the others are zero; at NULL:
+ * there are no others. */
+BS_INLINE void bs_write(double *to,
+                        int total,
+                        const bs_lanes *value,
+                        const unsigned short *at,
+                        int count,
+                        size_t lane)
+{
+    if (at == NULL) {
+        for (int i = 0; i < count; ++i) {
+            to[i] = value[i][lane];
+        }
+    } else {
+        for (int i = 0; i < total; ++i) {
+            to[i] = 0.0;
+        }
+        for (int i = 0; i < count; ++i) {
+            to[at[i]] = value[i][lane];
+        }
+    }
+}
+
 /* The new numbers in the lanes that are taken, the old ones in the others. */
 BS_INLINE void bs_keep(bs_lanes *value, const bs_lanes *next, bs_bits taken, int n)
 {

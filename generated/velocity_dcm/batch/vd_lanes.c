@@ -47,6 +47,7 @@ typedef int vd_no_lanes; /* a translation unit may not be empty */
 #include "../src/vd_Qc_kernel.h"
 #undef bs_real
 
+
 /* What the filter carries from call to call, of a block of runs. */
 typedef struct {
     bs_lanes carried[14]; /* nav */
@@ -63,9 +64,8 @@ typedef struct {
     bs_lanes P[VD_N_PACKED]; /* as it was */
     bs_lanes F[VD_N_F];
     bs_lanes Qc[VD_N_QC];
-    bs_lanes Phi[27];
-    bs_lanes B[27];
-    bs_lanes w[VD_N_STATES];
+    bs_lanes Phi[27]; /* by groups of 3 rows: of each column that they meet, their numbers */
+    bs_lanes B[27]; /* likewise */
     bs_lanes T[VD_N_STATES * 6]; /* (B times the noise)', rows of 6 */
     bs_lanes S[36]; /* Q of the states that move, rows of 6 */
     bs_lanes Q[VD_N_PACKED]; /* of the others */
@@ -111,17 +111,17 @@ static void put(bs_lanes *to, const double *from, int n, int lane)
 /* Zeros that the steps to come leave as they are. */
 static void prepare(scratch *s)
 {
-    for (int i = 0; i < (VD_N_STATES * 6); ++i) {
-        s->T[i] = bs_all_of(0.0);
+    static const unsigned short zero_in_T[33] = { 3, 4, 5, 9, 10, 11, 15, 16, 17, 36, 37, 38, 39,
+                                                  40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51,
+                                                  52, 53, 54, 55, 56, 57, 58, 59 };
+    static const unsigned short zero_in_Q[34] = { 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32,
+                                                  33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44,
+                                                  45, 46, 47, 48, 49, 50, 51, 52, 53, 54 };
+    for (int i = 0; i < 33; ++i) {
+        s->T[zero_in_T[i]] = bs_all_of(0.0);
     }
-    for (int i = 0; i < VD_N_PACKED; ++i) {
-        s->Q[i] = bs_all_of(0.0);
-    }
-    for (int i = 0; i < (VD_N_STATES * 10); ++i) {
-        s->X[i] = bs_all_of(0.0);
-    }
-    for (int i = 0; i < (10 * 6); ++i) {
-        s->Y[i] = bs_all_of(0.0);
+    for (int i = 0; i < 34; ++i) {
+        s->Q[zero_in_Q[i]] = bs_all_of(0.0);
     }
 }
 
@@ -262,226 +262,155 @@ static void correct_lanes(block *b, const chosen *runs, const bs_given *given, b
 
 #if !BORESIGHT_UD
 
-/* out = the sum of coefficients times 10 numbers each. */
-BS_INLINE void wide_sums(const bs_lanes *coefficient,
-                         const unsigned short *at,
-                         int count,
-                         const bs_lanes *x,
-                         bs_lanes *out,
-                         int stride)
+/* Sums of 3 rows of coefficients, side by side, times 1 number each; row r of column c goes to
+ * out[r * down + c * over]. */
+static void tile_1(const bs_lanes *coefficient,
+                   const unsigned short *at,
+                   int count,
+                   const bs_lanes *x,
+                   bs_lanes *out,
+                   int down,
+                   int over)
 {
-    bs_lanes s0 = bs_all_of(0.0);
-    bs_lanes s1 = bs_all_of(0.0);
-    bs_lanes s2 = bs_all_of(0.0);
-    bs_lanes s3 = bs_all_of(0.0);
-    bs_lanes s4 = bs_all_of(0.0);
-    bs_lanes s5 = bs_all_of(0.0);
-    bs_lanes s6 = bs_all_of(0.0);
-    bs_lanes s7 = bs_all_of(0.0);
-    bs_lanes s8 = bs_all_of(0.0);
-    bs_lanes s9 = bs_all_of(0.0);
+    bs_lanes s0_0 = bs_all_of(0.0);
+    bs_lanes s1_0 = bs_all_of(0.0);
+    bs_lanes s2_0 = bs_all_of(0.0);
     for (int p = 0; p < count; ++p) {
-        const bs_lanes a = coefficient[p];
         const bs_lanes *const from = &x[at[p]];
-        s0 += a * from[0];
-        s1 += a * from[1];
-        s2 += a * from[2];
-        s3 += a * from[3];
-        s4 += a * from[4];
-        s5 += a * from[5];
-        s6 += a * from[6];
-        s7 += a * from[7];
-        s8 += a * from[8];
-        s9 += a * from[9];
+        const bs_lanes a0 = coefficient[(3 * p) + 0];
+        const bs_lanes a1 = coefficient[(3 * p) + 1];
+        const bs_lanes a2 = coefficient[(3 * p) + 2];
+        s0_0 += a0 * from[0];
+        s1_0 += a1 * from[0];
+        s2_0 += a2 * from[0];
     }
-    out[0] = s0;
-    out[1 * stride] = s1;
-    out[2 * stride] = s2;
-    out[3 * stride] = s3;
-    out[4 * stride] = s4;
-    out[5 * stride] = s5;
-    out[6 * stride] = s6;
-    out[7 * stride] = s7;
-    out[8 * stride] = s8;
-    out[9 * stride] = s9;
+    out[(0 * down) + (0 * over)] = s0_0;
+    out[(1 * down) + (0 * over)] = s1_0;
+    out[(2 * down) + (0 * over)] = s2_0;
 }
 
-/* out = the sum of coefficients times 3 numbers each. */
-BS_INLINE void tall_sums(const bs_lanes *coefficient,
-                         const unsigned short *at,
-                         int count,
-                         const bs_lanes *x,
-                         bs_lanes *out,
-                         int stride)
+/* Sums of 3 rows of coefficients, side by side, times 3 numbers each; row r of column c goes to
+ * out[r * down + c * over]. */
+static void tile_3(const bs_lanes *coefficient,
+                   const unsigned short *at,
+                   int count,
+                   const bs_lanes *x,
+                   bs_lanes *out,
+                   int down,
+                   int over)
 {
-    bs_lanes s0 = bs_all_of(0.0);
-    bs_lanes s1 = bs_all_of(0.0);
-    bs_lanes s2 = bs_all_of(0.0);
+    bs_lanes s0_0 = bs_all_of(0.0);
+    bs_lanes s1_0 = bs_all_of(0.0);
+    bs_lanes s2_0 = bs_all_of(0.0);
+    bs_lanes s0_1 = bs_all_of(0.0);
+    bs_lanes s1_1 = bs_all_of(0.0);
+    bs_lanes s2_1 = bs_all_of(0.0);
+    bs_lanes s0_2 = bs_all_of(0.0);
+    bs_lanes s1_2 = bs_all_of(0.0);
+    bs_lanes s2_2 = bs_all_of(0.0);
     for (int p = 0; p < count; ++p) {
-        const bs_lanes a = coefficient[p];
         const bs_lanes *const from = &x[at[p]];
-        s0 += a * from[0];
-        s1 += a * from[1];
-        s2 += a * from[2];
+        const bs_lanes a0 = coefficient[(3 * p) + 0];
+        const bs_lanes a1 = coefficient[(3 * p) + 1];
+        const bs_lanes a2 = coefficient[(3 * p) + 2];
+        s0_0 += a0 * from[0];
+        s1_0 += a1 * from[0];
+        s2_0 += a2 * from[0];
+        s0_1 += a0 * from[1];
+        s1_1 += a1 * from[1];
+        s2_1 += a2 * from[1];
+        s0_2 += a0 * from[2];
+        s1_2 += a1 * from[2];
+        s2_2 += a2 * from[2];
     }
-    out[0] = s0;
-    out[1 * stride] = s1;
-    out[2 * stride] = s2;
+    out[(0 * down) + (0 * over)] = s0_0;
+    out[(1 * down) + (0 * over)] = s1_0;
+    out[(2 * down) + (0 * over)] = s2_0;
+    out[(0 * down) + (1 * over)] = s0_1;
+    out[(1 * down) + (1 * over)] = s1_1;
+    out[(2 * down) + (1 * over)] = s2_1;
+    out[(0 * down) + (2 * over)] = s0_2;
+    out[(1 * down) + (2 * over)] = s1_2;
+    out[(2 * down) + (2 * over)] = s2_2;
+}
+
+/* Sums of 3 rows of coefficients, side by side, times 5 numbers each; row r of column c goes to
+ * out[r * down + c * over]. */
+static void tile_5(const bs_lanes *coefficient,
+                   const unsigned short *at,
+                   int count,
+                   const bs_lanes *x,
+                   bs_lanes *out,
+                   int down,
+                   int over)
+{
+    bs_lanes s0_0 = bs_all_of(0.0);
+    bs_lanes s1_0 = bs_all_of(0.0);
+    bs_lanes s2_0 = bs_all_of(0.0);
+    bs_lanes s0_1 = bs_all_of(0.0);
+    bs_lanes s1_1 = bs_all_of(0.0);
+    bs_lanes s2_1 = bs_all_of(0.0);
+    bs_lanes s0_2 = bs_all_of(0.0);
+    bs_lanes s1_2 = bs_all_of(0.0);
+    bs_lanes s2_2 = bs_all_of(0.0);
+    bs_lanes s0_3 = bs_all_of(0.0);
+    bs_lanes s1_3 = bs_all_of(0.0);
+    bs_lanes s2_3 = bs_all_of(0.0);
+    bs_lanes s0_4 = bs_all_of(0.0);
+    bs_lanes s1_4 = bs_all_of(0.0);
+    bs_lanes s2_4 = bs_all_of(0.0);
+    for (int p = 0; p < count; ++p) {
+        const bs_lanes *const from = &x[at[p]];
+        const bs_lanes a0 = coefficient[(3 * p) + 0];
+        const bs_lanes a1 = coefficient[(3 * p) + 1];
+        const bs_lanes a2 = coefficient[(3 * p) + 2];
+        s0_0 += a0 * from[0];
+        s1_0 += a1 * from[0];
+        s2_0 += a2 * from[0];
+        s0_1 += a0 * from[1];
+        s1_1 += a1 * from[1];
+        s2_1 += a2 * from[1];
+        s0_2 += a0 * from[2];
+        s1_2 += a1 * from[2];
+        s2_2 += a2 * from[2];
+        s0_3 += a0 * from[3];
+        s1_3 += a1 * from[3];
+        s2_3 += a2 * from[3];
+        s0_4 += a0 * from[4];
+        s1_4 += a1 * from[4];
+        s2_4 += a2 * from[4];
+    }
+    out[(0 * down) + (0 * over)] = s0_0;
+    out[(1 * down) + (0 * over)] = s1_0;
+    out[(2 * down) + (0 * over)] = s2_0;
+    out[(0 * down) + (1 * over)] = s0_1;
+    out[(1 * down) + (1 * over)] = s1_1;
+    out[(2 * down) + (1 * over)] = s2_1;
+    out[(0 * down) + (2 * over)] = s0_2;
+    out[(1 * down) + (2 * over)] = s1_2;
+    out[(2 * down) + (2 * over)] = s2_2;
+    out[(0 * down) + (3 * over)] = s0_3;
+    out[(1 * down) + (3 * over)] = s1_3;
+    out[(2 * down) + (3 * over)] = s2_3;
+    out[(0 * down) + (4 * over)] = s0_4;
+    out[(1 * down) + (4 * over)] = s1_4;
+    out[(2 * down) + (4 * over)] = s2_4;
 }
 
 /* Phi and Q of the step, of the non-zeros of F and Qc: vd_discretize. */
 static void discretize(scratch *s, const bs_lanes *dt)
 {
-    static const unsigned short start[7] = { 0, 6, 12, 18, 21, 24, 27 };
-    static const unsigned short at[27] = { 0, 6, 12, 18, 24, 30, 0, 6, 12, 18, 24, 30, 0, 6, 12, 18,
-                                           24, 30, 18, 24, 30, 18, 24, 30, 18, 24, 30 };
+    static const unsigned short start[3] = { 0, 6, 9 };
+    static const unsigned short at[9] = { 0, 6, 12, 18, 24, 30, 18, 24, 30 };
     const bs_lanes share = 0.75 * *dt;
     const bs_lanes quarter = 0.25 * *dt;
     bs_lanes A[VD_N_F];
+    bs_lanes w[VD_N_STATES];
     bs_lanes *const Phi = s->Phi;
     bs_lanes *const B = s->B;
     bs_lanes *const Q = s->Q;
-    bs_lanes *const w = s->w;
     for (int p = 0; p < VD_N_F; ++p) {
         A[p] = s->F[p] * *dt;
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[0] * A[4]) + (A[1] * A[8]);
-        Phi[0] = (0.0 + (0.5 * twice)) + 1.0;
-        B[0] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[1] * A[9]);
-        Phi[1] = A[0] + (0.5 * twice);
-        B[1] = (0.6666666666666666 * A[0]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[0] * A[5]);
-        Phi[2] = A[1] + (0.5 * twice);
-        B[2] = (0.6666666666666666 * A[1]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[0] * A[6]) + (A[1] * A[10]) + (A[2] * A[14]) +
-            (A[3] * A[16]);
-        Phi[3] = 0.0 + (0.5 * twice);
-        B[3] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[1] * A[11]) + (A[3] * A[17]);
-        Phi[4] = A[2] + (0.5 * twice);
-        B[4] = (0.6666666666666666 * A[2]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[0] * A[7]) + (A[2] * A[15]);
-        Phi[5] = A[3] + (0.5 * twice);
-        B[5] = (0.6666666666666666 * A[3]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[5] * A[8]);
-        Phi[6] = A[4] + (0.5 * twice);
-        B[6] = (0.6666666666666666 * A[4]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[4] * A[0]) + (A[5] * A[9]);
-        Phi[7] = (0.0 + (0.5 * twice)) + 1.0;
-        B[7] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[4] * A[1]);
-        Phi[8] = A[5] + (0.5 * twice);
-        B[8] = (0.6666666666666666 * A[5]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[5] * A[10]) + (A[7] * A[16]);
-        Phi[9] = A[6] + (0.5 * twice);
-        B[9] = (0.6666666666666666 * A[6]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[4] * A[2]) + (A[5] * A[11]) + (A[6] * A[12]) +
-            (A[7] * A[17]);
-        Phi[10] = 0.0 + (0.5 * twice);
-        B[10] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[4] * A[3]) + (A[6] * A[13]);
-        Phi[11] = A[7] + (0.5 * twice);
-        B[11] = (0.6666666666666666 * A[7]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[9] * A[4]);
-        Phi[12] = A[8] + (0.5 * twice);
-        B[12] = (0.6666666666666666 * A[8]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[8] * A[0]);
-        Phi[13] = A[9] + (0.5 * twice);
-        B[13] = (0.6666666666666666 * A[9]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[8] * A[1]) + (A[9] * A[5]);
-        Phi[14] = (0.0 + (0.5 * twice)) + 1.0;
-        B[14] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[9] * A[6]) + (A[11] * A[14]);
-        Phi[15] = A[10] + (0.5 * twice);
-        B[15] = (0.6666666666666666 * A[10]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[8] * A[2]) + (A[10] * A[12]);
-        Phi[16] = A[11] + (0.5 * twice);
-        B[16] = (0.6666666666666666 * A[11]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[8] * A[3]) + (A[9] * A[7]) + (A[10] * A[13]) +
-            (A[11] * A[15]);
-        Phi[17] = 0.0 + (0.5 * twice);
-        B[17] = 0.0 + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[12] * A[14]) + (A[13] * A[16]);
-        Phi[18] = (0.0 + (0.5 * twice)) + 1.0;
-        B[18] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[13] * A[17]);
-        Phi[19] = A[12] + (0.5 * twice);
-        B[19] = (0.6666666666666666 * A[12]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[12] * A[15]);
-        Phi[20] = A[13] + (0.5 * twice);
-        B[20] = (0.6666666666666666 * A[13]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[15] * A[16]);
-        Phi[21] = A[14] + (0.5 * twice);
-        B[21] = (0.6666666666666666 * A[14]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[14] * A[12]) + (A[15] * A[17]);
-        Phi[22] = (0.0 + (0.5 * twice)) + 1.0;
-        B[22] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[14] * A[13]);
-        Phi[23] = A[15] + (0.5 * twice);
-        B[23] = (0.6666666666666666 * A[15]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[17] * A[14]);
-        Phi[24] = A[16] + (0.5 * twice);
-        B[24] = (0.6666666666666666 * A[16]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[16] * A[12]);
-        Phi[25] = A[17] + (0.5 * twice);
-        B[25] = (0.6666666666666666 * A[17]) + (0.2222222222222222 * twice);
-    }
-    {
-        const bs_lanes twice = 0.0 + (A[16] * A[13]) + (A[17] * A[15]);
-        Phi[26] = (0.0 + (0.5 * twice)) + 1.0;
-        B[26] = (0.0 + (0.2222222222222222 * twice)) + 1.0;
     }
     Q[0] = s->Qc[0] * share;
     Q[1] = s->Qc[1] * share;
@@ -502,118 +431,215 @@ static void discretize(scratch *s, const bs_lanes *dt)
     w[4] = Q[14];
     w[5] = Q[20];
     /* Noises that have a part in common, factored; rounding counts as none. */
+    const bs_bits counts5 = w[5] > ((2.220446049250313e-16 * Q[20]) + 2.2250738585072014e-308);
+    const bs_lanes inverse5 = 1.0 / w[5];
+    const bs_lanes gain5_4 = Q[19] * inverse5;
+    Q[13] = bs_choose(counts5, Q[13] - (Q[18] * gain5_4), Q[13]);
+    w[4] = bs_choose(counts5, w[4] - (Q[19] * gain5_4), w[4]);
+    const bs_lanes gain5_3 = Q[18] * inverse5;
+    w[3] = bs_choose(counts5, w[3] - (Q[18] * gain5_3), w[3]);
+    w[5] = bs_choose(counts5, w[5], bs_all_of(0.0));
+    const bs_bits counts4 = w[4] > ((2.220446049250313e-16 * Q[14]) + 2.2250738585072014e-308);
+    const bs_lanes inverse4 = 1.0 / w[4];
+    const bs_lanes gain4_3 = Q[13] * inverse4;
+    w[3] = bs_choose(counts4, w[3] - (Q[13] * gain4_3), w[3]);
+    w[4] = bs_choose(counts4, w[4], bs_all_of(0.0));
+    const bs_bits counts3 = w[3] > ((2.220446049250313e-16 * Q[9]) + 2.2250738585072014e-308);
+    w[3] = bs_choose(counts3, w[3], bs_all_of(0.0));
+    const bs_bits counts2 = w[2] > ((2.220446049250313e-16 * Q[5]) + 2.2250738585072014e-308);
+    const bs_lanes inverse2 = 1.0 / w[2];
+    const bs_lanes gain2_1 = Q[4] * inverse2;
+    Q[1] = bs_choose(counts2, Q[1] - (Q[3] * gain2_1), Q[1]);
+    w[1] = bs_choose(counts2, w[1] - (Q[4] * gain2_1), w[1]);
+    const bs_lanes gain2_0 = Q[3] * inverse2;
+    w[0] = bs_choose(counts2, w[0] - (Q[3] * gain2_0), w[0]);
+    w[2] = bs_choose(counts2, w[2], bs_all_of(0.0));
+    const bs_bits counts1 = w[1] > ((2.220446049250313e-16 * Q[2]) + 2.2250738585072014e-308);
+    const bs_lanes inverse1 = 1.0 / w[1];
+    const bs_lanes gain1_0 = Q[1] * inverse1;
+    w[0] = bs_choose(counts1, w[0] - (Q[1] * gain1_0), w[0]);
+    w[1] = bs_choose(counts1, w[1], bs_all_of(0.0));
+    const bs_bits counts0 = w[0] > ((2.220446049250313e-16 * Q[0]) + 2.2250738585072014e-308);
+    w[0] = bs_choose(counts0, w[0], bs_all_of(0.0));
+    /* Row by row Phi, and B times the factors. */
     {
-        const bs_bits counts = w[5] > ((2.220446049250313e-16 * Q[20]) + 2.2250738585072014e-308);
-        const bs_lanes inverse = 1.0 / w[5];
-        {
-            const bs_lanes gain = Q[19] * inverse;
-            Q[13] = bs_choose(counts, Q[13] - (Q[18] * gain), Q[13]);
-            w[4] = bs_choose(counts, w[4] - (Q[19] * gain), w[4]);
-            B[5] = bs_choose(counts, B[5] + (B[4] * gain), B[5]);
-            B[11] = bs_choose(counts, B[11] + (B[10] * gain), B[11]);
-            B[17] = bs_choose(counts, B[17] + (B[16] * gain), B[17]);
-            B[20] = bs_choose(counts, B[20] + (B[19] * gain), B[20]);
-            B[23] = bs_choose(counts, B[23] + (B[22] * gain), B[23]);
-            B[26] = bs_choose(counts, B[26] + (B[25] * gain), B[26]);
-        }
-        {
-            const bs_lanes gain = Q[18] * inverse;
-            w[3] = bs_choose(counts, w[3] - (Q[18] * gain), w[3]);
-            B[5] = bs_choose(counts, B[5] + (B[3] * gain), B[5]);
-            B[11] = bs_choose(counts, B[11] + (B[9] * gain), B[11]);
-            B[17] = bs_choose(counts, B[17] + (B[15] * gain), B[17]);
-            B[20] = bs_choose(counts, B[20] + (B[18] * gain), B[20]);
-            B[23] = bs_choose(counts, B[23] + (B[21] * gain), B[23]);
-            B[26] = bs_choose(counts, B[26] + (B[24] * gain), B[26]);
-        }
-        w[5] = bs_choose(counts, w[5], bs_all_of(0.0));
+        const bs_lanes t0 = 0.0 + (A[0] * A[4]) + (A[1] * A[8]);
+        Phi[0] = (0.0 + (0.5 * t0)) + 1.0;
+        bs_lanes b0 = (0.0 + (0.2222222222222222 * t0)) + 1.0;
+        const bs_lanes t1 = 0.0 + (A[1] * A[9]);
+        Phi[3] = A[0] + (0.5 * t1);
+        bs_lanes b1 = (0.6666666666666666 * A[0]) + (0.2222222222222222 * t1);
+        const bs_lanes t2 = 0.0 + (A[0] * A[5]);
+        Phi[6] = A[1] + (0.5 * t2);
+        bs_lanes b2 = (0.6666666666666666 * A[1]) + (0.2222222222222222 * t2);
+        const bs_lanes t3 = 0.0 + (A[0] * A[6]) + (A[1] * A[10]) + (A[2] * A[14]) + (A[3] * A[16]);
+        Phi[9] = 0.0 + (0.5 * t3);
+        bs_lanes b3 = 0.0 + (0.2222222222222222 * t3);
+        const bs_lanes t4 = 0.0 + (A[1] * A[11]) + (A[3] * A[17]);
+        Phi[12] = A[2] + (0.5 * t4);
+        bs_lanes b4 = (0.6666666666666666 * A[2]) + (0.2222222222222222 * t4);
+        const bs_lanes t5 = 0.0 + (A[0] * A[7]) + (A[2] * A[15]);
+        Phi[15] = A[3] + (0.5 * t5);
+        bs_lanes b5 = (0.6666666666666666 * A[3]) + (0.2222222222222222 * t5);
+        b5 = bs_choose(counts5, b5 + (b4 * gain5_4), b5);
+        b5 = bs_choose(counts5, b5 + (b3 * gain5_3), b5);
+        b4 = bs_choose(counts4, b4 + (b3 * gain4_3), b4);
+        b2 = bs_choose(counts2, b2 + (b1 * gain2_1), b2);
+        b2 = bs_choose(counts2, b2 + (b0 * gain2_0), b2);
+        b1 = bs_choose(counts1, b1 + (b0 * gain1_0), b1);
+        B[0] = b0;
+        s->T[0] = b0 * w[0];
+        B[3] = b1;
+        s->T[6] = b1 * w[1];
+        B[6] = b2;
+        s->T[12] = b2 * w[2];
+        B[9] = b3;
+        s->T[18] = b3 * w[3];
+        B[12] = b4;
+        s->T[24] = b4 * w[4];
+        B[15] = b5;
+        s->T[30] = b5 * w[5];
     }
     {
-        const bs_bits counts = w[4] > ((2.220446049250313e-16 * Q[14]) + 2.2250738585072014e-308);
-        const bs_lanes inverse = 1.0 / w[4];
-        {
-            const bs_lanes gain = Q[13] * inverse;
-            w[3] = bs_choose(counts, w[3] - (Q[13] * gain), w[3]);
-            B[4] = bs_choose(counts, B[4] + (B[3] * gain), B[4]);
-            B[10] = bs_choose(counts, B[10] + (B[9] * gain), B[10]);
-            B[16] = bs_choose(counts, B[16] + (B[15] * gain), B[16]);
-            B[19] = bs_choose(counts, B[19] + (B[18] * gain), B[19]);
-            B[22] = bs_choose(counts, B[22] + (B[21] * gain), B[22]);
-            B[25] = bs_choose(counts, B[25] + (B[24] * gain), B[25]);
-        }
-        w[4] = bs_choose(counts, w[4], bs_all_of(0.0));
+        const bs_lanes t0 = 0.0 + (A[5] * A[8]);
+        Phi[1] = A[4] + (0.5 * t0);
+        bs_lanes b0 = (0.6666666666666666 * A[4]) + (0.2222222222222222 * t0);
+        const bs_lanes t1 = 0.0 + (A[4] * A[0]) + (A[5] * A[9]);
+        Phi[4] = (0.0 + (0.5 * t1)) + 1.0;
+        bs_lanes b1 = (0.0 + (0.2222222222222222 * t1)) + 1.0;
+        const bs_lanes t2 = 0.0 + (A[4] * A[1]);
+        Phi[7] = A[5] + (0.5 * t2);
+        bs_lanes b2 = (0.6666666666666666 * A[5]) + (0.2222222222222222 * t2);
+        const bs_lanes t3 = 0.0 + (A[5] * A[10]) + (A[7] * A[16]);
+        Phi[10] = A[6] + (0.5 * t3);
+        bs_lanes b3 = (0.6666666666666666 * A[6]) + (0.2222222222222222 * t3);
+        const bs_lanes t4 = 0.0 + (A[4] * A[2]) + (A[5] * A[11]) + (A[6] * A[12]) + (A[7] * A[17]);
+        Phi[13] = 0.0 + (0.5 * t4);
+        bs_lanes b4 = 0.0 + (0.2222222222222222 * t4);
+        const bs_lanes t5 = 0.0 + (A[4] * A[3]) + (A[6] * A[13]);
+        Phi[16] = A[7] + (0.5 * t5);
+        bs_lanes b5 = (0.6666666666666666 * A[7]) + (0.2222222222222222 * t5);
+        b5 = bs_choose(counts5, b5 + (b4 * gain5_4), b5);
+        b5 = bs_choose(counts5, b5 + (b3 * gain5_3), b5);
+        b4 = bs_choose(counts4, b4 + (b3 * gain4_3), b4);
+        b2 = bs_choose(counts2, b2 + (b1 * gain2_1), b2);
+        b2 = bs_choose(counts2, b2 + (b0 * gain2_0), b2);
+        b1 = bs_choose(counts1, b1 + (b0 * gain1_0), b1);
+        B[1] = b0;
+        s->T[1] = b0 * w[0];
+        B[4] = b1;
+        s->T[7] = b1 * w[1];
+        B[7] = b2;
+        s->T[13] = b2 * w[2];
+        B[10] = b3;
+        s->T[19] = b3 * w[3];
+        B[13] = b4;
+        s->T[25] = b4 * w[4];
+        B[16] = b5;
+        s->T[31] = b5 * w[5];
     }
     {
-        const bs_bits counts = w[3] > ((2.220446049250313e-16 * Q[9]) + 2.2250738585072014e-308);
-        w[3] = bs_choose(counts, w[3], bs_all_of(0.0));
+        const bs_lanes t0 = 0.0 + (A[9] * A[4]);
+        Phi[2] = A[8] + (0.5 * t0);
+        bs_lanes b0 = (0.6666666666666666 * A[8]) + (0.2222222222222222 * t0);
+        const bs_lanes t1 = 0.0 + (A[8] * A[0]);
+        Phi[5] = A[9] + (0.5 * t1);
+        bs_lanes b1 = (0.6666666666666666 * A[9]) + (0.2222222222222222 * t1);
+        const bs_lanes t2 = 0.0 + (A[8] * A[1]) + (A[9] * A[5]);
+        Phi[8] = (0.0 + (0.5 * t2)) + 1.0;
+        bs_lanes b2 = (0.0 + (0.2222222222222222 * t2)) + 1.0;
+        const bs_lanes t3 = 0.0 + (A[9] * A[6]) + (A[11] * A[14]);
+        Phi[11] = A[10] + (0.5 * t3);
+        bs_lanes b3 = (0.6666666666666666 * A[10]) + (0.2222222222222222 * t3);
+        const bs_lanes t4 = 0.0 + (A[8] * A[2]) + (A[10] * A[12]);
+        Phi[14] = A[11] + (0.5 * t4);
+        bs_lanes b4 = (0.6666666666666666 * A[11]) + (0.2222222222222222 * t4);
+        const bs_lanes t5 = 0.0 + (A[8] * A[3]) + (A[9] * A[7]) + (A[10] * A[13]) + (A[11] * A[15]);
+        Phi[17] = 0.0 + (0.5 * t5);
+        bs_lanes b5 = 0.0 + (0.2222222222222222 * t5);
+        b5 = bs_choose(counts5, b5 + (b4 * gain5_4), b5);
+        b5 = bs_choose(counts5, b5 + (b3 * gain5_3), b5);
+        b4 = bs_choose(counts4, b4 + (b3 * gain4_3), b4);
+        b2 = bs_choose(counts2, b2 + (b1 * gain2_1), b2);
+        b2 = bs_choose(counts2, b2 + (b0 * gain2_0), b2);
+        b1 = bs_choose(counts1, b1 + (b0 * gain1_0), b1);
+        B[2] = b0;
+        s->T[2] = b0 * w[0];
+        B[5] = b1;
+        s->T[8] = b1 * w[1];
+        B[8] = b2;
+        s->T[14] = b2 * w[2];
+        B[11] = b3;
+        s->T[20] = b3 * w[3];
+        B[14] = b4;
+        s->T[26] = b4 * w[4];
+        B[17] = b5;
+        s->T[32] = b5 * w[5];
     }
     {
-        const bs_bits counts = w[2] > ((2.220446049250313e-16 * Q[5]) + 2.2250738585072014e-308);
-        const bs_lanes inverse = 1.0 / w[2];
-        {
-            const bs_lanes gain = Q[4] * inverse;
-            Q[1] = bs_choose(counts, Q[1] - (Q[3] * gain), Q[1]);
-            w[1] = bs_choose(counts, w[1] - (Q[4] * gain), w[1]);
-            B[2] = bs_choose(counts, B[2] + (B[1] * gain), B[2]);
-            B[8] = bs_choose(counts, B[8] + (B[7] * gain), B[8]);
-            B[14] = bs_choose(counts, B[14] + (B[13] * gain), B[14]);
-        }
-        {
-            const bs_lanes gain = Q[3] * inverse;
-            w[0] = bs_choose(counts, w[0] - (Q[3] * gain), w[0]);
-            B[2] = bs_choose(counts, B[2] + (B[0] * gain), B[2]);
-            B[8] = bs_choose(counts, B[8] + (B[6] * gain), B[8]);
-            B[14] = bs_choose(counts, B[14] + (B[12] * gain), B[14]);
-        }
-        w[2] = bs_choose(counts, w[2], bs_all_of(0.0));
+        const bs_lanes t3 = 0.0 + (A[12] * A[14]) + (A[13] * A[16]);
+        Phi[18] = (0.0 + (0.5 * t3)) + 1.0;
+        bs_lanes b3 = (0.0 + (0.2222222222222222 * t3)) + 1.0;
+        const bs_lanes t4 = 0.0 + (A[13] * A[17]);
+        Phi[21] = A[12] + (0.5 * t4);
+        bs_lanes b4 = (0.6666666666666666 * A[12]) + (0.2222222222222222 * t4);
+        const bs_lanes t5 = 0.0 + (A[12] * A[15]);
+        Phi[24] = A[13] + (0.5 * t5);
+        bs_lanes b5 = (0.6666666666666666 * A[13]) + (0.2222222222222222 * t5);
+        b5 = bs_choose(counts5, b5 + (b4 * gain5_4), b5);
+        b5 = bs_choose(counts5, b5 + (b3 * gain5_3), b5);
+        b4 = bs_choose(counts4, b4 + (b3 * gain4_3), b4);
+        B[18] = b3;
+        s->T[21] = b3 * w[3];
+        B[21] = b4;
+        s->T[27] = b4 * w[4];
+        B[24] = b5;
+        s->T[33] = b5 * w[5];
     }
     {
-        const bs_bits counts = w[1] > ((2.220446049250313e-16 * Q[2]) + 2.2250738585072014e-308);
-        const bs_lanes inverse = 1.0 / w[1];
-        {
-            const bs_lanes gain = Q[1] * inverse;
-            w[0] = bs_choose(counts, w[0] - (Q[1] * gain), w[0]);
-            B[1] = bs_choose(counts, B[1] + (B[0] * gain), B[1]);
-            B[7] = bs_choose(counts, B[7] + (B[6] * gain), B[7]);
-            B[13] = bs_choose(counts, B[13] + (B[12] * gain), B[13]);
-        }
-        w[1] = bs_choose(counts, w[1], bs_all_of(0.0));
+        const bs_lanes t3 = 0.0 + (A[15] * A[16]);
+        Phi[19] = A[14] + (0.5 * t3);
+        bs_lanes b3 = (0.6666666666666666 * A[14]) + (0.2222222222222222 * t3);
+        const bs_lanes t4 = 0.0 + (A[14] * A[12]) + (A[15] * A[17]);
+        Phi[22] = (0.0 + (0.5 * t4)) + 1.0;
+        bs_lanes b4 = (0.0 + (0.2222222222222222 * t4)) + 1.0;
+        const bs_lanes t5 = 0.0 + (A[14] * A[13]);
+        Phi[25] = A[15] + (0.5 * t5);
+        bs_lanes b5 = (0.6666666666666666 * A[15]) + (0.2222222222222222 * t5);
+        b5 = bs_choose(counts5, b5 + (b4 * gain5_4), b5);
+        b5 = bs_choose(counts5, b5 + (b3 * gain5_3), b5);
+        b4 = bs_choose(counts4, b4 + (b3 * gain4_3), b4);
+        B[19] = b3;
+        s->T[22] = b3 * w[3];
+        B[22] = b4;
+        s->T[28] = b4 * w[4];
+        B[25] = b5;
+        s->T[34] = b5 * w[5];
     }
     {
-        const bs_bits counts = w[0] > ((2.220446049250313e-16 * Q[0]) + 2.2250738585072014e-308);
-        w[0] = bs_choose(counts, w[0], bs_all_of(0.0));
+        const bs_lanes t3 = 0.0 + (A[17] * A[14]);
+        Phi[20] = A[16] + (0.5 * t3);
+        bs_lanes b3 = (0.6666666666666666 * A[16]) + (0.2222222222222222 * t3);
+        const bs_lanes t4 = 0.0 + (A[16] * A[12]);
+        Phi[23] = A[17] + (0.5 * t4);
+        bs_lanes b4 = (0.6666666666666666 * A[17]) + (0.2222222222222222 * t4);
+        const bs_lanes t5 = 0.0 + (A[16] * A[13]) + (A[17] * A[15]);
+        Phi[26] = (0.0 + (0.5 * t5)) + 1.0;
+        bs_lanes b5 = (0.0 + (0.2222222222222222 * t5)) + 1.0;
+        b5 = bs_choose(counts5, b5 + (b4 * gain5_4), b5);
+        b5 = bs_choose(counts5, b5 + (b3 * gain5_3), b5);
+        b4 = bs_choose(counts4, b4 + (b3 * gain4_3), b4);
+        B[20] = b3;
+        s->T[23] = b3 * w[3];
+        B[23] = b4;
+        s->T[29] = b4 * w[4];
+        B[26] = b5;
+        s->T[35] = b5 * w[5];
     }
-    s->T[0] = B[0] * w[0];
-    s->T[6] = B[1] * w[1];
-    s->T[12] = B[2] * w[2];
-    s->T[18] = B[3] * w[3];
-    s->T[24] = B[4] * w[4];
-    s->T[30] = B[5] * w[5];
-    s->T[1] = B[6] * w[0];
-    s->T[7] = B[7] * w[1];
-    s->T[13] = B[8] * w[2];
-    s->T[19] = B[9] * w[3];
-    s->T[25] = B[10] * w[4];
-    s->T[31] = B[11] * w[5];
-    s->T[2] = B[12] * w[0];
-    s->T[8] = B[13] * w[1];
-    s->T[14] = B[14] * w[2];
-    s->T[20] = B[15] * w[3];
-    s->T[26] = B[16] * w[4];
-    s->T[32] = B[17] * w[5];
-    s->T[21] = B[18] * w[3];
-    s->T[27] = B[19] * w[4];
-    s->T[33] = B[20] * w[5];
-    s->T[22] = B[21] * w[3];
-    s->T[28] = B[22] * w[4];
-    s->T[34] = B[23] * w[5];
-    s->T[23] = B[24] * w[3];
-    s->T[29] = B[25] * w[4];
-    s->T[35] = B[26] * w[5];
-    for (int j = 0; j < 6; ++j) {
-        for (int i = 0; i <= j; i += 3) {
-            tall_sums(&B[start[j]], &at[start[j]], (int)start[j + 1] - (int)start[j], &s->T[i],
-                      &s->S[(j * 6) + i], 1);
+    for (int j = 0; j < 2; ++j) {
+        for (int i = 0; i <= j; ++i) {
+            tile_3(&B[3 * (int)start[j]], &at[start[j]], (int)start[j + 1] - (int)start[j],
+                   &s->T[3 * i], &s->S[(18 * j) + (3 * i)], 6, 1);
         }
     }
     s->S[0] += quarter * s->Qc[0];
@@ -633,11 +659,9 @@ static void discretize(scratch *s, const bs_lanes *dt)
 /* P = Phi P Phi' + Q: vd_joseph_predict.  P as it was stands in s->X. */
 static void predict(scratch *s, bs_lanes *P)
 {
-    static const unsigned short start[7] = { 0, 6, 12, 18, 21, 24, 27 };
-    static const unsigned short at[27] = { 0, 10, 20, 30, 40, 50, 0, 10, 20, 30, 40, 50, 0, 10, 20,
-                                           30, 40, 50, 30, 40, 50, 30, 40, 50, 30, 40, 50 };
-    static const unsigned short across[27] = { 0, 6, 12, 18, 24, 30, 0, 6, 12, 18, 24, 30, 0, 6, 12,
-                                               18, 24, 30, 18, 24, 30, 18, 24, 30, 18, 24, 30 };
+    static const unsigned short start[3] = { 0, 6, 9 };
+    static const unsigned short at[9] = { 0, 10, 20, 30, 40, 50, 30, 40, 50 };
+    static const unsigned short across[9] = { 0, 6, 12, 18, 24, 30, 18, 24, 30 };
     const bs_lanes *next = P;
     for (int j = 0; j < VD_N_STATES; ++j) {
         for (int i = 0; i <= j; ++i, ++next) {
@@ -645,21 +669,24 @@ static void predict(scratch *s, bs_lanes *P)
             s->X[(j * 10) + i] = *next;
         }
     }
-    for (int i = 0; i < 6; ++i) {
-        for (int j = 0; j < 10; j += 10) {
-            wide_sums(&s->Phi[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], &s->X[j],
-                      &s->Y[(j * 6) + i], 6);
+    for (int i = 0; i < 2; ++i) {
+        for (int j = 0; j < 10; j += 5) {
+            tile_5(&s->Phi[3 * (int)start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i],
+                   &s->X[j], &s->Y[(j * 6) + (3 * i)], 1, 6);
         }
     }
-    for (int j = 0; j < 6; ++j) {
-        bs_lanes *const to = &P[(j * (j + 1)) / 2];
-        bs_lanes sum[6];
-        for (int i = 0; i <= j; i += 3) {
-            tall_sums(&s->Phi[start[j]], &across[start[j]], (int)start[j + 1] - (int)start[j],
-                      &s->Y[i], &sum[i], 1);
-        }
+    for (int j = 0; j < 2; ++j) {
+        bs_lanes sum[18];
         for (int i = 0; i <= j; ++i) {
-            to[i] = sum[i] + s->S[(j * 6) + i];
+            tile_3(&s->Phi[3 * (int)start[j]], &across[start[j]], (int)start[j + 1] - (int)start[j],
+                   &s->Y[3 * i], &sum[3 * i], 6, 1);
+        }
+        for (int r = 0; (r < 3) && (((3 * j) + r) < 6); ++r) {
+            const int row = (3 * j) + r;
+            bs_lanes *const to = &P[(row * (row + 1)) / 2];
+            for (int i = 0; i <= row; ++i) {
+                to[i] = sum[(r * 6) + i] + s->S[(row * 6) + i];
+            }
         }
     }
     for (int j = 6; j < VD_N_STATES; ++j) {
@@ -676,12 +703,11 @@ static void predict(scratch *s, bs_lanes *P)
 
 static void propagate_lanes(block *b, const chosen *runs, const bs_given *given, bs_bits *rare)
 {
-    static const unsigned short start[7] = { 0, 6, 12, 18, 21, 24, 27 };
-    static const unsigned short at[27] = { 0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5, 3,
-                                           4, 5, 3, 4, 5, 3, 4, 5 };
+    static const unsigned short start[3] = { 0, 6, 9 };
+    static const unsigned short at[9] = { 0, 1, 2, 3, 4, 5, 3, 4, 5 };
     scratch *const s = runs->s;
     bs_bits good = *rare;
-    bs_lanes x[VD_N_STATES];
+    bs_lanes x[10];
     bs_lanes in[10];
     bs_read(&in[0], &given[0], 0, 3, runs->first, runs->n);
     bs_read(&in[3], &given[0], 3, 1, runs->first, runs->n);
@@ -696,15 +722,12 @@ static void propagate_lanes(block *b, const chosen *runs, const bs_given *given,
     vd_F_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &in[0], s->F);
     vd_Qc_kernel(&b->carried[6], &in[4], &in[7], s->Qc);
     discretize(s, &in[3]);
-    for (int i = 0; i < VD_N_STATES; ++i) {
-        x[i] = b->x[i];
+    for (int i = 0; i < 2; ++i) {
+        tile_1(&s->Phi[3 * (int)start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], b->x,
+               &x[3 * i], 1, 1);
     }
-    for (int i = 0; i < 6; ++i) {
-        bs_lanes sum = bs_all_of(0.0);
-        for (int p = (int)start[i]; p < (int)start[i + 1]; ++p) {
-            sum += s->Phi[p] * b->x[at[p]];
-        }
-        x[i] = sum;
+    for (int i = 6; i < VD_N_STATES; ++i) {
+        x[i] = b->x[i];
     }
     predict(s, b->P);
     good &= judged(x, b->P);
@@ -720,20 +743,26 @@ static void propagate_lanes(block *b, const chosen *runs, const bs_given *given,
     *rare &= ~good;
 }
 
-/* One row of a measurement: vd_joseph_update.  Returns by `good` where it went its usual way; nis
- * grows. */
-static void take_row(block *b,
-                     const bs_lanes *h,
-                     const unsigned short *states,
-                     int count,
-                     const bs_lanes *z,
-                     const bs_lanes *R,
-                     double gate,
-                     int asked,
-                     bs_lanes *nu,
-                     bs_lanes *S,
-                     bs_lanes *nis,
-                     bs_bits *good)
+/* How a measurement is going. */
+typedef struct {
+    bs_lanes nu[3];
+    bs_lanes S[3];
+    bs_lanes nis;
+    bs_lanes x[VD_N_STATES]; /* as it was, as is P in the scratch memory */
+    unsigned int asked;           /* which rows are taken */
+    bs_bits good;                 /* where it went its usual way */
+} taken;
+
+/* One row of a measurement: vd_joseph_update.  In line, so that its few states are known. */
+BS_INLINE void take_row(block *b,
+                        int row,
+                        const bs_lanes *h,
+                        const unsigned short *states,
+                        int count,
+                        const bs_lanes *z,
+                        const bs_lanes *R,
+                        double gate,
+                        taken *t)
 {
     bs_lanes g[VD_N_STATES];
     bs_lanes K[VD_N_STATES];
@@ -741,12 +770,12 @@ static void take_row(block *b,
     bs_lanes *const P = b->P;
     const bs_lanes zero = bs_all_of(0.0);
     bs_lanes inverse;
-    *nu = *z;
-    *S = *R;
+    bs_lanes nu = z[row];
+    bs_lanes S = R[row];
     for (int p = 0; p < count; ++p) {
         const int k = (int)states[p];
         const bs_lanes *const column = &P[(k * (k + 1)) / 2];
-        *nu -= h[p] * b->x[k];
+        nu -= h[p] * b->x[k];
         for (int i = 0; i < k; ++i) {
             g[i] = ((p > 0) ? g[i] : zero) + (h[p] * column[i]);
         }
@@ -755,20 +784,22 @@ static void take_row(block *b,
         }
     }
     for (int p = 0; p < count; ++p) {
-        *S += h[p] * g[states[p]];
+        S += h[p] * g[states[p]];
     }
-    *good &= ((*nu - *nu) <= 0.0) & ((*S - *S) <= 0.0) & (*S >= 2.2250738585072014e-308);
-    if (asked == 0) {
+    t->good &= ((nu - nu) <= 0.0) & ((S - S) <= 0.0) & (S >= 2.2250738585072014e-308);
+    t->nu[row] = nu;
+    t->S[row] = S;
+    if (((t->asked >> (unsigned int)row) & 1U) == 0U) {
         return;
     }
     if (gate > 0.0) {
-        *good &= (*nu * *nu) <= ((gate * gate) * *S);
+        t->good &= (nu * nu) <= ((gate * gate) * S);
     }
-    *nis += (*nu * *nu) / *S;
-    inverse = 1.0 / *S;
+    t->nis += (nu * nu) / S;
+    inverse = 1.0 / S;
     for (int i = 0; i < VD_N_STATES; ++i) {
         K[i] = g[i] * inverse;
-        b->x[i] += K[i] * *nu;
+        b->x[i] += K[i] * nu;
     }
     for (int p = 0; p < count; ++p) {
         const int k = (int)states[p];
@@ -782,100 +813,103 @@ static void take_row(block *b,
         }
     }
     for (int i = 0; i < VD_N_STATES; ++i) {
-        own[i] -= *R * K[i];
+        own[i] -= R[row] * K[i];
     }
-    for (int j = 0; j < VD_N_STATES; ++j) {
-        bs_lanes *const to = &P[(j * (j + 1)) / 2];
-        const bs_lanes gj = g[j];
-        const bs_lanes Kj = K[j];
+    for (int j = 0; j < (VD_N_STATES - 1); j += 2) { /* two columns at a time read K and own once */
+        bs_lanes *const one = &P[(j * (j + 1)) / 2];
+        bs_lanes *const other = &one[j + 1];
         for (int i = 0; i <= j; ++i) {
-            to[i] = (to[i] - (K[i] * gj)) - (own[i] * Kj);
+            one[i] = (one[i] - (K[i] * g[j])) - (own[i] * K[j]);
+            other[i] = (other[i] - (K[i] * g[j + 1])) - (own[i] * K[j + 1]);
         }
+        other[j + 1] = (other[j + 1] - (K[j + 1] * g[j + 1])) - (own[j + 1] * K[j + 1]);
     }
 }
 
-/* What all measurements share: H, z and R of m rows are ready, and good says where. */
-static void take_lanes(block *b,
-                       const chosen *runs,
-                       const bs_lanes *H,
-                       const unsigned short *start,
-                       const unsigned short *at,
-                       int m,
-                       const bs_lanes *z,
-                       const bs_lanes *R,
-                       unsigned int angles,
-                       int index,
-                       const bs_taking *taking,
-                       bs_bits *good,
-                       bs_bits *rare)
+/* Before the rows of a measurement: H, z and R of m rows are ready, and t->good says where. */
+static void begin_taking(block *b,
+                         const chosen *runs,
+                         const bs_lanes *H,
+                         const unsigned short *start,
+                         const unsigned short *at,
+                         int m,
+                         const bs_lanes *z,
+                         unsigned int angles,
+                         const bs_taking *taking,
+                         taken *t)
 {
-    bs_lanes nu[3];
-    bs_lanes S[3];
-    bs_lanes nis = bs_all_of(0.0);
-    bs_lanes x[VD_N_STATES];
     scratch *const s = runs->s;
-    unsigned int asked = 0U;
     const unsigned char *rows = &taking->rows[runs->first * taking->stride];
+    t->nis = bs_all_of(0.0);
+    t->asked = 0U;
     for (int k = 0; k < m; ++k) { /* as the first run of the block has them */
-        asked |= (rows[k] != 0U) ? (1U << (unsigned int)k) : 0U;
+        t->asked |= (rows[k] != 0U) ? (1U << (unsigned int)k) : 0U;
     }
-    for (size_t l = 1U; (l < BORESIGHT_LANES) && ((runs->first + l) < runs->n); ++l) {
+    for (size_t l = 1U; (taking->stride != 0U) && (l < BORESIGHT_LANES) &&
+         ((runs->first + l) < runs->n); ++l) {
         unsigned int own = 0U;
         for (int k = 0; k < m; ++k) {
             own |= (rows[(l * taking->stride) + (size_t)k] != 0U) ? (1U << (unsigned int)k) : 0U;
         }
-        if (own != asked) {
-            (*good)[l] = 0;
+        if (own != t->asked) {
+            t->good[l] = 0;
         }
     }
     for (int i = 0; i < VD_N_PACKED; ++i) {
         s->P[i] = b->P[i];
     }
     for (int i = 0; i < VD_N_STATES; ++i) {
-        x[i] = b->x[i];
+        t->x[i] = b->x[i];
     }
     for (int i = 0; i < m; ++i) {
         if (((angles >> (unsigned int)i) & 1U) != 0U) { /* no whole turn is to be taken */
             bs_lanes off = z[i];
             for (int p = (int)start[i]; p < (int)start[i + 1]; ++p) {
-                off -= H[p] * x[at[p]];
+                off -= H[p] * b->x[at[p]];
             }
-            *good &= (off >= -3.141592653589793) & (off < 3.141592653589793);
+            t->good &= (off >= -3.141592653589793) & (off < 3.141592653589793);
         }
     }
-    for (int i = 0; i < m; ++i) {
-        take_row(b, &H[start[i]], &at[start[i]], (int)start[i + 1] - (int)start[i], &z[i], &R[i],
-                 taking->gates[0], (int)((asked >> (unsigned int)i) & 1U), &nu[i], &S[i], &nis,
-                 good);
-    }
+}
+
+/* After them. */
+static void end_taking(block *b,
+                       const chosen *runs,
+                       int m,
+                       int index,
+                       const bs_taking *taking,
+                       taken *t,
+                       bs_bits *rare)
+{
+    scratch *const s = runs->s;
     if (taking->gates[1] > 0.0) {
-        *good &= nis <= taking->gates[1];
+        t->good &= t->nis <= taking->gates[1];
     }
-    *good &= judged(b->x, b->P);
-    if (!bs_everywhere(*good)) {
+    t->good &= judged(b->x, b->P);
+    if (!bs_everywhere(t->good)) {
         for (int i = 0; i < VD_N_PACKED; ++i) {
-            b->P[i] = bs_choose(*good, b->P[i], s->P[i]);
+            b->P[i] = bs_choose(t->good, b->P[i], s->P[i]);
         }
         for (int i = 0; i < VD_N_STATES; ++i) {
-            b->x[i] = bs_choose(*good, b->x[i], x[i]);
+            b->x[i] = bs_choose(t->good, b->x[i], t->x[i]);
         }
     }
-    if (asked != 0U) {
-        b->rejected[index] = bs_choose(*good, bs_all_of(0.0), b->rejected[index]);
+    if (t->asked != 0U) {
+        b->rejected[index] = bs_choose(t->good, bs_all_of(0.0), b->rejected[index]);
     }
     for (int l = 0; l < BORESIGHT_LANES; ++l) {
-        if ((*good)[l] != 0) {
+        if (t->good[l] != 0) {
             const size_t run = runs->first + (size_t)l;
-            taking->nis[run] = nis[l];
+            taking->nis[run] = t->nis[l];
             for (int k = 0; k < m; ++k) {
-                taking->nu[(run * (size_t)m) + (size_t)k] = nu[k][l];
-                taking->S[(run * (size_t)m) + (size_t)k] = S[k][l];
+                taking->nu[(run * (size_t)m) + (size_t)k] = t->nu[k][l];
+                taking->S[(run * (size_t)m) + (size_t)k] = t->S[k][l];
                 taking->used[(run * (size_t)m) +
-                             (size_t)k] = (unsigned char)((asked >> (unsigned int)k) & 1U);
+                             (size_t)k] = (unsigned char)((t->asked >> (unsigned int)k) & 1U);
             }
         }
     }
-    *rare &= ~*good;
+    *rare &= ~t->good;
 }
 
 static void measure_velocity_lanes(block *b,
@@ -892,6 +926,7 @@ static void measure_velocity_lanes(block *b,
     bs_lanes z[3];
     bs_lanes R[3];
     bs_lanes H[6];
+    taken t;
     bs_lanes in[6];
     bs_read(&in[0], &given[0], 0, 3, runs->first, runs->n);
     bs_read(&in[3], &given[0], 7, 3, runs->first, runs->n);
@@ -913,7 +948,12 @@ static void measure_velocity_lanes(block *b,
     good &= in_box(b);
     vd_velocity_z_kernel(&b->carried[3], &in[0], z);
     vd_velocity_H_kernel(&in[3], H);
-    take_lanes(b, runs, H, start, at, 3, z, R, 0U, VD_MEASUREMENT_VELOCITY, taking, &good, rare);
+    t.good = good;
+    begin_taking(b, runs, H, start, at, 3, z, 0U, taking, &t);
+    take_row(b, 0, &H[0], &at[0], 2, z, R, taking->gates[0], &t);
+    take_row(b, 1, &H[2], &at[2], 2, z, R, taking->gates[0], &t);
+    take_row(b, 2, &H[4], &at[4], 2, z, R, taking->gates[0], &t);
+    end_taking(b, runs, 3, VD_MEASUREMENT_VELOCITY, taking, &t, rare);
 }
 
 static void measure_dcm_lanes(block *b,
@@ -930,6 +970,7 @@ static void measure_dcm_lanes(block *b,
     bs_lanes z[3];
     bs_lanes R[3];
     bs_lanes H[15];
+    taken t;
     bs_lanes in[7];
     bs_read(&in[0], &given[0], 3, 4, runs->first, runs->n);
     bs_read(&in[4], &given[0], 10, 3, runs->first, runs->n);
@@ -953,7 +994,12 @@ static void measure_dcm_lanes(block *b,
     good &= in_box(b);
     vd_dcm_z_kernel(&b->carried[6], &b->carried[10], &in[0], z);
     vd_dcm_H_kernel(&in[0], &in[4], H);
-    take_lanes(b, runs, H, start, at, 3, z, R, 0U, VD_MEASUREMENT_DCM, taking, &good, rare);
+    t.good = good;
+    begin_taking(b, runs, H, start, at, 3, z, 0U, taking, &t);
+    take_row(b, 0, &H[0], &at[0], 5, z, R, taking->gates[0], &t);
+    take_row(b, 1, &H[5], &at[5], 5, z, R, taking->gates[0], &t);
+    take_row(b, 2, &H[10], &at[10], 5, z, R, taking->gates[0], &t);
+    end_taking(b, runs, 3, VD_MEASUREMENT_DCM, taking, &t, rare);
 }
 
 #endif
