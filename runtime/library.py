@@ -117,18 +117,20 @@ class Unit:
         status = np.empty(n, dtype=np.uint8)
         ends = [out.ctypes.data for out in (*outputs, status)]
         if n < MANY or library.widest == 1:
-            packed = library.pack(self.structs, given, runs)
-            return self._many(n, *(word for array, stride in packed for word in (array.ctypes.data, stride)), *ends), status
+            kept = library.pack(self.structs, given, runs)
+            inputs = [word for packed, stride in kept for word in (packed.ctypes.data, stride)]
+            return self._many(n, *inputs, *ends), status
         each = [given[name] for name in self.fields]
         for i, array in enumerate(each):
             if array.ndim > 1 and array.shape[:-1] != runs:
                 array = np.broadcast_to(array, (*runs, array.shape[-1]))
             each[i] = np.ascontiguousarray(array)
-        fields = (Given * len(each))(*((array.ctypes.data, array.shape[-1] * (array.ndim > 1), 0) for array in each))
+        fields = [Given(array.ctypes.data, array.shape[-1] * (array.ndim > 1), 0) for array in each]
         in_lanes = getattr(library.lanes(n)[1], self.described["c_name"] + "_lanes")
         in_lanes.argtypes = ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p
         in_lanes.restype = ctypes.c_size_t
-        return in_lanes(n, fields, (ctypes.c_void_p * len(outputs))(*ends[:-1]), ends[-1]), status
+        out = (ctypes.c_void_p * len(outputs))(*ends[:-1])
+        return in_lanes(n, (Given * len(fields))(*fields), out, ends[-1]), status
 
     def bind(self, runs: tuple[int, ...] = ()) -> "Bound":
         """The function for one run, or these, bound to its own arrays: for loops where a microsecond counts."""

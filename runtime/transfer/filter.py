@@ -655,7 +655,7 @@ class Transfer:
         return out
 
     def _match(self, lag: Array) -> tuple[dict[str, Any], Array]:
-        """The slave so long ago (K, ...), or now, with its rates; and the first rates' variance over the gyros' density."""
+        """The slave so long ago (K, ...), or now, and its rates; and the variance of the first over the gyros'."""
         kept = np.zeros_like(lag)
         back, lag = (lag, kept) if self.way == "buffer" else (kept[:1], lag)
         at = self.time - back.reshape(len(back), -1)

@@ -261,7 +261,7 @@ def _flown(
             still = {"v_n": loop.nav["v_n"], "q_b2n_wxyz": loop.nav["q_b2n_wxyz"]}
             return {**still, "omega_ib_b": np.zeros(3), "a_n": np.zeros(3), **constants}, 0.0
         inputs, factor = moment(loop, history, flat + seconds, half_span_s, constants)
-        return inputs | constants, factor
+        return {**inputs, **constants}, factor
 
     def fly() -> dict[str, Any]:
         """Loop and past from `start` on; what was then expected of the master."""
