@@ -65,6 +65,12 @@ def vector_from_matrix(C: Any) -> Array:
     return Rotation.from_matrix(C.reshape(-1, 3, 3)).as_rotvec().reshape(C.shape[:-1])
 
 
+def product(q_m2n_wxyz: Any, q_b2m_wxyz: Any) -> Array:
+    """The attitude of C_m2n C_b2m, (..., 4) each as they broadcast."""
+    shape = np.broadcast_shapes(np.shape(q_m2n_wxyz)[:-1], np.shape(q_b2m_wxyz)[:-1])
+    return _wxyz(_from_wxyz(_full(q_m2n_wxyz, (*shape, 4))) * _from_wxyz(_full(q_b2m_wxyz, (*shape, 4))), shape)
+
+
 def turned(q_b2n_wxyz: Any, rotation_vector: Any) -> Array:
     """The attitude after the body has turned by `rotation_vector` (..., 3) rad, in its own axes: C exp([v x])."""
     shape = np.broadcast_shapes(np.shape(q_b2n_wxyz)[:-1], np.shape(rotation_vector)[:-1])

@@ -142,7 +142,7 @@ def carried(master: Pose, lever_b: Any, q_b2m_wxyz: Any, bending: Harmonics | No
     bending: D = 3, theta in rad in the master's axes, of a few mrad, its runs as they broadcast with the hull: C_b2m =
     exp([theta x]) C_mounting.  It turns the slave where it stands: the lever arm stays as it is in the master's axes.
     """
-    C_b2m = rotation.matrix_from_quaternion(q_b2m_wxyz)
+    C_b2m, q_b2m = rotation.matrix_from_quaternion(q_b2m_wxyz), q_b2m_wxyz
     lever_m = np.einsum("...ij,...j->...i", C_b2m, np.asarray(lever_b, float))
     C_m2n = rotation.matrix_from_quaternion(master.q_b2n_wxyz)
     omega, alpha = master.omega_nb_b, master.alpha_nb_b
@@ -159,20 +159,21 @@ def carried(master: Pose, lever_b: Any, q_b2m_wxyz: Any, bending: Harmonics | No
     if bending is not None:
         theta, theta_1, theta_2 = bending.thrice(master.time)
         C_b2m = rotation.matrix_from_vector(theta) @ C_b2m
+        q_b2m = rotation.quaternion_from_matrix(C_b2m)
         # The left Jacobian of theta to third order: of 1 mrad it leaves out 1e-13.
         sweep, sweep_1 = np.cross(theta, theta_1), np.cross(theta, theta_2)
         bend = theta_1 + sweep / 2 + np.cross(theta, sweep) / 6
         bend_1 = theta_2 + sweep_1 / 2 + (np.cross(theta_1, sweep) + np.cross(theta, sweep_1)) / 6
         omega, alpha = omega + bend, alpha + bend_1 - np.cross(bend, omega)
-    C_b2n = C_m2n @ C_b2m
+    q_b2n = rotation.product(master.q_b2n_wxyz, q_b2m)
 
     def to_b(vector_m: Array) -> Array:
         return np.einsum("...ji,...j->...i", C_b2m, vector_m)
 
     return Pose(
         time=master.time,
-        **{name: np.broadcast_to(value, (*C_b2n.shape[:-2], 3)) for name, value in place.items()},
-        q_b2n_wxyz=rotation.quaternion_from_matrix(C_b2n),
+        **{name: np.broadcast_to(value, (*q_b2n.shape[:-1], 3)) for name, value in place.items()},
+        q_b2n_wxyz=q_b2n,
         omega_nb_b=to_b(omega),
         alpha_nb_b=to_b(alpha),
     )
