@@ -340,9 +340,13 @@ class CompiledFilter(Filter):
         joint: float | None = None,
         iterations: int = 1,
         considered: Any = None,
+        jacobian: Any = None,
         **inputs: Any,
     ) -> Innovation:
-        """Take one measurement, row after row: see `Filter.update`.  R is (..., m, m) of a correlated one alone."""
+        """Take one measurement, row after row: see `Filter.update`.  R is (..., m, m) of a correlated one alone.
+
+        jacobian: is not looked at, for the C makes its own.
+        """
         check_taking(measurement, rows, gate, joint, iterations)
         kept = self._considered(measurement, considered)
         z = self._brought(measurement, inputs)

@@ -169,18 +169,26 @@ def _flown(
     waiting = iter(pieces)
     while True:
         while len(flying) < window and not asked and (begun := next(waiting, None)) is not None:
-            flying[executor.submit(fly_piece, *task, begun)] = begun
+            with _whole():
+                flying[executor.submit(fly_piece, *task, begun)] = begun
         if not flying:
             return
         for done in wait(flying, return_when=FIRST_COMPLETED).done:
             piece = flying.pop(done)
-            try:
+            with _whole():
                 rows = done.result()
-            except BrokenProcessPool:
-                raise BoresightError(
-                    "many: a process was killed, perhaps for want of memory; the same command goes on"
-                ) from None
             yield piece, rows
+
+
+@contextmanager
+def _whole() -> Iterator[None]:
+    """That a process was killed is found by what the pool was given, or by giving it more."""
+    try:
+        yield
+    except BrokenProcessPool:
+        raise BoresightError(
+            "many: a process was killed, perhaps for want of memory; the same command goes on"
+        ) from None
 
 
 def fly_piece(experiment: Experiment, where: str, seed: int, piece: range) -> Array:
