@@ -243,11 +243,14 @@ MUTANTS = {  # of the text of em_lanes.c: each spoils one step in lanes, in the 
     "propagate, Q": ("const bs_lanes share = 0.75 *", "const bs_lanes share = 0.7500000000000001 *"),
     "propagate, a bad lane written": ("*to = bs_choose(good, *to,", "*to = bs_choose(~good, *to,"),
     "measure_euler, a sum reordered": (
-        "(other[i] - (K[i] * g[j + 1])) - (own[i] * K[j + 1])",
-        "other[i] - ((K[i] * g[j + 1]) + (own[i] * K[j + 1]))",
+        "(P[other + i] - (K[i] * g[j + 1])) - (own[i] * K[j + 1])",
+        "P[other + i] - ((K[i] * g[j + 1]) + (own[i] * K[j + 1]))",
     ),
-    "measure_euler, a gate": ("t->good &= (nu * nu) <= ((gate * gate) * S);", ""),
-    "measure_euler, a bad lane written": ("b->x[i] = bs_choose(t->good, b->x[i], t->x[i]);", ""),
+    "measure_euler, a gate": ("t->good &= (nu * nu) <= ((gates[0] * gates[0]) * S);", ""),
+    "measure_euler, a number of P": ("bs_finite(P, EM_N_PACKED) & (inverse", "(inverse"),
+    "measure_euler, a variance": ("(variance >= 0.0) & (variance <=", "(variance <="),
+    "measure_euler, a bad lane written": ("to = bs_everywhere(t->good) ? b->P : s->P;", "to = b->P;"),
+    "measure_euler, x of a bad lane": ("bs_keep(b->x, t->x, t->good,", "bs_keep(b->x, t->x, ~(t->good & 0),"),
     "correct": ("b->x[i] = bs_choose(good, bs_all_of(0.0), b->x[i]);", "b->x[i] = bs_all_of(0.0) * b->x[i];"),
 }
 
