@@ -30,8 +30,10 @@ def unit_lanes_view(model: Model, made: list[Unit], views: list[dict[str, Any]])
         inputs = [f"&in[{place[a.name]}]" for a in unit.args]
         out = [f"&out[{k}][run * {r['total']}U]" for k, r in enumerate(results)]
         found.append({
-            "c_name": seen["c_name"], "file": seen["file"], "count": to, "box": boxes(unit.args, place), "results": results,
-            "loads": [(shown["element"], a.size, place[a.name]) for a, shown in zip(unit.args, seen["args"], strict=True)],
+            "c_name": seen["c_name"], "file": seen["file"], "count": to, "box": boxes(unit.args, place),
+            "results": results,
+            "loads": [(shown["element"], a.size, place[a.name])
+                      for a, shown in zip(unit.args, seen["args"], strict=True)],
             "structs": [struct["declaration"] for struct in seen["structs"]],
             "call": f"{seen['c_name']}_kernel({', '.join([*inputs, *(r['nz'] for r in results)])})",
             "alone": f"{seen['c_name']}({', '.join([*([seen['inputs']] if seen['inputs'] else []), *out])})",

@@ -173,7 +173,7 @@ def over_one(model: Library, sea: Sea, seed: int, runs: range, number: int) -> A
         "v_n": v_m_n[0] + turned(q_m2n[0].T, swing).T, "gyro_bias": bias[:, :3], "accel_bias": bias[:, 3:],
         "q_b2m_wxyz": np.broadcast_to([1.0, 0, 0, 0], (n, 4)), "tau": np.zeros(n),
     }  # fmt: skip
-    loop = CompiledFilter(model, nav, true.P, np.zeros((n, 16)))  # one P of all, which is checked once
+    loop = CompiledFilter(model, nav, true.P[None], np.zeros((n, 16)))  # one P of all, which is checked once
     # The covariance is carried from update to update in the middle between them, where it is linearised.
     alike = {"dt", "lever_b", "R", *given}
     before = Epoch(loop, half, feedback=False, shared=alike)
