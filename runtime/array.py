@@ -8,7 +8,10 @@ Array = np.ndarray
 
 
 def carried(P: Array, rows: slice, T: Array) -> Array:
-    """T P T' (..., n, n) of a symmetric P and a T that is the identity but in k rows, which are given, (..., k, n)."""
+    """T P T' of a symmetric P (..., n, n) of floats and a T that is the identity but in k rows, which are given.
+
+    T: (..., k, n), of as many runs as P.
+    """
     some = T @ P
     out = P.copy()
     out[..., rows, :] = some

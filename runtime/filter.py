@@ -152,6 +152,13 @@ class Filter:
         check_taking(measurement, rows, gate, joint, iterations)
         kept = self._considered(measurement, considered)
         z, rows = self._measured(measurement, inputs), np.asarray(rows, dtype=bool)
+        if jacobian is not None:
+            jacobian, shape = np.asarray(jacobian, dtype=float), (z.shape[-1], self.P.shape[-1])
+            if jacobian.shape[-2:] != shape:
+                raise BoresightError(
+                    f"{measurement}: jacobian has shape {jacobian.shape}; its last axes must be {shape[0]} and "
+                    f"{shape[1]} long"
+                )
         D, L_inverse = self._noise(measurement, R, z.shape, rows)
         if L_inverse is not None and gate is not None:  # what a rejected row says has no part in the others
             rows, gate = self._within(gate, rows, R, *self._linear(measurement, z, self.x, inputs, jacobian)), None
@@ -351,7 +358,9 @@ class Filter:
             x = x + K * nu[..., None]
             # Joseph form in its two products, (I - K h') P and that times (I - K h')': multiplied out at once it would
             # lose as much as the first alone does where a good measurement meets a coarse start.
-            P -= np.multiply(K[..., :, None], Ph[..., None, :], out=product)
+            # By h' P, and not by P h: the rounding by which P is skew stays skew, and the sum at the end takes it out.
+            hP = (h[..., None, :] @ P)[..., 0, :]
+            P -= np.multiply(K[..., :, None], hP[..., None, :], out=product)
             b = (P @ h[..., None])[..., 0] - R[..., i, None] * K
             P -= np.multiply(b[..., :, None], K[..., None, :], out=product)
             nus.append(nu)

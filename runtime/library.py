@@ -77,6 +77,7 @@ class Unit:
         self._one.restype = ctypes.c_int
         self._many = getattr(dll, described["c_name"] + "_batch")
         self._many.restype = ctypes.c_size_t
+        self._in_lanes: dict[int, Any] = {}  # width -> the function of so many runs at a time
         pointers = len(described["results"]) + 1
         self._many.argtypes = [ctypes.c_size_t, *len(self.structs) * (ctypes.c_void_p, ctypes.c_size_t),
                                *pointers * (ctypes.c_void_p,)]  # fmt: skip
@@ -124,13 +125,14 @@ class Unit:
         for i, array in enumerate(each):
             if array.ndim > 1 and array.shape[:-1] != runs:
                 array = np.broadcast_to(array, (*runs, array.shape[-1]))
-            each[i] = np.ascontiguousarray(array)
+            each[i] = np.require(array, requirements=("C", "A"))
         fields = [Given(array.ctypes.data, array.shape[-1] * (array.ndim > 1), 0) for array in each]
-        in_lanes = getattr(library.lanes(n)[1], self.described["c_name"] + "_lanes")
-        in_lanes.argtypes = ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p
-        in_lanes.restype = ctypes.c_size_t
+        width, dll = library.lanes(n)
+        if width not in self._in_lanes:
+            function = self._in_lanes[width] = getattr(dll, self.described["c_name"] + "_lanes")
+            function.argtypes, function.restype = [ctypes.c_size_t, *3 * (ctypes.c_void_p,)], ctypes.c_size_t
         out = (ctypes.c_void_p * len(outputs))(*ends[:-1])
-        return in_lanes(n, (Given * len(fields))(*fields), out, ends[-1]), status
+        return self._in_lanes[width](n, (Given * len(fields))(*fields), out, ends[-1]), status
 
     def bind(self, runs: tuple[int, ...] = ()) -> "Bound":
         """The function for one run, or these, bound to its own arrays: for loops where a microsecond counts."""

@@ -153,9 +153,10 @@ def over_one(model: Library, sea: Sea, seed: int, runs: range, number: int) -> A
     s, true = sea.scenario, shared(sea, seed, number)
     n, updates, per_update = len(runs), s.seconds * s.update_hz, s.navigation_hz // s.update_hz
     dt, half = 1 / s.navigation_hz, per_update // 2
-    part = (random.words(seed, runs, 1, stream=DELAY)[:, 0] >> np.uint64(11)) * 2.0**-53
+    every = np.array(runs)
+    part = (random.words(seed, every, 1, stream=DELAY)[:, 0] >> np.uint64(11)) * 2.0**-53
     delay = 1e-3 * (s.delay_ms[0] + (s.delay_ms[1] - s.delay_ms[0]) * part)
-    drawn = random.normals(seed, runs, 6 * (updates + 2), stream=MASTER).reshape(n, -1, 6)
+    drawn = random.normals(seed, every, 6 * (updates + 2), stream=MASTER).reshape(n, -1, 6)
     # Nothing depends on a bias but its estimate's error: the sensors have none, and the estimate begins with the error.
     bias = drawn[:, 0] * np.repeat([s.gyro_bias_deg_h * DEG / HOUR, s.accel_bias_mg * MILLI_G], 3)
     noise = np.moveaxis(drawn[:, 1:], 1, 0)  # (U + 1, runs, 6)
@@ -172,7 +173,7 @@ def over_one(model: Library, sea: Sea, seed: int, runs: range, number: int) -> A
         "v_n": v_m_n[0] + turned(q_m2n[0].T, swing).T, "gyro_bias": bias[:, :3], "accel_bias": bias[:, 3:],
         "q_b2m_wxyz": np.broadcast_to([1.0, 0, 0, 0], (n, 4)), "tau": np.zeros(n),
     }  # fmt: skip
-    loop = CompiledFilter(model, nav, np.broadcast_to(true.P, (n, 16, 16)))
+    loop = CompiledFilter(model, nav, true.P[None], np.zeros((n, 16)))  # one P of all, which is checked once
     # The covariance is carried from update to update in the middle between them, where it is linearised.
     alike = {"dt", "lever_b", "R", *given}
     before = Epoch(loop, half, feedback=False, shared=alike)
@@ -200,7 +201,7 @@ def over_one(model: Library, sea: Sea, seed: int, runs: range, number: int) -> A
     for k in range(updates):
         samples[:, -1] = samples[:, 0]
         exact = ideal[(updates - 1 - k) * per_update : (updates - k) * per_update].reshape(-1)
-        random.normals(seed, runs, 6 * per_update, 6 * per_update * k, SLAVE, newest, width, scale, exact)
+        random.normals(seed, every, 6 * per_update, 6 * per_update * k, SLAVE, newest, width, scale, exact)
         if k == 0:
             samples[:, -1] = samples[:, -2]
         biases = loop.nav.seen("gyro_bias"), loop.nav.seen("accel_bias")

@@ -144,3 +144,35 @@ def test_bad_input_is_one_line_and_leaves_the_filter_as_it_was(library, act, sai
         act(loop)
     np.testing.assert_array_equal(loop.P, np.eye(6))
     np.testing.assert_array_equal(loop.x, 0)
+
+
+class Known:
+    """A model of one measurement, whose H is known."""
+
+    name, states = "known", ("a", "b")
+
+    def __init__(self, H):
+        self.a_H = lambda: H
+        self.a_H.fields = ()
+
+
+def test_many_rows_of_a_coarse_and_correlated_start_are_right():
+    """Two states a thousand times as far off together as apart, six rows as good as 1e-4: P by its inverse."""
+    together = np.array([1.0, 3.0])
+    P, R = 2e6 * (np.outer(together, together) + 1e-8 * np.eye(2)), np.full(6, 2e-9)
+    H = np.random.default_rng(0).normal(size=(6, 2))
+    loop = Filter(Known(H), {}, P)
+    loop.update("a", R, z=np.zeros(6))
+    exact = np.linalg.inv(np.linalg.inv(P) + H.T @ np.diag(1 / R) @ H)
+    np.testing.assert_allclose(loop.P, exact, rtol=1e-7)
+
+
+def test_a_jacobian_that_is_known_is_taken_and_one_of_another_shape_is_refused():
+    H = np.array([[1.0, 2.0], [0.0, 1.0], [3.0, 1.0]])
+    loops = [Filter(Known(H if k == 0 else np.full((3, 2), np.nan)), {}, np.eye(2)) for k in range(2)]
+    loops[0].update("a", np.ones(3), z=np.arange(3.0))
+    loops[1].update("a", np.ones(3), z=np.arange(3.0), jacobian=H.tolist())
+    assert np.array_equal(loops[0].P, loops[1].P) and np.array_equal(loops[0].x, loops[1].x)
+    for other in (np.ones((5, 2)), np.ones((1, 2)), np.ones(2), np.ones((3, 1))):
+        with pytest.raises(BoresightError, match=r"a: jacobian has shape .*; its last axes must be 3 and 2 long"):
+            loops[0].update("a", np.ones(3), z=np.arange(3.0), jacobian=other)

@@ -243,11 +243,12 @@ MUTANTS = {  # of the text of em_lanes.c: each spoils one step in lanes, in the 
     "propagate, Q": ("const bs_lanes share = 0.75 *", "const bs_lanes share = 0.7500000000000001 *"),
     "propagate, a bad lane written": ("*to = bs_choose(good, *to,", "*to = bs_choose(~good, *to,"),
     "measure_euler, a sum reordered": (
-        "(other[i] - (K[i] * g[j + 1])) - (own[i] * K[j + 1])",
-        "other[i] - ((K[i] * g[j + 1]) + (own[i] * K[j + 1]))",
+        "(P[other + i] - (K[i] * g[j + 1])) - (own[i] * K[j + 1])",
+        "P[other + i] - ((K[i] * g[j + 1]) + (own[i] * K[j + 1]))",
     ),
-    "measure_euler, a gate": ("t->good &= (nu * nu) <= ((gate * gate) * S);", ""),
-    "measure_euler, a bad lane written": ("b->x[i] = bs_choose(t->good, b->x[i], t->x[i]);", ""),
+    "measure_euler, a gate": ("t->good &= (nu * nu) <= ((gates[0] * gates[0]) * S);", ""),
+    "measure_euler, a bad lane written": ("to = bs_everywhere(t->good) ? b->P : s->P;", "to = b->P;"),
+    "measure_euler, x of a bad lane": ("bs_keep(b->x, t->x, t->good,", "bs_keep(b->x, t->x, t->good | ~t->good,"),
     "correct": ("b->x[i] = bs_choose(good, bs_all_of(0.0), b->x[i]);", "b->x[i] = bs_all_of(0.0) * b->x[i];"),
 }
 
@@ -341,3 +342,22 @@ def test_a_bad_run_has_its_own_status_and_the_others_go_on():
     assert (loop.nav["v_n"] != before[0]).any(axis=1).all()
     epoch.strapdown["dtheta_ib_b"], epoch.predict["f_b"], epoch.measured["zupt"]["R"] = 1e-4, 1.0, 1e-2
     assert epoch() == 0 and not epoch.refused()
+
+
+def test_a_measurement_leaves_a_run_as_it_was_whose_P_is_unsound_where_nothing_is_measured():
+    library, rng = load("azimuth-hold"), np.random.default_rng(9)
+    loop = begun(library, rng, False)
+    epoch = Epoch(loop, 0, ["zupt"], predict=False, feedback=False, runs=(RUNS,))
+    epoch.measured["zupt"]["R"] = 1e-2
+    P = np.tile(np.diag(np.full(15, 1e-12)), (RUNS, 1, 1))
+    P[7, 0, 14] = P[7, 14, 0] = np.nan
+    P[11, 0, 14] = P[11, 14, 0] = np.inf
+    P[13, 14, 14] = -1e-12
+    P[17, 14, 14] = 1e30
+    loop.x, loop.P = np.zeros((RUNS, 15)), P.copy()
+    assert epoch() == 3
+    bad = {7: Status.NOT_FINITE, 11: Status.NOT_FINITE, 13: Status.NOT_POSITIVE}
+    said = {**bad, 17: Status.AT_CEILING}
+    assert {run: epoch.status[run] for run in np.flatnonzero(epoch.status)} == said
+    same = (bits(loop.P) == bits(P)).all(axis=(1, 2))
+    assert np.flatnonzero(same).tolist() == list(bad) and (loop.x[list(bad)] == 0).all()

@@ -66,7 +66,7 @@ typedef struct {
 
 /* Scratch memory of all blocks; what is zero in it stays so. */
 typedef struct {
-    bs_lanes P[VAS_N_PACKED]; /* as it was */
+    bs_lanes P[VAS_N_PACKED]; /* of a measurement whose rows are not all taken yet */
     bs_lanes F[VAS_N_F];
     bs_lanes Qc[VAS_N_QC];
     bs_lanes Phi[273]; /* by groups of 3 rows: of each column that they meet, their numbers */
@@ -1755,34 +1755,76 @@ typedef struct {
     bs_lanes nu[3];
     bs_lanes S[3];
     bs_lanes nis;
-    bs_lanes x[VAS_N_STATES]; /* as it was, as is P in the scratch memory */
+    bs_lanes x[VAS_N_STATES]; /* as the rows before have made it */
+    const bs_lanes *P;            /* likewise: that of the block, or of the scratch memory */
     unsigned int asked;           /* which rows are taken */
     bs_bits good;                 /* where it went its usual way */
 } taken;
 
-/* One row of a measurement: vas_joseph_update.  In line, so that its few states are known. */
+/* P - K g' - own K', of P where it stands or elsewhere. */
+static __attribute__((noinline)) void write_row(const bs_lanes *P,
+                     bs_lanes *to,
+                     const bs_lanes *restrict K,
+                     const bs_lanes *restrict g,
+                     const bs_lanes *restrict own)
+{
+    BS_UNROLLED
+    for (int j = 0; j < (VAS_N_STATES - 1); j += 2) { /* two columns at a time read K and own
+                                                       * once */
+        const int one = (j * (j + 1)) / 2;
+        const int other = one + j + 1;
+        BS_UNROLLED
+        for (int i = 0; i <= j; ++i) {
+            to[one + i] = (P[one + i] - (K[i] * g[j])) - (own[i] * K[j]);
+            to[other + i] = (P[other + i] - (K[i] * g[j + 1])) - (own[i] * K[j + 1]);
+        }
+        to[other + j + 1] = (P[other + j + 1] - (K[j + 1] * g[j + 1])) - (own[j + 1] * K[j + 1]);
+    }
+}
+
+/* One row of a measurement: vas_joseph_update.  In line, so that its few states are known.
+ * A finite number stays finite where two below 2^968 are taken from it: half of its last bit is
+ * 2^970 at most.  So g, own and 1 / S tell beforehand that of a finite P the next one is finite.
+ * Its diagonal is judged beforehand too, and the last row may write into the block. */
 BS_INLINE void take_row(block *b,
+                        scratch *s,
                         int row,
+                        int last,
                         const bs_lanes *h,
                         const unsigned short *states,
                         int count,
                         const bs_lanes *z,
                         const bs_lanes *R,
-                        double gate,
+                        const double *gates,
                         taken *t)
 {
+    static const double ceiling[VAS_N_STATES] = { (1000000.0), (1000000.0), (1000000.0),
+                                                  (10000000000.0), (10000000000.0), (10000000000.0),
+                                                  (10000.0), (10000.0), (10000.0), (1000000.0),
+                                                  (1000000.0), (1000000.0), (1000000.0),
+                                                  (1000000.0), (1000000.0), (1000000.0),
+                                                  (10000000000.0), (10000000000.0), (10000000000.0),
+                                                  (10000.0), (10000.0), (10000.0), (1000000.0),
+                                                  (1000000.0), (1000000.0), (10000.0), (10000.0),
+                                                  (10000.0), (10000.0), (10000.0), (10000.0),
+                                                  (10000.0), (10000.0), (10000.0), (10000.0),
+                                                  (10000.0), (10000.0), (10000.0), (10000.0),
+                                                  (10000.0), (10000.0), (10000.0), (10000.0),
+                                                  (1000000.0), (1000000.0), (1000000.0) };
     bs_lanes g[VAS_N_STATES];
     bs_lanes K[VAS_N_STATES];
     bs_lanes own[VAS_N_STATES]; /* A h - R K, of the rounded A = P - K g' */
-    bs_lanes *const P = b->P;
+    const bs_lanes *const P = t->P;
     const bs_lanes zero = bs_all_of(0.0);
+    bs_lanes size = zero;
     bs_lanes inverse;
+    bs_lanes *to = s->P;
     bs_lanes nu = z[row];
     bs_lanes S = R[row];
     for (int p = 0; p < count; ++p) {
         const int k = (int)states[p];
         const bs_lanes *const column = &P[(k * (k + 1)) / 2];
-        nu -= h[p] * b->x[k];
+        nu -= h[p] * t->x[k];
         for (int i = 0; i < k; ++i) {
             g[i] = ((p > 0) ? g[i] : zero) + (h[p] * column[i]);
         }
@@ -1799,14 +1841,14 @@ BS_INLINE void take_row(block *b,
     if (((t->asked >> (unsigned int)row) & 1U) == 0U) {
         return;
     }
-    if (gate > 0.0) {
-        t->good &= (nu * nu) <= ((gate * gate) * S);
+    if (gates[0] > 0.0) {
+        t->good &= (nu * nu) <= ((gates[0] * gates[0]) * S);
     }
     t->nis += (nu * nu) / S;
     inverse = 1.0 / S;
     for (int i = 0; i < VAS_N_STATES; ++i) {
         K[i] = g[i] * inverse;
-        b->x[i] += K[i] * nu;
+        t->x[i] += K[i] * nu;
     }
     for (int p = 0; p < count; ++p) {
         const int k = (int)states[p];
@@ -1822,20 +1864,26 @@ BS_INLINE void take_row(block *b,
     for (int i = 0; i < VAS_N_STATES; ++i) {
         own[i] -= R[row] * K[i];
     }
-    for (int j = 0; j < (VAS_N_STATES - 1); j += 2) { /* two columns at a time read K and own
-                                                       * once */
-        bs_lanes *const one = &P[(j * (j + 1)) / 2];
-        bs_lanes *const other = &one[j + 1];
-        for (int i = 0; i <= j; ++i) {
-            one[i] = (one[i] - (K[i] * g[j])) - (own[i] * K[j]);
-            other[i] = (other[i] - (K[i] * g[j + 1])) - (own[i] * K[j + 1]);
+    if (last != 0) {
+        t->good &= bs_finite(P, VAS_N_PACKED) & (inverse <= 0x1p242);
+        if (gates[1] > 0.0) {
+            t->good &= t->nis <= gates[1];
         }
-        other[j + 1] = (other[j + 1] - (K[j + 1] * g[j + 1])) - (own[j + 1] * K[j + 1]);
+        for (int i = 0; i < VAS_N_STATES; ++i) {
+            const bs_lanes variance = (P[diagonal(i)] - (K[i] * g[i])) - (own[i] * K[i]);
+            size += bs_magnitude(g[i]) + bs_magnitude(own[i]);
+            t->good &= (variance >= 0.0) & (variance <= ceiling[i]) & ((t->x[i] *
+                                                                        t->x[i]) <= ceiling[i]);
+        }
+        t->good &= size <= 0x1p242;
+        to = bs_everywhere(t->good) ? b->P : s->P;
     }
+    write_row(P, to, K, g, own);
+    t->P = to;
 }
 
 /* Before the rows of a measurement: H, z and R of m rows are ready, and t->good says where. */
-static void begin_taking(block *b,
+static void begin_taking(const block *b,
                          const chosen *runs,
                          const bs_lanes *H,
                          const unsigned short *start,
@@ -1846,7 +1894,6 @@ static void begin_taking(block *b,
                          const bs_taking *taking,
                          taken *t)
 {
-    scratch *const s = runs->s;
     const unsigned char *rows = &taking->rows[runs->first * taking->stride];
     t->nis = bs_all_of(0.0);
     t->asked = 0U;
@@ -1863,9 +1910,7 @@ static void begin_taking(block *b,
             t->good[l] = 0;
         }
     }
-    for (int i = 0; i < VAS_N_PACKED; ++i) {
-        s->P[i] = b->P[i];
-    }
+    t->P = b->P;
     for (int i = 0; i < VAS_N_STATES; ++i) {
         t->x[i] = b->x[i];
     }
@@ -1889,19 +1934,16 @@ static void end_taking(block *b,
                        taken *t,
                        bs_bits *rare)
 {
-    scratch *const s = runs->s;
-    if (taking->gates[1] > 0.0) {
-        t->good &= t->nis <= taking->gates[1];
-    }
-    t->good &= judged(b->x, b->P);
-    if (!bs_everywhere(t->good)) {
-        for (int i = 0; i < VAS_N_PACKED; ++i) {
-            b->P[i] = bs_choose(t->good, b->P[i], s->P[i]);
+    if (((t->asked >> (unsigned int)(m - 1)) & 1U) == 0U) { /* else the last row has been judged */
+        if (taking->gates[1] > 0.0) {
+            t->good &= t->nis <= taking->gates[1];
         }
-        for (int i = 0; i < VAS_N_STATES; ++i) {
-            b->x[i] = bs_choose(t->good, b->x[i], t->x[i]);
-        }
+        t->good &= judged(t->x, t->P);
     }
+    if (t->P != b->P) {
+        bs_keep(b->P, t->P, t->good, VAS_N_PACKED);
+    }
+    bs_keep(b->x, t->x, t->good, VAS_N_STATES);
     if (t->asked != 0U) {
         b->rejected[index] = bs_choose(t->good, bs_all_of(0.0), b->rejected[index]);
     }
@@ -1966,9 +2008,9 @@ static void measure_dcm_lanes(block *b,
                      &b->carried[24], &b->carried[27], &b->carried[39], &b->carried[45], H);
     t.good = good;
     begin_taking(b, runs, H, start, at, 3, z, 0U, taking, &t);
-    take_row(b, 0, &H[0], &at[0], 8, z, R, taking->gates[0], &t);
-    take_row(b, 1, &H[8], &at[8], 8, z, R, taking->gates[0], &t);
-    take_row(b, 2, &H[16], &at[16], 8, z, R, taking->gates[0], &t);
+    take_row(b, runs->s, 0, 0, &H[0], &at[0], 8, z, R, taking->gates, &t);
+    take_row(b, runs->s, 1, 0, &H[8], &at[8], 8, z, R, taking->gates, &t);
+    take_row(b, runs->s, 2, 1, &H[16], &at[16], 8, z, R, taking->gates, &t);
     end_taking(b, runs, 3, VAS_MEASUREMENT_DCM, taking, &t, rare);
 }
 
@@ -2017,9 +2059,9 @@ static void measure_euler_lanes(block *b,
                        &in[3], &b->carried[27], &b->carried[39], &b->carried[45], H);
     t.good = good;
     begin_taking(b, runs, H, start, at, 3, z, 7U, taking, &t);
-    take_row(b, 0, &H[0], &at[0], 9, z, R, taking->gates[0], &t);
-    take_row(b, 1, &H[9], &at[9], 7, z, R, taking->gates[0], &t);
-    take_row(b, 2, &H[16], &at[16], 8, z, R, taking->gates[0], &t);
+    take_row(b, runs->s, 0, 0, &H[0], &at[0], 9, z, R, taking->gates, &t);
+    take_row(b, runs->s, 1, 0, &H[9], &at[9], 7, z, R, taking->gates, &t);
+    take_row(b, runs->s, 2, 1, &H[16], &at[16], 8, z, R, taking->gates, &t);
     end_taking(b, runs, 3, VAS_MEASUREMENT_EULER, taking, &t, rare);
 }
 
@@ -2074,9 +2116,9 @@ static void measure_velocity_lanes(block *b,
                           &b->carried[45], H);
     t.good = good;
     begin_taking(b, runs, H, start, at, 3, z, 0U, taking, &t);
-    take_row(b, 0, &H[0], &at[0], 26, z, R, taking->gates[0], &t);
-    take_row(b, 1, &H[26], &at[26], 26, z, R, taking->gates[0], &t);
-    take_row(b, 2, &H[52], &at[52], 26, z, R, taking->gates[0], &t);
+    take_row(b, runs->s, 0, 0, &H[0], &at[0], 26, z, R, taking->gates, &t);
+    take_row(b, runs->s, 1, 0, &H[26], &at[26], 26, z, R, taking->gates, &t);
+    take_row(b, runs->s, 2, 1, &H[52], &at[52], 26, z, R, taking->gates, &t);
     end_taking(b, runs, 3, VAS_MEASUREMENT_VELOCITY, taking, &t, rare);
 }
 
