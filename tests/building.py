@@ -1,5 +1,7 @@
-"""Programs built from generated C, as an engineer builds them."""
+"""Programs built from generated C, as an engineer builds them; and generated C that is spoilt."""
 
+import hashlib
+import json
 import subprocess
 
 from boresight.evidence.targets import WARNINGS
@@ -22,6 +24,16 @@ def program(out, sources, *flags, cc="cc"):
     objects = compiler.compile_sources([cc, *flags], dict.fromkeys(sources, ()), out)
     compiler.run([cc, *flags, *objects.values(), "-lm", "-o", out / "program"])
     return out / "program"
+
+
+def spoil(folder, path, old, new):
+    """Edit a generated file and sign the edit in the manifest, as if the generator had made it."""
+    text = (folder / path).read_text()
+    assert old in text, f"{old} is not in {path}"
+    (folder / path).write_text(text.replace(old, new))
+    manifest = json.loads((folder / "manifest.json").read_text())
+    manifest["files"][path] = hashlib.sha256((folder / path).read_bytes()).hexdigest()
+    (folder / "manifest.json").write_text(json.dumps(manifest))
 
 
 def self_test(folder, out, *flags, cc="cc"):

@@ -21,20 +21,13 @@ def unit_lanes_view(model: Model, made: list[Unit], views: list[dict[str, Any]])
         place, to = {}, 0
         for a in unit.args:
             place[a.name], to = to, to + a.size
-        results = [
-            {"name": r["name"], "nz": r["nz_name"], "count": r["nnz"], "total": r["total"], "index": r["index"],
-             "checked": r["checked"], "low": bool(r["low"]), "least": ", ".join(map(number, r["low"] or ())),
-             "most": ", ".join(map(number, result.high or ()))}
-            for r, result in zip(seen["results"], unit.results, strict=True)
-        ]  # fmt: skip
         inputs = [f"&in[{place[a.name]}]" for a in unit.args]
-        out = [f"&out[{k}][run * {r['total']}U]" for k, r in enumerate(results)]
+        out = [f"&out[{k}][run * {r['total']}U]" for k, r in enumerate(seen["results"])]
         found.append({
-            "c_name": seen["c_name"], "file": seen["file"], "count": to, "results": results,
-            "box": boxes(list(unit.args), place),
+            "c_name": seen["c_name"], "file": seen["file"], "count": to, "results": seen["results"],
+            "box": boxes(list(unit.args), place), **called(unit, seen, inputs, [r["nz_name"] for r in seen["results"]]),
             "loads": [(shown["element"], shown["size"], place[shown["name"]]) for shown in seen["args"]],
             "structs": [struct["declaration"] for struct in seen["structs"]],
-            "call": f"{seen['c_name']}_kernel({', '.join([*inputs, *(r['nz'] for r in results)])})",
             "alone": f"{seen['c_name']}({', '.join([*([seen['inputs']] if seen['inputs'] else []), *out])})",
         })  # fmt: skip
     return found
@@ -76,17 +69,12 @@ def lanes_view(model: Model, made: list[Unit], views: list[dict[str, Any]], f: d
         return {"loads": loads, "count": to, "place": place, "box": boxes(used, place) if used else None}
 
     def kernel(name: str, given: dict[str, Any], out: list[str]) -> dict[str, Any]:
-        """The call of a unit's kernel, and of its answers what is judged."""
+        """Of a unit by its name, `called`."""
         unit, seen = by_name[name]
         files[seen["file"]] = None
         inputs = ["b->x" if a.name == "x" else f"&b->carried[{at[a.name]}]" if a.name in at
                   else f"&in[{given['place'][a.name]}]" for a in unit.args]  # fmt: skip
-        judged = [
-            {"at": to, "count": len(r.nonzeros), "low": r.low and ", ".join(map(number, r.low)),
-             "high": r.low and ", ".join(map(number, r.high))}
-            for r, shown, to in zip(unit.results, seen["results"], out, strict=True) if shown["checked"]
-        ]  # fmt: skip
-        return {"call": f"{seen['c_name']}_kernel({', '.join([*inputs, *out])})", "judged": judged}
+        return called(unit, seen, inputs, out)
 
     def change(name: str, call: dict[str, Any]) -> dict[str, Any]:
         unit, _ = by_name[name]
@@ -127,6 +115,16 @@ def lanes_view(model: Model, made: list[Unit], views: list[dict[str, Any]], f: d
         view["propagate"] = None
     view["files"] = list(files)
     return view
+
+
+def called(unit: Unit, seen: dict[str, Any], inputs: list[str], out: list[str]) -> dict[str, Any]:
+    """The call of a unit's kernel, and of its answers what is judged."""
+    judged = [
+        {"at": to, "count": len(r.nonzeros), "low": r.low and ", ".join(map(number, r.low)),
+         "high": r.low and ", ".join(map(number, r.high))}
+        for r, shown, to in zip(unit.results, seen["results"], out, strict=True) if shown["checked"]
+    ]  # fmt: skip
+    return {"call": f"{seen['c_name']}_kernel({', '.join([*inputs, *out])})", "judged": judged}
 
 
 def groups(ranges: list[tuple[int, int]]) -> list[dict[str, int]]:

@@ -150,7 +150,7 @@ class Suspects:
         then = moment(loop, history, now - lag.reshape((len(lag), -1)), rules.half_span_s, constants)[0]
         A = F * lag[..., None, None]
         there = eye - A + A @ A / 2
-        given = {**inputs, **constants, **then, "lag": np.zeros(lag.shape), "x": np.zeros(self.n)}
+        given = {**inputs, **then, "lag": np.zeros(lag.shape), "x": np.zeros(self.n)}
         nus, Hs, variances, rows = [], [], [], []
         for name, (variance, there_are) in measured.items():
             z = loop.call(f"{name}_z", **given)

@@ -613,11 +613,10 @@ class Transfer:
         ):
             if field in inputs:
                 R_part, there = R[..., part], rows[..., part]
-                if self.score is not None:
-                    H, z = self.filter.call(f"{name}_H", **inputs), self.filter.call(f"{name}_z", **inputs)
-                    nu = z - np.einsum("...ij,...j->...i", H, self.filter.x)
-                    self.score.take(nu, H, self.filter.P, R_part, there)
                 kept, H = uninformed(self.filter, name, R_part, there, inputs, variances, self.rules.delay_sigmas)
+                if self.score is not None:
+                    nu = self.filter.call(f"{name}_z", **inputs) - np.einsum("...ij,...j->...i", H, self.filter.x)
+                    self.score.take(nu, H, self.filter.P, R_part, there)
                 if self.filter.considered is not None:
                     kept = kept | self.filter.considered
                 x, P = self.filter.x, self.filter.P
@@ -655,7 +654,8 @@ class Transfer:
         return out
 
     def _match(self, lag: Array) -> tuple[dict[str, Any], Array]:
-        """The slave so long ago (K, ...), or now, and its rates; and the variance of the first over the gyros'."""
+        """The slave so long ago (K, ...), or now, and its rates; and the variance of the first of these rates over the
+        gyros' density."""
         kept = np.zeros_like(lag)
         back, lag = (lag, kept) if self.way == "buffer" else (kept[:1], lag)
         at = self.time - back.reshape(len(back), -1)

@@ -1,11 +1,11 @@
 """The filter over blocks of runs: every run has the bits that the scalar functions of the generated C give it alone."""
 
 import ctypes
-import hashlib
 import json
 
 import numpy as np
 import pytest
+from building import spoil
 
 from boresight.runtime import library
 from boresight.runtime.compiled import CompiledFilter
@@ -251,16 +251,6 @@ MUTANTS = {  # of the text of em_lanes.c: each spoils one step in lanes, in the 
     "measure_euler, x of a bad lane": ("bs_keep(b->x, t->x, t->good,", "bs_keep(b->x, t->x, t->good | ~t->good,"),
     "correct": ("b->x[i] = bs_choose(good, bs_all_of(0.0), b->x[i]);", "b->x[i] = bs_all_of(0.0) * b->x[i];"),
 }
-
-
-def spoil(folder, path, old, new):
-    """Other text in a generated folder, whose manifest knows of it."""
-    text = (folder / path).read_text()
-    assert old in text
-    (folder / path).write_text(text.replace(old, new))
-    manifest = json.loads((folder / "manifest.json").read_text())
-    manifest["files"][path] = hashlib.sha256((folder / path).read_bytes()).hexdigest()
-    (folder / "manifest.json").write_text(json.dumps(manifest))
 
 
 @pytest.mark.parametrize("name", MUTANTS)

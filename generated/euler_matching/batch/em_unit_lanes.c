@@ -454,10 +454,6 @@ size_t em_euler_angles_lanes(size_t n,
 {
     static const double low[4] = { (-1.001), (-1.001), (-1.001), (-1.001) };
     static const double high[4] = { (1.001), (1.001), (1.001), (1.001) };
-    static const double euler_b_least[3] = { (-3.141592653589793), (-1.3962634015954636),
-                                             (-3.141592653589793) };
-    static const double euler_b_most[3] = { (3.141592653589793), (1.3962634015954636),
-                                            (3.141592653589793) };
     size_t failed = 0U;
     for (size_t first = 0U; first < n; first += BORESIGHT_LANES) {
         bs_lanes in[4];
@@ -467,7 +463,13 @@ size_t em_euler_angles_lanes(size_t n,
         good = bs_inside(in, low, high, 4);
         good &= bs_normed(&in[0], (0.998001), (1.0020009999999997), 4);
         em_euler_angles_kernel(&in[0], euler_b_nz);
-        good &= bs_inside(euler_b_nz, euler_b_least, euler_b_most, 3);
+        {
+            static const double least[3] = { (-3.141592653589793), (-1.3962634015954636),
+                                             (-3.141592653589793) };
+            static const double most[3] = { (3.141592653589793), (1.3962634015954636),
+                                            (3.141592653589793) };
+            good &= bs_inside(euler_b_nz, least, most, 3);
+        }
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
