@@ -130,7 +130,7 @@ def figure(path: Path, bars: Cells, batch: Mapping[str, Line], growth: Mapping[s
     matplotlib.rcParams["svg.hashsalt"] = "benchmarks"
     from matplotlib import pyplot as plt
 
-    fig, axes = plt.subplots(2, 2, figsize=(12, 9), constrained_layout=True)
+    fig, axes = plt.subplots(2, 2, figsize=(14, 9), constrained_layout=True)
 
     drawn = (*(tool for tool, _ in bars), *batch, *growth, *(tool for tool, _ in bytes_of))
     color = {tool: f"C{k % 10}" for k, tool in enumerate(dict.fromkeys(drawn))}
@@ -146,7 +146,7 @@ def figure(path: Path, bars: Cells, batch: Mapping[str, Line], growth: Mapping[s
                 label=tool,
                 color=color[tool],
             )
-        axis.set_xticks(range(len(kinds)), kinds, fontsize=8)
+        axis.set_xticks(range(len(kinds)), [kind.replace(", ", ",\n") for kind in kinds], fontsize=8)
         axis.set_ylabel(label)
 
     def curves(axis: Any, lines: Mapping[str, Line], x: str, y: str) -> None:
@@ -166,7 +166,7 @@ def figure(path: Path, bars: Cells, batch: Mapping[str, Line], growth: Mapping[s
     for axis in axes.flat:
         axis.grid(True, alpha=0.3)
         if axis.get_legend_handles_labels()[0]:
-            axis.legend(fontsize=7)
+            axis.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1, 1))  # beside what is drawn
     fig.savefig(path, dpi=90, metadata={"Software": None})
     plt.close(fig)
 
