@@ -1,5 +1,6 @@
 """What the templates of the covariance loops are filled with: sizes and index tables."""
 
+from collections.abc import Iterable
 from typing import Any
 
 from boresight.codegen.functions.dynamics import left_of_Q, left_out, series, spread
@@ -7,6 +8,7 @@ from boresight.codegen.functions.units import Unit
 from boresight.derive.model import Model
 
 LANES = 4
+TILE = 16  # columns of a row that are summed at a time on a host: what half of its registers hold
 BLOCK, TALL = 5, 3  # columns and rows of a product that are summed at a time: what the registers of a small target hold
 
 Places = tuple[tuple[int, int], ...]
@@ -126,17 +128,30 @@ def whole(count: int) -> int:
     return -(-count // LANES) * LANES
 
 
-def spans(n: int, j: int) -> list[tuple[int, int]]:
-    """Of column j of a packed matrix, where loops over it begin and end: whole blocks, beyond its end where numbers
-    follow, else what is left of it apart."""
-    fits = j * (j + 1) // 2 + whole(j + 1) <= n * (n + 1) // 2
-    return [(0, whole(j + 1))] if fits else parts(j + 1, LANES)
+def runs(columns: Iterable[int]) -> list[tuple[int, int]]:
+    """Ascending numbers as ranges without gaps: begin and end of each."""
+    found: list[tuple[int, int]] = []
+    for k in columns:
+        if found and found[-1][1] == k:
+            found[-1] = (found[-1][0], k + 1)
+        else:
+            found.append((k, k + 1))
+    return found
 
 
-def parts(count: int, block: int) -> list[tuple[int, int]]:
-    """Of so many numbers, where loops over them begin and end: whole blocks, and what is left of them apart."""
-    full = count // block * block
-    return [span for span in ((0, full), (full, count)) if span[0] < span[1]]
+def tiles(count: int) -> list[tuple[int, int]]:
+    """So many columns in parts of TILE: where each begins, and its columns."""
+    return [(begin, min(TILE, count - begin)) for begin in range(0, count, TILE)]
+
+
+def groups(m: int) -> list[tuple[int, int, int, int]]:
+    """Of the upper triangle of m columns, what one loop sums: the first row, how many rows, and for which columns."""
+    found = []
+    for begin, count in tiles(m):
+        last = begin + whole(count) - LANES
+        found += [(begin, at + LANES - begin, at, at + LANES) for at in range(begin, last, LANES)]
+        found.append((begin, whole(count), last, m))
+    return found
 
 
 def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
@@ -160,21 +175,23 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
     rows = max(len(m.rows) for m in model.measurements)
     begin = min([m, *(i for i, _ in Qc)])  # columns of B before this one meet no noise
     Phi = powers(n, F, model.order) if F else set(nonzeros(made, "Phi")) if not model.loops else set()
-    Phi_rows = [[(k, i * row + k) for k in range(n) if (i, k) in Phi] for i in range(m)] if Phi else None
+    by_rows = bool(Phi) and m >= whole(n) - n  # whole blocks that end with a row of N begin in the M numbers before it
     return {
-        "Phi_rows": Phi_rows,
+        "by_rows": by_rows,
+        "Phi_runs": [runs(k for k in range(n) if (i, k) in Phi) for i in range(m)] if by_rows else [],
+        "tile": TILE,
+        "tiles": tiles,
+        "groups": groups,
         "lanes": LANES,
         "wide": whole(n),
         "deep": whole(m),
-        "up": whole,
-        "discretize_rows": bool(F) and model.order < 3,
-        "only_loops_cross": bool(Phi) and m == n and not (F and model.order == 3),
-        "F_at": sorted(F),
-        "A_rows": [[k for k in range(m) if (i, k) in F] for i in range(m)],
-        "B_rows": met(m, Phi, first, begin),
+        "discretize_rows": by_rows and bool(F) and model.order < 3,
+        "only_loops_multiply": by_rows and not (F and model.order == 3),
+        "only_loops_cross": by_rows and m == n and not (F and model.order == 3),
+        "A_from": [[sorted(F).index((i, j)) if (i, j) in F else None for j in range(whole(n))] for i in range(m)],
+        "A": table(tuple((i, k) for i, k in F if k < m), m),
+        "B": table(tuple((i, k) for i, row in enumerate(met(m, Phi, first, begin)) for k in row), m),
         "packed_at": lambda i, j: max(i, j) * (max(i, j) + 1) // 2 + min(i, j),
-        "spans": lambda j: spans(n, j),
-        "parts": parts,
         "packed": n * (n + 1) // 2,
         "block": block,
         "row": row,

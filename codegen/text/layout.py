@@ -86,9 +86,18 @@ def fold(line: str, columns: list[int]) -> list[str]:
     holds.  columns: where that is for each bracket that is open at the start, first that of the statement itself."""
     places = [(match, inner) for match, inner in breaks(line, columns) if inner[-1] < match.start() <= WIDTH]
     if len(line) <= WIDTH or not places:
-        return [line]
+        return [line] if len(line) <= WIDTH else torn(line, columns)
     match, inner = min(reversed(places), key=lambda place: len(place[1]))
     return [line[: match.start()], *fold(" " * inner[-1] + line[match.end() :], inner)]
+
+
+def torn(line: str, columns: list[int]) -> list[str]:
+    """Code whose string does not fit, as two strings below each other, which are one to a compiler."""
+    cut = line.rfind(" ", 0, WIDTH - 1) + 1
+    begin = line.rfind('"', 0, cut)
+    if line.count('"', 0, cut) % 2 == 0 or cut == begin + 1:
+        return [line]
+    return [line[:cut] + '"', *fold(" " * begin + '"' + line[cut:], [*columns, begin])]
 
 
 def breaks(line: str, columns: list[int]) -> list[tuple[re.Match[str], list[int]]]:

@@ -145,7 +145,7 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
         "null_test": null_test(pointers),
         "sparse": any(r["index"] for r in results),
         "nz_prototype": f"bs_status {c_name}_nz({', '.join(inputs + [r['nz_parameter'] for r in results])})",
-        "checked_prototype": f"static bs_status {c_name}_checked("
+        "checked_prototype": f"BS_INSIDE bs_status {c_name}_checked("
         + f"{', '.join(inputs + [r['nz_parameter'] for r in results])})",
         "checked_call": f"{c_name}_checked({', '.join(reads + [r['nz_name'] for r in results])})",
         "nz_null_test": null_test(reads + [r["nz_name"] for r in results]),

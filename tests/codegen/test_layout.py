@@ -27,22 +27,21 @@ def kernel(unit):
 
 
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
-def test_no_line_ends_beyond_the_width_but_rows_of_numbers_and_messages(folder):
+def test_no_line_ends_beyond_the_width_but_rows_of_numbers(folder):
     texts = [path for path in folder.manifest["files"] if path.endswith((".h", ".c")) and "_casadi.c" not in path]
     assert any(path.startswith("include/") for path in texts)
     for path in texts:
         for number, line in enumerate((folder.path / path).read_text().splitlines(), 1):
             row = not path.startswith("include/") and re.fullmatch(r"    \{ [-+\w., ]* \},?", line)
-            message = path.startswith("selftest/") and re.fullmatch(r' *selftest_print\("[^"]*", \w+\);', line)
-            assert len(line) <= WIDTH or row or message, f"{path}:{number} has {len(line)} columns"
+            assert len(line) <= WIDTH or row, f"{path}:{number} has {len(line)} columns"
 
 
 def words(text):
-    """Code without white space, and the words of all comments, wherever they stand."""
+    """Code without white space and with strings in one, and the words of all comments, wherever they stand."""
     inside = " ".join(
         re.sub(r"^ *\*(?!/)", " ", comment[2:-2], flags=re.MULTILINE) for comment in COMMENT.findall(text)
     )
-    return "".join(COMMENT.sub("", text).split()), sorted(inside.split())
+    return "".join(COMMENT.sub("", text).split()).replace('""', ""), sorted(inside.split())
 
 
 def test_layout_changes_nothing_but_white_space(monkeypatch):
@@ -82,6 +81,14 @@ def test_a_long_line_goes_on_below_where_it_began(line, word):
     assert [word for part in (first, *more) for word in part.lstrip(" *").split()] == line.lstrip(" *").split()
     assert max(len(part) for part in (first, *more)) <= WIDTH
     assert {len(part) - len(part.lstrip(" *")) for part in more} == {re.search(word, line).start()}
+
+
+def test_a_string_that_does_not_fit_becomes_two():
+    line = f'        selftest_print("{"words " * 16}end\\n", last);'
+    lines = laid_out(line).split("\n")
+    assert len(lines) == 2 and max(map(len, lines)) <= WIDTH
+    assert "".join(part.strip() for part in lines).replace('""', "") == line.strip()
+    assert lines[0].index('"') == lines[1].index('"')
 
 
 @pytest.mark.parametrize("whole", ["z = H x + noise,", "H = d z / d x;", "C_hat = (I - [e x]) C_b2n", "-1 to 1 */"])

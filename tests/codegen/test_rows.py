@@ -1,16 +1,22 @@
-"""The covariance by straight-line rows, BORESIGHT_ROWS, against the loops of the same file: equal to the bit."""
+"""The covariance by rows of vectors, BORESIGHT_ROWS, against the loops of the same file: equal to the bit."""
 
 import ctypes
 import functools
+import itertools
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from building import STRICT, run, self_test
 from conftest import ROOT
+from sympy import Matrix, eye, sin
 
 from boresight.codegen.export import export
+from boresight.codegen.text.files import folder_files
+from boresight.derive.model import Measurement, Model, Struct, variable
+from boresight.derive.models.euler_matching import euler_matching
 from boresight.runtime import compiler
 
 SOURCES = sorted((ROOT / "generated").glob("*/src/*_covariance.c"))
@@ -46,18 +52,29 @@ class Kernels:
     def stepped(self, drawn):
         """All numbers that a step and a measurement of the draw give."""
         F, Qc, P, x, dt, h, at, R = drawn
-        Phi, Q, next_, work = (self.empty(name) for name in ("N_PHI", "N_PACKED", "N_PACKED", "N_WORK"))
+        Phi, Q, next_, UD, ud_next, work = (
+            self.empty(name) for name in ("N_PHI", "N_PACKED", "N_PACKED", "N_PACKED", "N_PACKED", "N_WORK")
+        )
         self.call("discretize", F, Qc, self.scalar(dt), Phi, Q, work)
         self.call("joseph_predict", P, Phi, Q, next_, work)
+        dense = np.zeros((self.n, self.n), self.real)
+        dense.T[np.tril_indices(self.n)] = P
+        assert self.call("ud_init", np.triu(dense) + np.triu(dense, 1).T, UD, work) == 0
+        self.call("ud_predict", UD, Phi, Q, ud_next, work)
         in_place, after, moved = Q.copy(), P.copy(), x.copy()
         self.call("joseph_predict", P, Phi, in_place, in_place, work)
-        row = np.zeros(1, self.row())
-        gain = np.full(self.n, np.nan, self.real)
+        status, gain, said = self.updated(after, moved, h, at, z=0.5, R=R)
+        assert status == 0 and said[0] == 1
+        return Phi, Q, next_, ud_next, in_place, after, moved, gain, *said
+
+    def updated(self, P, x, h, at, **numbers):
+        """P and x by a row; its status, its gain, and what the row says: whether it was used, nu and S."""
+        row, gain = np.zeros(1, self.row()), np.full(self.n, np.nan, self.real)
         row["h"], row["at"], row["gain"] = h.ctypes.data, at.ctypes.data, gain.ctypes.data
-        row["count"], row["z"], row["R"], row["used"] = len(h), 0.5, R, 1
-        status = self.call("joseph_update", after, moved, row)
-        assert status == 0 and row["used"][0] == 1
-        return Phi, Q, next_, in_place, after, moved, gain, row["nu"], row["S"]
+        row["count"], row["used"] = len(h), 1
+        for name, value in numbers.items():
+            row[name] = value
+        return self.call("joseph_update", P, x, row), gain, [row[name] for name in ("used", "nu", "S")]
 
     def row(self):
         kinds = [
@@ -123,20 +140,80 @@ def test_rows_have_the_bits_of_the_loops(source, cc, level, precision, folder, t
     assert differing(loops, rows) == 0
 
 
-TERM = r"\(\w+\[\d+\](?:\[\d+\])? \*\s+{}\[\d+\]\[\w\]\)"
+WALK = Model(
+    name="walk",
+    c_prefix="wk",
+    title="four numbers in discrete time",
+    frame="none",
+    states=(walk := variable("walk", "w_0 w_1 w_2 w_3", "m", "where it is", -1.0, 1.0),),
+    structs=(Struct("step", "one step", (push := variable("push", "u", "m", "push of the step", -1.0, 1.0),)),),
+    next=Matrix([[walk.vector[i] + push.scalar * sin(walk.vector[(i + 1) % 4])] for i in range(4)]),
+    Q=eye(4) * (1 + push.scalar**2),
+    measurements=(Measurement("place", ("w_0",), "m", "one of them", h=Matrix([walk.vector[0]])),),
+)
 
 
-@pytest.mark.parametrize("vector", ["X", "Y"])
+def printed(model, folder):
+    for path, text in folder_files(model, lambda *_: "")[1].items():
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (folder / path).write_text(text)
+    (source,) = (folder / "src").glob("*_covariance.c")
+    return source
+
+
+@pytest.mark.parametrize("cc", ["gcc", "clang"])
+@pytest.mark.parametrize("order", [1, 3])
+def test_another_order_has_the_bits_and_no_warning(order, cc, tmp_path):
+    source = printed(replace(euler_matching(), order=order), tmp_path)
+    loops, rows = (Kernels(source, tmp_path / f"{name}.so", "-O2", name, cc=cc) for name in ("-DLOOPS", ROWS))
+    assert differing(loops, rows) == 0
+
+
+@pytest.mark.parametrize("cc", ["gcc", "clang"])
+def test_a_model_in_discrete_time_has_no_warning(cc, tmp_path):
+    source = printed(WALK, tmp_path)
+    assert "add_run" in source.read_text()
+    compiler.run([cc, *FLAGS, "-O2", ROWS, "-I", tmp_path / "include", source, "-o", tmp_path / "rows.so"])
+
+
+REFUSED = {  # a row that is not taken, and its status
+    "gate": ({"z": 1e9, "gate": 1e-9}, 0),
+    "negative": ({"R": -1e30}, 5),
+    "no variance": ({"R": 0.0}, 5),
+    "no number": ({"z": np.nan}, 5),
+    "infinite": ({"R": np.inf}, 5),
+}
+
+
+@pytest.mark.parametrize("source", SOURCES, ids=lambda path: path.stem)
+def test_a_row_that_is_refused_leaves_all_as_it_was(source, folder, tmp_path):
+    loops = loops_of(source, "double", folder)
+    rows = Kernels(source, tmp_path / "rows.so", "-O2", ROWS)
+    rng = np.random.default_rng(0)
+    for (case, (numbers, expected)), count in itertools.product(REFUSED.items(), {0, 1, min(2, loops.n), loops.n}):
+        _, _, P, x, *_ = draw(loops, rng)
+        P *= case != "no variance"
+        h, at, said = np.ones(count), rng.permutation(loops.n)[:count].astype(np.uint16), []
+        for kernels in (loops, rows):
+            after, moved = P.copy(), x.copy()
+            status, gain, words = kernels.updated(after, moved, h, at, **{"z": 0.5, "R": 1.0} | numbers)
+            assert (status, words[0][0]) == (expected, 0), (case, count)
+            assert after.tobytes() == P.tobytes() and moved.tobytes() == x.tobytes() and np.isnan(gain).all()
+            said.append(words)
+        assert np.array_equal(*said, equal_nan=True)
+
+
+@pytest.mark.parametrize("vector", ["X", "Y", "U"])
 def test_a_sum_in_another_order_is_seen(vector, folder, tmp_path):
-    """The last two terms of one sum, exchanged."""
+    """The last term of one run of terms, before the others."""
     (source,) = (path for path in SOURCES if path.stem == "ah_covariance")
-    loops, text, term = loops_of(source, "double", folder), source.read_text(), TERM.format(vector)
-    match = re.findall(rf"({term}) \+\s+({term})(?=[;)])", text)[-1]
+    loops, text = loops_of(source, "double", folder), source.read_text()
+    run = re.search(rf"(add_run\(s, &Phi\[\d+\], &{vector}\[0\]\[0\], )1, 15(, \d+, \d+\);)", text)
+    assert run
     (tmp_path / "src").mkdir()
     (tmp_path / "include").symlink_to(source.parent.parent / "include")
     swapped = tmp_path / "src" / source.name
-    joined = re.compile(rf"{re.escape(match[0])} \+\s+{re.escape(match[1])}")
-    swapped.write_text(joined.sub(f"{match[1]} + {match[0]}", text))
+    swapped.write_text(text.replace(run[0], f"{run[1]}14, 15{run[2]} {run[1]}1, 14{run[2]}"))
     assert differing(loops, Kernels(swapped, tmp_path / "rows.so", "-O2", ROWS)) > 0
 
 

@@ -63,8 +63,8 @@ bs_status ah_ud_init(const bs_real dense[AH_N_STATES * AH_N_STATES],
                      bs_real UD[AH_N_PACKED],
                      bs_real work[AH_N_WORK]);
 
-/* next = Phi P Phi' + Q.  next must not overlap P; it may be Q.  With BORESIGHT_ROWS the joseph
- * form reads of Phi what a step of this model can make other than 0. */
+/* next = Phi P Phi' + Q.  next must not overlap P; it may be Q.  With BORESIGHT_ROWS it reads of
+ * Phi what a step of this model can make other than 0. */
 void ah_joseph_predict(const bs_real P[AH_N_PACKED],
                        const bs_real Phi[AH_N_PHI],
                        const bs_real Q[AH_N_PACKED],

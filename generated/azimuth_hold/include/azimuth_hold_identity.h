@@ -20,7 +20,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "ff29e06bf8d9094d95c9c357a22aa57f4d4238fa53b02430afda270dcdfe5ebf"
+#define AH_MODEL_HASH "5cd6d3a0a572ec07e32ea966f811a93e2ab53aca90ebd2db5d8d79d8195c6e88"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

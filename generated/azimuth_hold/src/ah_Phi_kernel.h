@@ -1001,12 +1001,12 @@ static void ah_Phi_kernel_4(const bs_real dt[1], const ah_Phi_shared *shared, bs
     Phi_nz[120] = BS_REAL(1.0); /* dba_z, dba_z */
 }
 
-static void ah_Phi_kernel(const bs_real position[3],
-                          const bs_real v_n[3],
-                          const bs_real q_b2n_wxyz[4],
-                          const bs_real f_b[3],
-                          const bs_real dt[1],
-                          bs_real Phi_nz[121])
+BS_INSIDE void ah_Phi_kernel(const bs_real position[3],
+                             const bs_real v_n[3],
+                             const bs_real q_b2n_wxyz[4],
+                             const bs_real f_b[3],
+                             const bs_real dt[1],
+                             bs_real Phi_nz[121])
 {
     ah_Phi_shared shared;
     ah_Phi_kernel_1(position, v_n, q_b2n_wxyz, f_b, dt, &shared, Phi_nz);

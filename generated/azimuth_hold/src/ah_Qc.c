@@ -6,7 +6,7 @@
 #include "ah_Qc_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status ah_Qc_checked(const ah_nav *nav, const ah_noise *noise, bs_real Qc_nz[24])
+BS_INSIDE bs_status ah_Qc_checked(const ah_nav *nav, const ah_noise *noise, bs_real Qc_nz[24])
 {
     static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
                                                BS_REAL(-1.001) };

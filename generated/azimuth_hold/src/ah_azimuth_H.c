@@ -8,7 +8,7 @@
 #include "ah_azimuth_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status ah_azimuth_H_checked(bs_real H_nz[1])
+BS_INSIDE bs_status ah_azimuth_H_checked(bs_real H_nz[1])
 {
     if (H_nz == NULL) {
         return BS_NULL_POINTER;

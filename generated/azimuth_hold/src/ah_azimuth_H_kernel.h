@@ -8,7 +8,7 @@
 
 #include "boresight.h"
 
-static void ah_azimuth_H_kernel(bs_real H_nz[1])
+BS_INSIDE void ah_azimuth_H_kernel(bs_real H_nz[1])
 {
     H_nz[0] = BS_REAL(1.0); /* up, phi_u */
 }

@@ -8,9 +8,9 @@
 #include "boresight.h"
 #include "ah_math.h"
 
-static void ah_zaru_H_kernel(const bs_real position[3],
-                             const bs_real q_b2n_wxyz[4],
-                             bs_real H_nz[15])
+BS_INSIDE void ah_zaru_H_kernel(const bs_real position[3],
+                                const bs_real q_b2n_wxyz[4],
+                                bs_real H_nz[15])
 {
     bs_real sin_lat;
     bs_real cos_lat;

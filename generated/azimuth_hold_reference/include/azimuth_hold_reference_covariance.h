@@ -63,8 +63,8 @@ bs_status ahr_ud_init(const bs_real dense[AHR_N_STATES * AHR_N_STATES],
                       bs_real UD[AHR_N_PACKED],
                       bs_real work[AHR_N_WORK]);
 
-/* next = Phi P Phi' + Q.  next must not overlap P; it may be Q.  With BORESIGHT_ROWS the joseph
- * form reads of Phi what a step of this model can make other than 0. */
+/* next = Phi P Phi' + Q.  next must not overlap P; it may be Q.  With BORESIGHT_ROWS it reads of
+ * Phi what a step of this model can make other than 0. */
 void ahr_joseph_predict(const bs_real P[AHR_N_PACKED],
                         const bs_real Phi[AHR_N_PHI],
                         const bs_real Q[AHR_N_PACKED],

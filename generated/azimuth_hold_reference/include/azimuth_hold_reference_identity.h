@@ -20,7 +20,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "89770c87a466745cc748782b7c5df06c25ce5ef46ae08b160983d24344a03f14"
+#define AHR_MODEL_HASH "15ce4eee12012a04983cc8dbe36dfde44bbe97894e7e5271ab06624ea9a86c8b"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

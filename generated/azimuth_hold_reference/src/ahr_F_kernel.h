@@ -7,11 +7,11 @@
 #include "boresight.h"
 #include "ahr_math.h"
 
-static void ahr_F_kernel(const bs_real position[3],
-                         const bs_real v_n[3],
-                         const bs_real q_b2n_wxyz[4],
-                         const bs_real f_b[3],
-                         bs_real F_nz[60])
+BS_INSIDE void ahr_F_kernel(const bs_real position[3],
+                            const bs_real v_n[3],
+                            const bs_real q_b2n_wxyz[4],
+                            const bs_real f_b[3],
+                            bs_real F_nz[60])
 {
     bs_real sin_lat;
     bs_real cos_lat;

@@ -1002,12 +1002,12 @@ static void ahr_Phi_kernel_4(const bs_real dt[1], const ahr_Phi_shared *shared, 
     Phi_nz[121] = BS_REAL(1.0); /* d_ref, d_ref */
 }
 
-static void ahr_Phi_kernel(const bs_real position[3],
-                           const bs_real v_n[3],
-                           const bs_real q_b2n_wxyz[4],
-                           const bs_real f_b[3],
-                           const bs_real dt[1],
-                           bs_real Phi_nz[122])
+BS_INSIDE void ahr_Phi_kernel(const bs_real position[3],
+                              const bs_real v_n[3],
+                              const bs_real q_b2n_wxyz[4],
+                              const bs_real f_b[3],
+                              const bs_real dt[1],
+                              bs_real Phi_nz[122])
 {
     ahr_Phi_shared shared;
     ahr_Phi_kernel_1(position, v_n, q_b2n_wxyz, f_b, dt, &shared, Phi_nz);

@@ -7,10 +7,10 @@
 #include "ahr_Q_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status ahr_Q_checked(const ahr_nav *nav,
-                               const ahr_imu *imu,
-                               const ahr_noise *noise,
-                               bs_real Q_nz[177])
+BS_INSIDE bs_status ahr_Q_checked(const ahr_nav *nav,
+                                  const ahr_imu *imu,
+                                  const ahr_noise *noise,
+                                  bs_real Q_nz[177])
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586),
                                              BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };

@@ -2616,16 +2616,16 @@ static void ahr_Q_kernel_11(const bs_real gyro_bias_noise[3],
     Q_nz[176] = t2108; /* dba_z, dba_z */
 }
 
-static void ahr_Q_kernel(const bs_real position[3],
-                         const bs_real v_n[3],
-                         const bs_real q_b2n_wxyz[4],
-                         const bs_real f_b[3],
-                         const bs_real dt[1],
-                         const bs_real gyro_noise[3],
-                         const bs_real accel_noise[3],
-                         const bs_real gyro_bias_noise[3],
-                         const bs_real accel_bias_noise[3],
-                         bs_real Q_nz[177])
+BS_INSIDE void ahr_Q_kernel(const bs_real position[3],
+                            const bs_real v_n[3],
+                            const bs_real q_b2n_wxyz[4],
+                            const bs_real f_b[3],
+                            const bs_real dt[1],
+                            const bs_real gyro_noise[3],
+                            const bs_real accel_noise[3],
+                            const bs_real gyro_bias_noise[3],
+                            const bs_real accel_bias_noise[3],
+                            bs_real Q_nz[177])
 {
     ahr_Q_shared shared;
     ahr_Q_kernel_1(position, v_n, q_b2n_wxyz, f_b, dt, gyro_noise, accel_noise, accel_bias_noise,

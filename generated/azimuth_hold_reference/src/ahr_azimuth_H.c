@@ -8,7 +8,7 @@
 #include "ahr_azimuth_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status ahr_azimuth_H_checked(bs_real H_nz[2])
+BS_INSIDE bs_status ahr_azimuth_H_checked(bs_real H_nz[2])
 {
     if (H_nz == NULL) {
         return BS_NULL_POINTER;

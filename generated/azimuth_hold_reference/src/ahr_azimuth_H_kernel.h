@@ -8,7 +8,7 @@
 
 #include "boresight.h"
 
-static void ahr_azimuth_H_kernel(bs_real H_nz[2])
+BS_INSIDE void ahr_azimuth_H_kernel(bs_real H_nz[2])
 {
     H_nz[0] = BS_REAL(1.0); /* up, phi_u */
     H_nz[1] = BS_REAL(1.0); /* up, d_ref */

@@ -56,15 +56,107 @@ static void clear(bs_real *value, int n)
 }
 
 #ifdef BORESIGHT_ROWS
-/* Rows of constant width: a sum is one statement, in the order of the loops, with whole blocks of 4
- * that compilers vectorise.  The macro is for hosts: it costs code and stack, and changes no bit of
- * a finite number. */
-#define WIDE 16 /* N in whole blocks */
+/* Rows of constant width: a sum is one of 16 columns side by side that stay in registers, in the
+ * order of the loops.  The macro is for hosts: it costs code and stack, and no bit differs of a
+ * number that is finite in both texts. */
+#define WIDE 16 /* N in whole blocks of 4 */
 #define DEEP 12 /* M in whole blocks */
-static const bs_real zeros[WIDE] = { BS_REAL(0.0) }; /* copied: for clearing, compilers print a slow
-                                                      * instruction */
-/* Row by row of a symmetric matrix, where its numbers stand in a packed one; the first fills
- * blocks. */
+#if defined(__AVX__) || defined(BORESIGHT_FLOAT)
+#define LANES 4 /* numbers of a vector */
+#else
+#define LANES 2
+#endif
+#define VECTORS (16 / LANES)
+#define ALL (WIDE / LANES) /* vectors of a row */
+#define APART static __attribute__((noinline)) /* what is to have all registers */
+#define ALIGNED __attribute__((aligned(4 * sizeof(bs_real))))
+typedef bs_real vector __attribute__((vector_size(LANES * sizeof(bs_real)), may_alias));
+typedef vector anywhere __attribute__((aligned(sizeof(bs_real)), may_alias));
+#if LANES > 2
+typedef bs_real two __attribute__((vector_size(2 * sizeof(bs_real)), may_alias));
+typedef two pair __attribute__((aligned(sizeof(bs_real)), may_alias));
+#endif
+
+/* s += a[k] X[k] over the rows of X from begin to end, in its first columns. */
+BS_INSIDE void add_run(vector *s,
+                       const bs_real *a,
+                       const bs_real *X,
+                       int begin,
+                       int end,
+                       int first,
+                       int columns)
+{
+    BS_ROLLED
+    for (int k = begin; k < end; ++k) {
+        BS_UNROLLED
+        for (int v = first / LANES; (v * LANES) < columns; ++v) {
+            s[v] += a[k] * *(const vector *)&X[(k * WIDE) + (v * LANES)];
+        }
+    }
+}
+
+BS_INSIDE void take(vector *s, const bs_real *from, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        s[v] = *(const vector *)&from[v * LANES];
+    }
+}
+
+/* s += more, of which no number is read beyond the columns. */
+BS_INSIDE void add(vector *s, const bs_real *more, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        if (((v + 1) * LANES) <= columns) {
+            s[v] += *(const anywhere *)&more[v * LANES];
+        } else {
+            for (int i = 0; i < (columns - (v * LANES)); ++i) {
+                s[v][i] += more[(v * LANES) + i];
+            }
+        }
+    }
+}
+
+BS_INSIDE void put(bs_real *to, const vector *s, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        *(vector *)&to[v * LANES] = s[v];
+    }
+}
+
+/* No number is written beyond the columns. */
+BS_INSIDE void store(bs_real *to, const vector *s, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        if (((v + 1) * LANES) <= columns) {
+            *(anywhere *)&to[v * LANES] = s[v];
+        } else {
+            for (int i = 0; i < (columns - (v * LANES)); ++i) {
+                to[(v * LANES) + i] = s[v][i];
+            }
+        }
+    }
+}
+
+/* All numbers of s, below each other. */
+BS_INSIDE void spread(bs_real *to, int stride, const vector *s, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        to[(v * LANES) * stride] = s[v][0];
+        to[((v * LANES) + 1) * stride] = s[v][1];
+#if LANES > 2
+        to[((v * LANES) + 2) * stride] = s[v][2];
+        to[((v * LANES) + 3) * stride] = s[v][3];
+#endif
+    }
+}
+
+/* Row by row of a symmetric matrix, where its numbers stand in a packed one; behind column N the
+ * first, so that blocks are whole. */
 static const unsigned short whole[N][WIDE] = {
     { 0, 1, 3, 6, 10, 15, 21, 28, 36, 45, 55, 66, 78, 91, 105, 120 },
     { 1, 2, 4, 7, 11, 16, 22, 29, 37, 46, 56, 67, 79, 92, 106, 121 },
@@ -85,6 +177,7 @@ static const unsigned short whole[N][WIDE] = {
 };
 #endif
 
+#ifndef BORESIGHT_ROWS
 /* The first rows of A X, row i of them from to[i * stride] on.  Of X the first `inner` rows count,
  * or where it is upper triangular fewer; the rows of A and X have ROW numbers.  Blocks of 3 x 4
  * sums stay in registers. */
@@ -155,6 +248,8 @@ static void product(const bs_real *A,
         }
     }
 }
+
+#endif
 
 /* The upper triangle of A B' over the rows that move and the columns from begin to end, column j of
  * it from to[j * DOWN] on.  Blocks of 3 x 3 sums. */
@@ -278,6 +373,72 @@ static bs_real raise_by(bs_real *UD, bs_real c, bs_real *v, int last, int first)
     return left;
 }
 
+#ifdef BORESIGHT_ROWS
+/* From column begin on, w loses lost times along; returns sum + w weighted, in order.  All vectors
+ * of a row end with it: a vector that is read where no vector was written waits. */
+BS_INSIDE bs_real lose(bs_real *w,
+                       bs_real lost,
+                       const bs_real *along,
+                       const bs_real *weighted,
+                       bs_real sum,
+                       int begin,
+                       int end)
+{
+    bs_real s = sum;
+    int k = begin;
+    for (; ((end - k) % LANES) != 0; ++k) {
+        const bs_real left = w[k] - (lost * along[k]);
+        w[k] = left;
+        s += left * weighted[k];
+    }
+    for (; k < end; k += LANES) {
+        const vector left = *(const anywhere *)&w[k] - (lost * *(const anywhere *)&along[k]);
+        const vector more = left * *(const anywhere *)&weighted[k];
+        *(anywhere *)&w[k] = left;
+        s += more[0];
+        s += more[1];
+#if LANES > 2
+        s += more[2];
+        s += more[3];
+#endif
+    }
+    return s;
+}
+
+/* s += a[k * step] X[k] over these k. */
+BS_INSIDE void add_rows(vector *s,
+                        const bs_real *a,
+                        size_t step,
+                        const bs_real *X,
+                        size_t stride,
+                        const unsigned short *at,
+                        const unsigned short *end,
+                        int columns)
+{
+    BS_ROLLED
+    for (const unsigned short *k = at; k < end; ++k) {
+        const size_t row = *k;
+        const bs_real of_a = a[row * step];
+        const bs_real *const x = &X[row * stride];
+        BS_UNROLLED
+        for (int v = 0; (v * LANES) < columns; ++v) {
+            s[v] += of_a * *(const vector *)&x[v * LANES];
+        }
+    }
+}
+
+/* Of s = A A and A, what they add to Phi, as s, and to B. */
+BS_INSIDE void begin_series(vector *s, vector *b, const bs_real *A, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        const vector a = *(const vector *)&A[v * LANES];
+        b[v] = (BS_REAL(0.6666666666666666) * a) + (BS_REAL(0.2222222222222222) * s[v]);
+        s[v] = a + (BS_REAL(0.5) * s[v]);
+    }
+}
+#endif
+
 void ahr_discretize(const bs_real F[AHR_N_F],
                     const bs_real Qc[AHR_N_QC],
                     bs_real dt,
@@ -306,171 +467,65 @@ void ahr_discretize(const bs_real F[AHR_N_F],
     bs_real w[N];
     const bs_real share = BS_REAL(0.75) * dt;
 #ifdef BORESIGHT_ROWS
-    bs_real A[M][WIDE];
-    bs_real B[WIDE][DEEP]; /* transposed, as T is */
-    bs_real T[WIDE][DEEP];
-    bs_real sum[WIDE];
+    ALIGNED bs_real A[M][WIDE] = {
+        { BS_REAL(0.0), F[0] * dt, F[1] * dt, F[2] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), F[3] * dt, F[4] * dt, BS_REAL(0.0), F[5] * dt, BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), F[6] * dt,
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), F[7] * dt, F[8] * dt, F[9] * dt, F[10] * dt, F[11] * dt, BS_REAL(0.0),
+          F[12] * dt, F[13] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), F[14] * dt, F[15] * dt,
+          F[16] * dt, BS_REAL(0.0) },
+        { BS_REAL(0.0), F[17] * dt, F[18] * dt, F[19] * dt, F[20] * dt, F[21] * dt, F[22] * dt,
+          BS_REAL(0.0), F[23] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), F[24] * dt, F[25] *
+          dt, F[26] * dt, BS_REAL(0.0) },
+        { BS_REAL(0.0), F[27] * dt, F[28] * dt, F[29] * dt, F[30] * dt, BS_REAL(0.0), F[31] * dt,
+          F[32] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), F[33] * dt, F[34] *
+          dt, F[35] * dt, BS_REAL(0.0) },
+        { BS_REAL(0.0), F[36] * dt, F[37] * dt, BS_REAL(0.0), F[38] * dt, BS_REAL(0.0),
+          BS_REAL(0.0), F[39] * dt, F[40] * dt, F[41] * dt, F[42] * dt, F[43] * dt, BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), F[44] * dt, F[45] * dt, F[46] * dt, BS_REAL(0.0), BS_REAL(0.0), F[47] * dt,
+          BS_REAL(0.0), F[48] * dt, F[49] * dt, F[50] * dt, F[51] * dt, BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), F[52] * dt, F[53] * dt, F[54] * dt, BS_REAL(0.0), BS_REAL(0.0), F[55] * dt,
+          F[56] * dt, BS_REAL(0.0), F[57] * dt, F[58] * dt, F[59] * dt, BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0) }
+    };
+    ALIGNED bs_real B[WIDE][DEEP]; /* transposed, as T is */
+    ALIGNED bs_real T[WIDE][DEEP];
+    ALIGNED bs_real square[M][DEEP];
+    /* where rows of A, and of B U in the columns that meet noise, have non-zeros */
+    static const unsigned short A_from[M + 1] = { 0, 3, 6, 7, 14, 21, 27, 32, 37, 42 };
+    static const unsigned short A_at[] = { 1, 2, 3, 1, 2, 4, 5, 1, 2, 3, 4, 5, 7, 8, 1, 2, 3, 4, 5,
+                                           6, 8, 1, 2, 3, 4, 6, 7, 1, 2, 4, 7, 8, 1, 2, 3, 6, 8, 1,
+                                           2, 3, 6, 7 };
+    static const unsigned short B_from[M + 1] = { 0, 8, 17, 26, 38, 50, 62, 74, 86, 98 };
+    static const unsigned short B_at[] = { 3, 4, 5, 7, 8, 12, 13, 14, 3, 4, 5, 6, 7, 8, 12, 13, 14,
+                                           3, 4, 5, 6, 7, 8, 12, 13, 14, 3, 4, 5, 6, 7, 8, 9, 10,
+                                           11, 12, 13, 14, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14,
+                                           3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 3, 4, 5, 6, 7,
+                                           8, 9, 10, 11, 12, 13, 14, 3, 4, 5, 6, 7, 8, 9, 10, 11,
+                                           12, 13, 14, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14 };
     (void)work;
-    for (int i = 0; i < M; ++i) {
-        for (int j = 0; j < WIDE; ++j) {
-            A[i][j] = zeros[j];
-        }
-    }
-    A[0][1] = F[0] * dt;
-    A[0][2] = F[1] * dt;
-    A[0][3] = F[2] * dt;
-    A[1][1] = F[3] * dt;
-    A[1][2] = F[4] * dt;
-    A[1][4] = F[5] * dt;
-    A[2][5] = F[6] * dt;
-    A[3][1] = F[7] * dt;
-    A[3][2] = F[8] * dt;
-    A[3][3] = F[9] * dt;
-    A[3][4] = F[10] * dt;
-    A[3][5] = F[11] * dt;
-    A[3][7] = F[12] * dt;
-    A[3][8] = F[13] * dt;
-    A[3][12] = F[14] * dt;
-    A[3][13] = F[15] * dt;
-    A[3][14] = F[16] * dt;
-    A[4][1] = F[17] * dt;
-    A[4][2] = F[18] * dt;
-    A[4][3] = F[19] * dt;
-    A[4][4] = F[20] * dt;
-    A[4][5] = F[21] * dt;
-    A[4][6] = F[22] * dt;
-    A[4][8] = F[23] * dt;
-    A[4][12] = F[24] * dt;
-    A[4][13] = F[25] * dt;
-    A[4][14] = F[26] * dt;
-    A[5][1] = F[27] * dt;
-    A[5][2] = F[28] * dt;
-    A[5][3] = F[29] * dt;
-    A[5][4] = F[30] * dt;
-    A[5][6] = F[31] * dt;
-    A[5][7] = F[32] * dt;
-    A[5][12] = F[33] * dt;
-    A[5][13] = F[34] * dt;
-    A[5][14] = F[35] * dt;
-    A[6][1] = F[36] * dt;
-    A[6][2] = F[37] * dt;
-    A[6][4] = F[38] * dt;
-    A[6][7] = F[39] * dt;
-    A[6][8] = F[40] * dt;
-    A[6][9] = F[41] * dt;
-    A[6][10] = F[42] * dt;
-    A[6][11] = F[43] * dt;
-    A[7][1] = F[44] * dt;
-    A[7][2] = F[45] * dt;
-    A[7][3] = F[46] * dt;
-    A[7][6] = F[47] * dt;
-    A[7][8] = F[48] * dt;
-    A[7][9] = F[49] * dt;
-    A[7][10] = F[50] * dt;
-    A[7][11] = F[51] * dt;
-    A[8][1] = F[52] * dt;
-    A[8][2] = F[53] * dt;
-    A[8][3] = F[54] * dt;
-    A[8][6] = F[55] * dt;
-    A[8][7] = F[56] * dt;
-    A[8][9] = F[57] * dt;
-    A[8][10] = F[58] * dt;
-    A[8][11] = F[59] * dt;
     for (int j = 0; j < N; ++j) {
         for (int i = M; i < DEEP; ++i) {
             B[j][i] = BS_REAL(0.0);
         }
     }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[0][1] * A[1][j]) + (A[0][2] * A[2][j]) +
-            (A[0][3] * A[3][j]);
-        sum[j] = A[0][j] + (BS_REAL(0.5) * twice);
-        B[j][0] = (BS_REAL(0.6666666666666666) * A[0][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[0 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[1][1] * A[1][j]) + (A[1][2] * A[2][j]) +
-            (A[1][4] * A[4][j]);
-        sum[j] = A[1][j] + (BS_REAL(0.5) * twice);
-        B[j][1] = (BS_REAL(0.6666666666666666) * A[1][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[16 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[2][5] * A[5][j]);
-        sum[j] = A[2][j] + (BS_REAL(0.5) * twice);
-        B[j][2] = (BS_REAL(0.6666666666666666) * A[2][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[32 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[3][1] * A[1][j]) + (A[3][2] * A[2][j]) +
-            (A[3][3] * A[3][j]) + (A[3][4] * A[4][j]) + (A[3][5] * A[5][j]) + (A[3][7] * A[7][j]) +
-            (A[3][8] * A[8][j]);
-        sum[j] = A[3][j] + (BS_REAL(0.5) * twice);
-        B[j][3] = (BS_REAL(0.6666666666666666) * A[3][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[48 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[4][1] * A[1][j]) + (A[4][2] * A[2][j]) +
-            (A[4][3] * A[3][j]) + (A[4][4] * A[4][j]) + (A[4][5] * A[5][j]) + (A[4][6] * A[6][j]) +
-            (A[4][8] * A[8][j]);
-        sum[j] = A[4][j] + (BS_REAL(0.5) * twice);
-        B[j][4] = (BS_REAL(0.6666666666666666) * A[4][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[64 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[5][1] * A[1][j]) + (A[5][2] * A[2][j]) +
-            (A[5][3] * A[3][j]) + (A[5][4] * A[4][j]) + (A[5][6] * A[6][j]) + (A[5][7] * A[7][j]);
-        sum[j] = A[5][j] + (BS_REAL(0.5) * twice);
-        B[j][5] = (BS_REAL(0.6666666666666666) * A[5][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[80 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[6][1] * A[1][j]) + (A[6][2] * A[2][j]) +
-            (A[6][4] * A[4][j]) + (A[6][7] * A[7][j]) + (A[6][8] * A[8][j]);
-        sum[j] = A[6][j] + (BS_REAL(0.5) * twice);
-        B[j][6] = (BS_REAL(0.6666666666666666) * A[6][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[96 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[7][1] * A[1][j]) + (A[7][2] * A[2][j]) +
-            (A[7][3] * A[3][j]) + (A[7][6] * A[6][j]) + (A[7][8] * A[8][j]);
-        sum[j] = A[7][j] + (BS_REAL(0.5) * twice);
-        B[j][7] = (BS_REAL(0.6666666666666666) * A[7][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[112 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[8][1] * A[1][j]) + (A[8][2] * A[2][j]) +
-            (A[8][3] * A[3][j]) + (A[8][6] * A[6][j]) + (A[8][7] * A[7][j]);
-        sum[j] = A[8][j] + (BS_REAL(0.5) * twice);
-        B[j][8] = (BS_REAL(0.6666666666666666) * A[8][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[128 + j] = sum[j];
+    for (int i = 0; i < M; ++i) {
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } }; /* A A */
+            vector b[VECTORS];
+            add_rows(s, A[i], 1, &A[0][0], WIDE, &A_at[A_from[i]], &A_at[A_from[i + 1]], 16);
+            begin_series(s, b, &A[i][0], 16);
+            spread(&B[0][i], DEEP, b, 16);
+            store(&Phi[(i * ROW)], s, 16);
+        }
     }
     for (int i = 0; i < M; ++i) {
         Phi[i * (ROW + 1)] += BS_REAL(1.0);
@@ -516,11 +571,7 @@ void ahr_discretize(const bs_real F[AHR_N_F],
                 }
                 w[l] -= u[l] * gain;
                 u[l] = gain;
-#ifdef BORESIGHT_ROWS
-                for (int i = 0; i < DEEP; ++i) {
-                    B[k][i] += B[l][i] * gain;
-                }
-#else
+#ifndef BORESIGHT_ROWS
                 for (int i = 0; i < (DOWN * ROW); i += 3 * ROW) {
                     B[i + k] += B[i + l] * gain;
                     B[i + ROW + k] += B[i + ROW + l] * gain;
@@ -534,9 +585,19 @@ void ahr_discretize(const bs_real F[AHR_N_F],
         }
     }
 #ifdef BORESIGHT_ROWS
+    for (int p = 0; p < 6; ++p) {
+        const int k = (int)coupled[p];
+        for (int l = k - 1; (l >= (int)reach[p]) && (w[k] > BS_REAL(0.0)); --l) {
+            BS_UNROLLED
+            for (int i = 0; i < M; i += LANES) {
+                *(vector *)&B[k][i] += *(const vector *)&B[l][i] * Q[column(k) + l];
+            }
+        }
+    }
     for (int k = 3; k < N; ++k) { /* columns before meet no noise */
-        for (int i = 0; i < DEEP; ++i) {
-            T[k][i] = B[k][i] * w[k];
+        BS_UNROLLED
+        for (int i = 0; i < M; i += LANES) {
+            *(vector *)&T[k][i] = *(const vector *)&B[k][i] * w[k];
         }
     }
     for (int j = M; j < N; ++j) { /* B has rows of a unit matrix here */
@@ -544,92 +605,65 @@ void ahr_discretize(const bs_real F[AHR_N_F],
             Q[column(j) + i] = T[j][i];
         }
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][0]) + (T[4][i] * B[4][0]) + (T[5][i] * B[5][0]) +
-            (T[7][i] * B[7][0]) + (T[8][i] * B[8][0]) + (T[12][i] * B[12][0]) +
-            (T[13][i] * B[13][0]) + (T[14][i] * B[14][0]);
+    for (int j = 0; j < 4; ++j) {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_rows(s, &B[0][j], DEEP, &T[0][0], DEEP, &B_at[B_from[j]], &B_at[B_from[j + 1]], 4);
+        put(&square[j][0], s, 4);
     }
-    for (int i = 0; i < 1; ++i) {
-        Q[0 + i] = sum[i];
+    for (int j = 4; j < 8; ++j) {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_rows(s, &B[0][j], DEEP, &T[0][0], DEEP, &B_at[B_from[j]], &B_at[B_from[j + 1]], 8);
+        put(&square[j][0], s, 8);
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][1]) + (T[4][i] * B[4][1]) + (T[5][i] * B[5][1]) +
-            (T[6][i] * B[6][1]) + (T[7][i] * B[7][1]) + (T[8][i] * B[8][1]) +
-            (T[12][i] * B[12][1]) + (T[13][i] * B[13][1]) + (T[14][i] * B[14][1]);
+    for (int j = 8; j < 9; ++j) {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_rows(s, &B[0][j], DEEP, &T[0][0], DEEP, &B_at[B_from[j]], &B_at[B_from[j + 1]], 12);
+        put(&square[j][0], s, 12);
     }
-    for (int i = 0; i < 2; ++i) {
-        Q[1 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[0][0], 1);
+        store(&Q[0], s, 1);
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][2]) + (T[4][i] * B[4][2]) + (T[5][i] * B[5][2]) +
-            (T[6][i] * B[6][2]) + (T[7][i] * B[7][2]) + (T[8][i] * B[8][2]) +
-            (T[12][i] * B[12][2]) + (T[13][i] * B[13][2]) + (T[14][i] * B[14][2]);
+    {
+        vector s[VECTORS];
+        take(s, &square[1][0], 2);
+        store(&Q[1], s, 2);
     }
-    for (int i = 0; i < 3; ++i) {
-        Q[3 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[2][0], 3);
+        store(&Q[3], s, 3);
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][3]) + (T[4][i] * B[4][3]) + (T[5][i] * B[5][3]) +
-            (T[6][i] * B[6][3]) + (T[7][i] * B[7][3]) + (T[8][i] * B[8][3]) + (T[9][i] * B[9][3]) +
-            (T[10][i] * B[10][3]) + (T[11][i] * B[11][3]) + (T[12][i] * B[12][3]) +
-            (T[13][i] * B[13][3]) + (T[14][i] * B[14][3]);
+    {
+        vector s[VECTORS];
+        take(s, &square[3][0], 4);
+        store(&Q[6], s, 4);
     }
-    for (int i = 0; i < 4; ++i) {
-        Q[6 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[4][0], 5);
+        store(&Q[10], s, 5);
     }
-    BS_ROLLED
-    for (int i = 0; i < 8; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][4]) + (T[4][i] * B[4][4]) + (T[5][i] * B[5][4]) +
-            (T[6][i] * B[6][4]) + (T[7][i] * B[7][4]) + (T[8][i] * B[8][4]) + (T[9][i] * B[9][4]) +
-            (T[10][i] * B[10][4]) + (T[11][i] * B[11][4]) + (T[12][i] * B[12][4]) +
-            (T[13][i] * B[13][4]) + (T[14][i] * B[14][4]);
+    {
+        vector s[VECTORS];
+        take(s, &square[5][0], 6);
+        store(&Q[15], s, 6);
     }
-    for (int i = 0; i < 5; ++i) {
-        Q[10 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[6][0], 7);
+        store(&Q[21], s, 7);
     }
-    BS_ROLLED
-    for (int i = 0; i < 8; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][5]) + (T[4][i] * B[4][5]) + (T[5][i] * B[5][5]) +
-            (T[6][i] * B[6][5]) + (T[7][i] * B[7][5]) + (T[8][i] * B[8][5]) + (T[9][i] * B[9][5]) +
-            (T[10][i] * B[10][5]) + (T[11][i] * B[11][5]) + (T[12][i] * B[12][5]) +
-            (T[13][i] * B[13][5]) + (T[14][i] * B[14][5]);
+    {
+        vector s[VECTORS];
+        take(s, &square[7][0], 8);
+        store(&Q[28], s, 8);
     }
-    for (int i = 0; i < 6; ++i) {
-        Q[15 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 8; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][6]) + (T[4][i] * B[4][6]) + (T[5][i] * B[5][6]) +
-            (T[6][i] * B[6][6]) + (T[7][i] * B[7][6]) + (T[8][i] * B[8][6]) + (T[9][i] * B[9][6]) +
-            (T[10][i] * B[10][6]) + (T[11][i] * B[11][6]) + (T[12][i] * B[12][6]) +
-            (T[13][i] * B[13][6]) + (T[14][i] * B[14][6]);
-    }
-    for (int i = 0; i < 7; ++i) {
-        Q[21 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 8; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][7]) + (T[4][i] * B[4][7]) + (T[5][i] * B[5][7]) +
-            (T[6][i] * B[6][7]) + (T[7][i] * B[7][7]) + (T[8][i] * B[8][7]) + (T[9][i] * B[9][7]) +
-            (T[10][i] * B[10][7]) + (T[11][i] * B[11][7]) + (T[12][i] * B[12][7]) +
-            (T[13][i] * B[13][7]) + (T[14][i] * B[14][7]);
-    }
-    for (int i = 0; i < 8; ++i) {
-        Q[28 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 12; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[3][i] * B[3][8]) + (T[4][i] * B[4][8]) + (T[5][i] * B[5][8]) +
-            (T[6][i] * B[6][8]) + (T[7][i] * B[7][8]) + (T[8][i] * B[8][8]) + (T[9][i] * B[9][8]) +
-            (T[10][i] * B[10][8]) + (T[11][i] * B[11][8]) + (T[12][i] * B[12][8]) +
-            (T[13][i] * B[13][8]) + (T[14][i] * B[14][8]);
-    }
-    for (int i = 0; i < 9; ++i) {
-        Q[36 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[8][0], 9);
+        store(&Q[36], s, 9);
     }
 #else
     for (int i = 0; i < DOWN; ++i) {
@@ -733,7 +767,7 @@ void ahr_joseph_predict(const bs_real P[AHR_N_PACKED],
                         bs_real next[AHR_N_PACKED],
                         bs_real work[AHR_N_WORK])
 {
-    bs_real X[N][WIDE] = {
+    ALIGNED bs_real X[N][WIDE] = {
         { P[0], P[1], P[3], P[6], P[10], P[15], P[21], P[28], P[36], P[45], P[55], P[66], P[78],
           P[91], P[105], P[120] },
         { P[1], P[2], P[4], P[7], P[11], P[16], P[22], P[29], P[37], P[46], P[56], P[67], P[79],
@@ -767,226 +801,163 @@ void ahr_joseph_predict(const bs_real P[AHR_N_PACKED],
         { P[120], P[121], P[122], P[123], P[124], P[125], P[126], P[127], P[128], P[129], P[130],
           P[131], P[132], P[133], P[134], P[135] }
     };
-    bs_real Y[WIDE][WIDE]; /* the transpose of Phi P */
-    bs_real sum[WIDE];
+    ALIGNED bs_real Y[WIDE][WIDE]; /* the transpose of Phi P */
     (void)work;
     for (int j = 0; j < N; ++j) {
         for (int i = M; i < WIDE; ++i) {
             Y[j][i] = X[j][i];
         }
     }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][0] = BS_REAL(0.0) + (Phi[0] * X[0][j]) + (Phi[1] * X[1][j]) + (Phi[2] * X[2][j]) +
-            (Phi[3] * X[3][j]) + (Phi[4] * X[4][j]) + (Phi[5] * X[5][j]) + (Phi[7] * X[7][j]) +
-            (Phi[8] * X[8][j]) + (Phi[12] * X[12][j]) + (Phi[13] * X[13][j]) + (Phi[14] * X[14][j]);
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[0], &X[0][0], 0, 6, 0, 16);
+        add_run(s, &Phi[0], &X[0][0], 7, 9, 0, 16);
+        add_run(s, &Phi[0], &X[0][0], 12, 15, 0, 16);
+        spread(&Y[0][0], WIDE, s, 16);
     }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][1] = BS_REAL(0.0) + (Phi[17] * X[1][j]) + (Phi[18] * X[2][j]) + (Phi[19] * X[3][j]) +
-            (Phi[20] * X[4][j]) + (Phi[21] * X[5][j]) + (Phi[22] * X[6][j]) + (Phi[24] * X[8][j]) +
-            (Phi[28] * X[12][j]) + (Phi[29] * X[13][j]) + (Phi[30] * X[14][j]);
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[16], &X[0][0], 1, 7, 0, 16);
+        add_run(s, &Phi[16], &X[0][0], 8, 9, 0, 16);
+        add_run(s, &Phi[16], &X[0][0], 12, 15, 0, 16);
+        spread(&Y[0][1], WIDE, s, 16);
     }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][2] = BS_REAL(0.0) + (Phi[33] * X[1][j]) + (Phi[34] * X[2][j]) + (Phi[35] * X[3][j]) +
-            (Phi[36] * X[4][j]) + (Phi[37] * X[5][j]) + (Phi[38] * X[6][j]) + (Phi[39] * X[7][j]) +
-            (Phi[44] * X[12][j]) + (Phi[45] * X[13][j]) + (Phi[46] * X[14][j]);
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[32], &X[0][0], 1, 8, 0, 16);
+        add_run(s, &Phi[32], &X[0][0], 12, 15, 0, 16);
+        spread(&Y[0][2], WIDE, s, 16);
     }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][3] = BS_REAL(0.0) + (Phi[49] * X[1][j]) + (Phi[50] * X[2][j]) + (Phi[51] * X[3][j]) +
-            (Phi[52] * X[4][j]) + (Phi[53] * X[5][j]) + (Phi[54] * X[6][j]) + (Phi[55] * X[7][j]) +
-            (Phi[56] * X[8][j]) + (Phi[57] * X[9][j]) + (Phi[58] * X[10][j]) +
-            (Phi[59] * X[11][j]) + (Phi[60] * X[12][j]) + (Phi[61] * X[13][j]) +
-            (Phi[62] * X[14][j]);
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[48], &X[0][0], 1, 15, 0, 16);
+        spread(&Y[0][3], WIDE, s, 16);
     }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][4] = BS_REAL(0.0) + (Phi[65] * X[1][j]) + (Phi[66] * X[2][j]) + (Phi[67] * X[3][j]) +
-            (Phi[68] * X[4][j]) + (Phi[69] * X[5][j]) + (Phi[70] * X[6][j]) + (Phi[71] * X[7][j]) +
-            (Phi[72] * X[8][j]) + (Phi[73] * X[9][j]) + (Phi[74] * X[10][j]) +
-            (Phi[75] * X[11][j]) + (Phi[76] * X[12][j]) + (Phi[77] * X[13][j]) +
-            (Phi[78] * X[14][j]);
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[64], &X[0][0], 1, 15, 0, 16);
+        spread(&Y[0][4], WIDE, s, 16);
     }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][5] = BS_REAL(0.0) + (Phi[81] * X[1][j]) + (Phi[82] * X[2][j]) + (Phi[83] * X[3][j]) +
-            (Phi[84] * X[4][j]) + (Phi[85] * X[5][j]) + (Phi[86] * X[6][j]) + (Phi[87] * X[7][j]) +
-            (Phi[88] * X[8][j]) + (Phi[89] * X[9][j]) + (Phi[90] * X[10][j]) +
-            (Phi[91] * X[11][j]) + (Phi[92] * X[12][j]) + (Phi[93] * X[13][j]) +
-            (Phi[94] * X[14][j]);
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[80], &X[0][0], 1, 15, 0, 16);
+        spread(&Y[0][5], WIDE, s, 16);
     }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][6] = BS_REAL(0.0) + (Phi[97] * X[1][j]) + (Phi[98] * X[2][j]) + (Phi[99] * X[3][j]) +
-            (Phi[100] * X[4][j]) + (Phi[101] * X[5][j]) + (Phi[102] * X[6][j]) +
-            (Phi[103] * X[7][j]) + (Phi[104] * X[8][j]) + (Phi[105] * X[9][j]) +
-            (Phi[106] * X[10][j]) + (Phi[107] * X[11][j]) + (Phi[108] * X[12][j]) +
-            (Phi[109] * X[13][j]) + (Phi[110] * X[14][j]);
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[96], &X[0][0], 1, 15, 0, 16);
+        spread(&Y[0][6], WIDE, s, 16);
     }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][7] = BS_REAL(0.0) + (Phi[113] * X[1][j]) + (Phi[114] * X[2][j]) +
-            (Phi[115] * X[3][j]) + (Phi[116] * X[4][j]) + (Phi[117] * X[5][j]) +
-            (Phi[118] * X[6][j]) + (Phi[119] * X[7][j]) + (Phi[120] * X[8][j]) +
-            (Phi[121] * X[9][j]) + (Phi[122] * X[10][j]) + (Phi[123] * X[11][j]) +
-            (Phi[124] * X[12][j]) + (Phi[125] * X[13][j]) + (Phi[126] * X[14][j]);
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[112], &X[0][0], 1, 15, 0, 16);
+        spread(&Y[0][7], WIDE, s, 16);
     }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][8] = BS_REAL(0.0) + (Phi[129] * X[1][j]) + (Phi[130] * X[2][j]) +
-            (Phi[131] * X[3][j]) + (Phi[132] * X[4][j]) + (Phi[133] * X[5][j]) +
-            (Phi[134] * X[6][j]) + (Phi[135] * X[7][j]) + (Phi[136] * X[8][j]) +
-            (Phi[137] * X[9][j]) + (Phi[138] * X[10][j]) + (Phi[139] * X[11][j]) +
-            (Phi[140] * X[12][j]) + (Phi[141] * X[13][j]) + (Phi[142] * X[14][j]);
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[128], &X[0][0], 1, 15, 0, 16);
+        spread(&Y[0][8], WIDE, s, 16);
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[0] * Y[0][i]) + (Phi[1] * Y[1][i]) + (Phi[2] * Y[2][i]) +
-                  (Phi[3] * Y[3][i]) + (Phi[4] * Y[4][i]) + (Phi[5] * Y[5][i]) +
-                  (Phi[7] * Y[7][i]) + (Phi[8] * Y[8][i]) + (Phi[12] * Y[12][i]) +
-                  (Phi[13] * Y[13][i]) + (Phi[14] * Y[14][i])) + Q[0 + i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[0], &Y[0][0], 0, 6, 0, 1);
+        add_run(s, &Phi[0], &Y[0][0], 7, 9, 0, 1);
+        add_run(s, &Phi[0], &Y[0][0], 12, 15, 0, 1);
+        add(s, &Q[0], 1);
+        store(&next[0], s, 1);
     }
-    for (int i = 0; i < 1; ++i) {
-        next[0 + i] = sum[i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[16], &Y[0][0], 1, 7, 0, 2);
+        add_run(s, &Phi[16], &Y[0][0], 8, 9, 0, 2);
+        add_run(s, &Phi[16], &Y[0][0], 12, 15, 0, 2);
+        add(s, &Q[1], 2);
+        store(&next[1], s, 2);
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[17] * Y[1][i]) + (Phi[18] * Y[2][i]) + (Phi[19] * Y[3][i]) +
-                  (Phi[20] * Y[4][i]) + (Phi[21] * Y[5][i]) + (Phi[22] * Y[6][i]) +
-                  (Phi[24] * Y[8][i]) + (Phi[28] * Y[12][i]) + (Phi[29] * Y[13][i]) +
-                  (Phi[30] * Y[14][i])) + Q[1 + i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[32], &Y[0][0], 1, 8, 0, 3);
+        add_run(s, &Phi[32], &Y[0][0], 12, 15, 0, 3);
+        add(s, &Q[3], 3);
+        store(&next[3], s, 3);
     }
-    for (int i = 0; i < 2; ++i) {
-        next[1 + i] = sum[i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[48], &Y[0][0], 1, 15, 0, 4);
+        add(s, &Q[6], 4);
+        store(&next[6], s, 4);
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[33] * Y[1][i]) + (Phi[34] * Y[2][i]) + (Phi[35] * Y[3][i]) +
-                  (Phi[36] * Y[4][i]) + (Phi[37] * Y[5][i]) + (Phi[38] * Y[6][i]) +
-                  (Phi[39] * Y[7][i]) + (Phi[44] * Y[12][i]) + (Phi[45] * Y[13][i]) +
-                  (Phi[46] * Y[14][i])) + Q[3 + i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[64], &Y[0][0], 1, 15, 0, 5);
+        add(s, &Q[10], 5);
+        store(&next[10], s, 5);
     }
-    for (int i = 0; i < 3; ++i) {
-        next[3 + i] = sum[i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[80], &Y[0][0], 1, 15, 0, 6);
+        add(s, &Q[15], 6);
+        store(&next[15], s, 6);
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[49] * Y[1][i]) + (Phi[50] * Y[2][i]) + (Phi[51] * Y[3][i]) +
-                  (Phi[52] * Y[4][i]) + (Phi[53] * Y[5][i]) + (Phi[54] * Y[6][i]) +
-                  (Phi[55] * Y[7][i]) + (Phi[56] * Y[8][i]) + (Phi[57] * Y[9][i]) +
-                  (Phi[58] * Y[10][i]) + (Phi[59] * Y[11][i]) + (Phi[60] * Y[12][i]) +
-                  (Phi[61] * Y[13][i]) + (Phi[62] * Y[14][i])) + Q[6 + i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[96], &Y[0][0], 1, 15, 0, 7);
+        add(s, &Q[21], 7);
+        store(&next[21], s, 7);
     }
-    for (int i = 0; i < 4; ++i) {
-        next[6 + i] = sum[i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[112], &Y[0][0], 1, 15, 0, 8);
+        add(s, &Q[28], 8);
+        store(&next[28], s, 8);
     }
-    BS_ROLLED
-    for (int i = 0; i < 8; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[65] * Y[1][i]) + (Phi[66] * Y[2][i]) + (Phi[67] * Y[3][i]) +
-                  (Phi[68] * Y[4][i]) + (Phi[69] * Y[5][i]) + (Phi[70] * Y[6][i]) +
-                  (Phi[71] * Y[7][i]) + (Phi[72] * Y[8][i]) + (Phi[73] * Y[9][i]) +
-                  (Phi[74] * Y[10][i]) + (Phi[75] * Y[11][i]) + (Phi[76] * Y[12][i]) +
-                  (Phi[77] * Y[13][i]) + (Phi[78] * Y[14][i])) + Q[10 + i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[128], &Y[0][0], 1, 15, 0, 9);
+        add(s, &Q[36], 9);
+        store(&next[36], s, 9);
     }
-    for (int i = 0; i < 5; ++i) {
-        next[10 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[9][0], 10);
+        add(s, &Q[45], 10);
+        store(&next[45], s, 10);
     }
-    BS_ROLLED
-    for (int i = 0; i < 8; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[81] * Y[1][i]) + (Phi[82] * Y[2][i]) + (Phi[83] * Y[3][i]) +
-                  (Phi[84] * Y[4][i]) + (Phi[85] * Y[5][i]) + (Phi[86] * Y[6][i]) +
-                  (Phi[87] * Y[7][i]) + (Phi[88] * Y[8][i]) + (Phi[89] * Y[9][i]) +
-                  (Phi[90] * Y[10][i]) + (Phi[91] * Y[11][i]) + (Phi[92] * Y[12][i]) +
-                  (Phi[93] * Y[13][i]) + (Phi[94] * Y[14][i])) + Q[15 + i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[10][0], 11);
+        add(s, &Q[55], 11);
+        store(&next[55], s, 11);
     }
-    for (int i = 0; i < 6; ++i) {
-        next[15 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[11][0], 12);
+        add(s, &Q[66], 12);
+        store(&next[66], s, 12);
     }
-    BS_ROLLED
-    for (int i = 0; i < 8; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[97] * Y[1][i]) + (Phi[98] * Y[2][i]) + (Phi[99] * Y[3][i]) +
-                  (Phi[100] * Y[4][i]) + (Phi[101] * Y[5][i]) + (Phi[102] * Y[6][i]) +
-                  (Phi[103] * Y[7][i]) + (Phi[104] * Y[8][i]) + (Phi[105] * Y[9][i]) +
-                  (Phi[106] * Y[10][i]) + (Phi[107] * Y[11][i]) + (Phi[108] * Y[12][i]) +
-                  (Phi[109] * Y[13][i]) + (Phi[110] * Y[14][i])) + Q[21 + i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[12][0], 13);
+        add(s, &Q[78], 13);
+        store(&next[78], s, 13);
     }
-    for (int i = 0; i < 7; ++i) {
-        next[21 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[13][0], 14);
+        add(s, &Q[91], 14);
+        store(&next[91], s, 14);
     }
-    BS_ROLLED
-    for (int i = 0; i < 8; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[113] * Y[1][i]) + (Phi[114] * Y[2][i]) +
-                  (Phi[115] * Y[3][i]) + (Phi[116] * Y[4][i]) + (Phi[117] * Y[5][i]) +
-                  (Phi[118] * Y[6][i]) + (Phi[119] * Y[7][i]) + (Phi[120] * Y[8][i]) +
-                  (Phi[121] * Y[9][i]) + (Phi[122] * Y[10][i]) + (Phi[123] * Y[11][i]) +
-                  (Phi[124] * Y[12][i]) + (Phi[125] * Y[13][i]) + (Phi[126] * Y[14][i])) +
-            Q[28 + i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[14][0], 15);
+        add(s, &Q[105], 15);
+        store(&next[105], s, 15);
     }
-    for (int i = 0; i < 8; ++i) {
-        next[28 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 12; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[129] * Y[1][i]) + (Phi[130] * Y[2][i]) +
-                  (Phi[131] * Y[3][i]) + (Phi[132] * Y[4][i]) + (Phi[133] * Y[5][i]) +
-                  (Phi[134] * Y[6][i]) + (Phi[135] * Y[7][i]) + (Phi[136] * Y[8][i]) +
-                  (Phi[137] * Y[9][i]) + (Phi[138] * Y[10][i]) + (Phi[139] * Y[11][i]) +
-                  (Phi[140] * Y[12][i]) + (Phi[141] * Y[13][i]) + (Phi[142] * Y[14][i])) +
-            Q[36 + i];
-    }
-    for (int i = 0; i < 9; ++i) {
-        next[36 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 12; ++i) {
-        sum[i] = Y[9][i] + Q[45 + i];
-    }
-    for (int i = 0; i < 10; ++i) {
-        next[45 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 12; ++i) {
-        sum[i] = Y[10][i] + Q[55 + i];
-    }
-    for (int i = 0; i < 11; ++i) {
-        next[55 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 12; ++i) {
-        sum[i] = Y[11][i] + Q[66 + i];
-    }
-    for (int i = 0; i < 12; ++i) {
-        next[66 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 16; ++i) {
-        sum[i] = Y[12][i] + Q[78 + i];
-    }
-    for (int i = 0; i < 13; ++i) {
-        next[78 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 16; ++i) {
-        sum[i] = Y[13][i] + Q[91 + i];
-    }
-    for (int i = 0; i < 14; ++i) {
-        next[91 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 16; ++i) {
-        sum[i] = Y[14][i] + Q[105 + i];
-    }
-    for (int i = 0; i < 15; ++i) {
-        next[105 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 16; ++i) {
-        sum[i] = Y[15][i] + Q[120 + i];
-    }
-    for (int i = 0; i < 16; ++i) {
-        next[120 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[15][0], 16);
+        add(s, &Q[120], 16);
+        store(&next[120], s, 16);
     }
 }
 #else
@@ -1080,6 +1051,105 @@ void ahr_ud_predict(const bs_real UD[AHR_N_PACKED],
         }
     }
     (void)factorize(next, weight, M);
+    /* V = [the factor of Q, Phi U] over the states that move. */
+#ifdef BORESIGHT_ROWS
+    {
+        ALIGNED bs_real U[N][WIDE] = {
+            { BS_REAL(1.0), UD[1], UD[3], UD[6], UD[10], UD[15], UD[21], UD[28], UD[36], UD[45],
+              UD[55], UD[66], UD[78], UD[91], UD[105], UD[120] },
+            { BS_REAL(0.0), BS_REAL(1.0), UD[4], UD[7], UD[11], UD[16], UD[22], UD[29], UD[37],
+              UD[46], UD[56], UD[67], UD[79], UD[92], UD[106], UD[121] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[8], UD[12], UD[17], UD[23], UD[30],
+              UD[38], UD[47], UD[57], UD[68], UD[80], UD[93], UD[107], UD[122] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[13], UD[18], UD[24],
+              UD[31], UD[39], UD[48], UD[58], UD[69], UD[81], UD[94], UD[108], UD[123] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[19], UD[25],
+              UD[32], UD[40], UD[49], UD[59], UD[70], UD[82], UD[95], UD[109], UD[124] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0),
+              UD[26], UD[33], UD[41], UD[50], UD[60], UD[71], UD[83], UD[96], UD[110], UD[125] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(1.0), UD[34], UD[42], UD[51], UD[61], UD[72], UD[84], UD[97], UD[111],
+              UD[126] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(1.0), UD[43], UD[52], UD[62], UD[73], UD[85], UD[98], UD[112],
+              UD[127] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[53], UD[63], UD[74], UD[86], UD[99],
+              UD[113], UD[128] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[64], UD[75], UD[87],
+              UD[100], UD[114], UD[129] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[76], UD[88],
+              UD[101], UD[115], UD[130] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0),
+              UD[89], UD[102], UD[116], UD[131] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(1.0), UD[103], UD[117], UD[132] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(1.0), UD[118], UD[133] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[134] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0) }
+        };
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[0], &U[0][0], 0, 6, 0, 16);
+            add_run(s, &Phi[0], &U[0][0], 7, 9, 7, 16);
+            add_run(s, &Phi[0], &U[0][0], 12, 15, 12, 16);
+            store(&V[(0 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[16], &U[0][0], 1, 7, 1, 16);
+            add_run(s, &Phi[16], &U[0][0], 8, 9, 8, 16);
+            add_run(s, &Phi[16], &U[0][0], 12, 15, 12, 16);
+            store(&V[(1 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[32], &U[0][0], 1, 8, 1, 16);
+            add_run(s, &Phi[32], &U[0][0], 12, 15, 12, 16);
+            store(&V[(2 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[48], &U[0][0], 1, 15, 1, 16);
+            store(&V[(3 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[64], &U[0][0], 1, 15, 1, 16);
+            store(&V[(4 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[80], &U[0][0], 1, 15, 1, 16);
+            store(&V[(5 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[96], &U[0][0], 1, 15, 1, 16);
+            store(&V[(6 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[112], &U[0][0], 1, 15, 1, 16);
+            store(&V[(7 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[128], &U[0][0], 1, 15, 1, 16);
+            store(&V[(8 * WIDTH) + M + N - WIDE], s, 16);
+        }
+    }
+#else
     for (int j = 0; j < N; ++j) {
         for (int i = 0; i < j; ++i) {
             X[(i * ROW) + j] = UD[column(j) + i];
@@ -1087,8 +1157,8 @@ void ahr_ud_predict(const bs_real UD[AHR_N_PACKED],
         }
         X[j * (ROW + 1)] = BS_REAL(1.0);
     }
-    /* V = [the factor of Q, Phi U] over the states that move. */
     product(Phi, X, M, N, true, &V[M], WIDTH);
+#endif
     for (int j = 0; j < M; ++j) {
         for (int i = 0; i < j; ++i) {
             V[(i * WIDTH) + j] = next[column(j) + i];
@@ -1168,6 +1238,14 @@ void ahr_ud_predict(const bs_real UD[AHR_N_PACKED],
         } else {
             first = BS_REAL(0.0);
         }
+#ifdef BORESIGHT_ROWS
+        for (int i = j - 1; i >= 0; --i) {
+            bs_real *const w = &V[i * WIDTH];
+            const bs_real u0 = lose(w, gains[i], by - j, heavy, weights[0] * w[j], j + 1, M + N);
+            const bs_real g0 = first * w[M + j];
+            gains[i] = g0 + (((u0 + heavy[M + i]) - (g0 * beyond)) * inverse);
+        }
+#else
         gains[j] = BS_REAL(0.0); /* the rows from j on are done: what a block makes of them counts
                                   * no more */
         gains[j + 1] = BS_REAL(0.0);
@@ -1201,6 +1279,7 @@ void ahr_ud_predict(const bs_real UD[AHR_N_PACKED],
             const bs_real g2 = first * w[(2 * WIDTH) + M];
             gain[2] = g2 + (((u2 + others[2]) - (g2 * beyond)) * inverse);
         }
+#endif
         for (int i = 0; i < j; ++i) {
             u[i] = gains[i];
         }
@@ -1208,31 +1287,203 @@ void ahr_ud_predict(const bs_real UD[AHR_N_PACKED],
     }
 }
 
+/* Notes what a row says, and whether it is used. */
+BS_INSIDE bs_status judge(bs_row *row, bs_real nu, bs_real S)
+{
+    row->nu = nu;
+    row->S = S;
+    if (!(is_finite(nu) && is_finite(S) && (S >= LEAST))) {
+        row->used = 0;
+        return BS_NOT_POSITIVE;
+    }
+    if ((row->gate > BS_REAL(0.0)) && ((nu * nu) > ((row->gate * row->gate) * S))) {
+        row->used = 0;
+    }
+    return BS_OK;
+}
+
+#ifdef BORESIGHT_ROWS
+/* Numbers of P from where they stand. */
+BS_INSIDE void gather(vector *s, const bs_real *P, const unsigned short *at)
+{
+    BS_UNROLLED
+    for (int v = 0; v < ALL; ++v) {
+        const unsigned short *const here = &at[v * LANES];
+#if LANES > 2
+        s[v] = (vector){ P[here[0]], P[here[1]], P[here[2]], P[here[3]] };
+#else
+        s[v] = (vector){ P[here[0]], P[here[1]] };
+#endif
+    }
+}
+
+/* Of column j of P some rows: p = (p - K g[j]) - b K[j]. */
+BS_INSIDE void lower(bs_real *p,
+                     const bs_real *K,
+                     const bs_real *b,
+                     bs_real g_j,
+                     bs_real K_j,
+                     int rows)
+{
+    int i = 0;
+    BS_UNROLLED
+    for (; (i + LANES) <= rows; i += LANES) {
+        anywhere *const to = (anywhere *)&p[i];
+        *to = (*to - (*(const vector *)&K[i] * g_j)) - (*(const vector *)&b[i] * K_j);
+    }
+#if LANES > 2
+    if ((i + 2) <= rows) {
+        pair *const to = (pair *)&p[i];
+        *to = (*to - (*(const pair *)&K[i] * g_j)) - (*(const pair *)&b[i] * K_j);
+        i += 2;
+    }
+#endif
+    if (i < rows) {
+        p[i] = (p[i] - (K[i] * g_j)) - (b[i] * K_j);
+    }
+}
+
+/* All of P as the loops below take it: 16 rows of K and b stay in registers while the columns go
+ * by. */
+APART void lower_all(bs_real *restrict P,
+                     const bs_real *restrict g,
+                     const bs_real *restrict K,
+                     const bs_real *restrict b)
+{
+    lower(&P[0], K, b, g[0], K[0], 1);
+    lower(&P[1], K, b, g[1], K[1], 2);
+    lower(&P[3], K, b, g[2], K[2], 3);
+    lower(&P[6], K, b, g[3], K[3], 4);
+    lower(&P[10], K, b, g[4], K[4], 5);
+    lower(&P[15], K, b, g[5], K[5], 6);
+    lower(&P[21], K, b, g[6], K[6], 7);
+    lower(&P[28], K, b, g[7], K[7], 8);
+    lower(&P[36], K, b, g[8], K[8], 9);
+    lower(&P[45], K, b, g[9], K[9], 10);
+    lower(&P[55], K, b, g[10], K[10], 11);
+    lower(&P[66], K, b, g[11], K[11], 12);
+    lower(&P[78], K, b, g[12], K[12], 13);
+    lower(&P[91], K, b, g[13], K[13], 14);
+    lower(&P[105], K, b, g[14], K[14], 15);
+    lower(&P[120], K, b, g[15], K[15], 16);
+}
+
+/* x and P by the K in s. */
+BS_INSIDE void correct(bs_real *P,
+                       bs_real *x,
+                       const bs_row *row,
+                       const bs_real *g,
+                       const bs_real *b,
+                       vector *s)
+{
+    ALIGNED bs_real K[WIDE];
+    put(K, s, WIDE);
+    BS_UNROLLED
+    for (int v = 0; v < ALL; ++v) {
+        s[v] *= row->nu;
+    }
+    add(s, x, 16);
+    store(x, s, 16);
+    lower_all(P, g, K, b);
+    for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
+        row->gain[i] = K[i];
+    }
+}
+
+/* A row of several non-zeros, or none. */
+APART bs_status update_by_many(bs_real *P, bs_real *x, bs_row *row)
+{
+    ALIGNED bs_real g[WIDE]; /* P h */
+    ALIGNED bs_real b[WIDE]; /* A h - R K */
+    vector s[ALL] = { { BS_REAL(0.0) } };
+    vector line[ALL];
+    bs_real nu = row->z;
+    bs_real S = row->R;
+    bs_status status;
+    BS_ROLLED
+    for (int p = 0; p < row->count; ++p) {
+        const bs_real h = row->h[p];
+        nu -= h * x[row->at[p]];
+        gather(line, P, whole[row->at[p]]);
+        BS_UNROLLED
+        for (int v = 0; v < ALL; ++v) {
+            s[v] += h * line[v];
+        }
+    }
+    put(g, s, WIDE);
+    for (int p = 0; p < row->count; ++p) {
+        S += row->h[p] * g[row->at[p]];
+    }
+    status = judge(row, nu, S);
+    if ((status == BS_OK) && (row->used != 0)) {
+        const bs_real inverse = BS_REAL(1.0) / S;
+        vector sum[ALL] = { { BS_REAL(0.0) } };
+        BS_UNROLLED
+        for (int v = 0; v < ALL; ++v) {
+            s[v] *= inverse;
+        }
+        BS_ROLLED
+        for (int p = 0; p < row->count; ++p) {
+            const bs_real h = row->h[p];
+            const bs_real of_g = g[row->at[p]];
+            gather(line, P, whole[row->at[p]]);
+            BS_UNROLLED
+            for (int v = 0; v < ALL; ++v) {
+                sum[v] += h * (line[v] - (s[v] * of_g));
+            }
+        }
+        BS_UNROLLED
+        for (int v = 0; v < ALL; ++v) {
+            sum[v] -= row->R * s[v];
+        }
+        put(b, sum, WIDE);
+        correct(P, x, row, g, b, s);
+    }
+    return status;
+}
+
+bs_status ahr_joseph_update(bs_real P[AHR_N_PACKED], bs_real x[AHR_N_STATES], bs_row *row)
+{
+    if (row->count == 1) { /* as most have: S by itself first, for the division takes long; a sum
+                            * begins with 0, or -0 stays what it is */
+        const int k = (int)row->at[0];
+        const bs_real h = row->h[0];
+        const bs_real of_g = BS_REAL(0.0) + (h * P[column(k) + k]);
+        const bs_real nu = row->z - (h * x[k]);
+        const bs_real S = row->R + (h * of_g);
+        const bs_status status = judge(row, nu, S);
+        if ((status == BS_OK) && (row->used != 0)) {
+            const bs_real inverse = BS_REAL(1.0) / S;
+            ALIGNED bs_real g[WIDE]; /* P h */
+            ALIGNED bs_real b[WIDE]; /* A h - R K, of the rounded A = P - K g' */
+            vector s[ALL];
+            vector line[ALL];
+            gather(line, P, whole[k]);
+            BS_UNROLLED
+            for (int v = 0; v < ALL; ++v) {
+                s[v] = BS_REAL(0.0) + (h * line[v]);
+            }
+            put(g, s, WIDE);
+            BS_UNROLLED
+            for (int v = 0; v < ALL; ++v) {
+                s[v] *= inverse;
+                line[v] = (BS_REAL(0.0) + (h * (line[v] - (s[v] * of_g)))) - (row->R * s[v]);
+            }
+            put(b, line, WIDE);
+            correct(P, x, row, g, b, s);
+        }
+        return status;
+    }
+    return update_by_many(P, x, row);
+}
+#else
 bs_status ahr_joseph_update(bs_real P[AHR_N_PACKED], bs_real x[AHR_N_STATES], bs_row *row)
 {
     bs_real nu = row->z;
     bs_real S = row->R;
-#ifdef BORESIGHT_ROWS
-    bs_real g[WIDE]; /* P h */
-    bs_real K[WIDE];
-    bs_real lines[N][WIDE]; /* of P, where h is not zero */
-    for (int i = 0; i < WIDE; ++i) {
-        g[i] = zeros[i];
-    }
-    for (int p = 0; p < row->count; ++p) {
-        const unsigned short *const at = whole[row->at[p]];
-        const bs_real h = row->h[p];
-        nu -= h * x[row->at[p]];
-        for (int i = 0; i < WIDE; ++i) {
-            lines[p][i] = P[at[i]];
-        }
-        for (int i = 0; i < WIDE; ++i) {
-            g[i] += h * lines[p][i];
-        }
-    }
-#else
     bs_real g[N]; /* P h */
     bs_real K[N];
+    bs_status status;
     clear(g, N);
     for (int p = 0; p < row->count; ++p) {
         const int k = (int)row->at[p];
@@ -1245,144 +1496,12 @@ bs_status ahr_joseph_update(bs_real P[AHR_N_PACKED], bs_real x[AHR_N_STATES], bs
             g[i] += h * P[column(i) + k];
         }
     }
-#endif
     for (int p = 0; p < row->count; ++p) {
         S += row->h[p] * g[row->at[p]];
     }
-    row->nu = nu;
-    row->S = S;
-    if (!(is_finite(nu) && is_finite(S) && (S >= LEAST))) {
-        row->used = 0;
-        return BS_NOT_POSITIVE;
-    }
-    if ((row->gate > BS_REAL(0.0)) && ((nu * nu) > ((row->gate * row->gate) * S))) {
-        row->used = 0;
-    }
-    if (row->used != 0) {
+    status = judge(row, nu, S);
+    if ((status == BS_OK) && (row->used != 0)) {
         const bs_real inverse = BS_REAL(1.0) / S;
-#ifdef BORESIGHT_ROWS
-        const bs_real R = row->R;
-        bs_real b[WIDE]; /* as below */
-        if (row->count == 1) { /* as most are: in one pass */
-            const bs_real h = row->h[0];
-            const bs_real of_g = g[row->at[0]];
-            for (int i = 0; i < WIDE; ++i) {
-                const bs_real gain = g[i] * inverse;
-                K[i] = gain;
-                b[i] = (BS_REAL(0.0) + (h * (lines[0][i] - (gain * of_g)))) - (R * gain);
-            }
-        } else {
-            for (int i = 0; i < WIDE; ++i) {
-                K[i] = g[i] * inverse;
-                b[i] = zeros[i];
-            }
-            for (int p = 0; p < row->count; ++p) {
-                const bs_real h = row->h[p];
-                const bs_real of_g = g[row->at[p]];
-                for (int i = 0; i < WIDE; ++i) {
-                    b[i] += h * (lines[p][i] - (K[i] * of_g));
-                }
-            }
-            for (int i = 0; i < WIDE; ++i) {
-                b[i] -= R * K[i];
-            }
-        }
-        for (int i = 0; i < 16; ++i) {
-            x[i] += K[i] * nu;
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 1; ++i) {
-            P[0 + i] = (P[0 + i] - (K[i] * g[0])) - (b[i] * K[0]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 2; ++i) {
-            P[1 + i] = (P[1 + i] - (K[i] * g[1])) - (b[i] * K[1]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 2; ++i) {
-            P[3 + i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
-        }
-        BS_BY_FOUR
-        for (int i = 2; i < 3; ++i) {
-            P[3 + i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 4; ++i) {
-            P[6 + i] = (P[6 + i] - (K[i] * g[3])) - (b[i] * K[3]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 4; ++i) {
-            P[10 + i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
-        }
-        BS_BY_FOUR
-        for (int i = 4; i < 5; ++i) {
-            P[10 + i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 6; ++i) {
-            P[15 + i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 6; ++i) {
-            P[21 + i] = (P[21 + i] - (K[i] * g[6])) - (b[i] * K[6]);
-        }
-        BS_BY_FOUR
-        for (int i = 6; i < 7; ++i) {
-            P[21 + i] = (P[21 + i] - (K[i] * g[6])) - (b[i] * K[6]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 8; ++i) {
-            P[28 + i] = (P[28 + i] - (K[i] * g[7])) - (b[i] * K[7]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 8; ++i) {
-            P[36 + i] = (P[36 + i] - (K[i] * g[8])) - (b[i] * K[8]);
-        }
-        BS_BY_FOUR
-        for (int i = 8; i < 9; ++i) {
-            P[36 + i] = (P[36 + i] - (K[i] * g[8])) - (b[i] * K[8]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 10; ++i) {
-            P[45 + i] = (P[45 + i] - (K[i] * g[9])) - (b[i] * K[9]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 10; ++i) {
-            P[55 + i] = (P[55 + i] - (K[i] * g[10])) - (b[i] * K[10]);
-        }
-        BS_BY_FOUR
-        for (int i = 10; i < 11; ++i) {
-            P[55 + i] = (P[55 + i] - (K[i] * g[10])) - (b[i] * K[10]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 12; ++i) {
-            P[66 + i] = (P[66 + i] - (K[i] * g[11])) - (b[i] * K[11]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 12; ++i) {
-            P[78 + i] = (P[78 + i] - (K[i] * g[12])) - (b[i] * K[12]);
-        }
-        BS_BY_FOUR
-        for (int i = 12; i < 13; ++i) {
-            P[78 + i] = (P[78 + i] - (K[i] * g[12])) - (b[i] * K[12]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 14; ++i) {
-            P[91 + i] = (P[91 + i] - (K[i] * g[13])) - (b[i] * K[13]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 14; ++i) {
-            P[105 + i] = (P[105 + i] - (K[i] * g[14])) - (b[i] * K[14]);
-        }
-        BS_BY_FOUR
-        for (int i = 14; i < 15; ++i) {
-            P[105 + i] = (P[105 + i] - (K[i] * g[14])) - (b[i] * K[14]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 16; ++i) {
-            P[120 + i] = (P[120 + i] - (K[i] * g[15])) - (b[i] * K[15]);
-        }
-#else
         bs_real b[N]; /* A h - R K, of the rounded A = P - K g' */
         for (int i = 0; i < N; ++i) {
             K[i] = g[i] * inverse;
@@ -1403,13 +1522,13 @@ bs_status ahr_joseph_update(bs_real P[AHR_N_PACKED], bs_real x[AHR_N_STATES], bs
                 p[i] = (p[i] - (K[i] * g[j])) - (b[i] * K[j]);
             }
         }
-#endif
         for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
             row->gain[i] = K[i];
         }
     }
-    return BS_OK;
+    return status;
 }
+#endif
 
 bs_status ahr_ud_update(bs_real UD[AHR_N_PACKED], bs_real x[AHR_N_STATES], bs_row *row)
 {
@@ -1417,6 +1536,7 @@ bs_status ahr_ud_update(bs_real UD[AHR_N_PACKED], bs_real x[AHR_N_STATES], bs_ro
     bs_real b[N]; /* what becomes the gain */
     bs_real nu = row->z;
     bs_real S = row->R;
+    bs_status status;
     clear(f, N);
     for (int p = 0; p < row->count; ++p) {
         const int k = (int)row->at[p];
@@ -1430,16 +1550,8 @@ bs_status ahr_ud_update(bs_real UD[AHR_N_PACKED], bs_real x[AHR_N_STATES], bs_ro
     for (int j = 0; j < N; ++j) {
         S += UD[column(j) + j] * (f[j] * f[j]);
     }
-    row->nu = nu;
-    row->S = S;
-    if (!(is_finite(nu) && is_finite(S) && (S >= LEAST))) {
-        row->used = 0;
-        return BS_NOT_POSITIVE;
-    }
-    if ((row->gate > BS_REAL(0.0)) && ((nu * nu) > ((row->gate * row->gate) * S))) {
-        row->used = 0;
-    }
-    if (row->used != 0) {
+    status = judge(row, nu, S);
+    if ((status == BS_OK) && (row->used != 0)) {
         bs_real alpha = row->R; /* grows to S */
         for (int j = 0; j < N; ++j) {
             bs_real *const u = &UD[column(j)];
@@ -1462,7 +1574,7 @@ bs_status ahr_ud_update(bs_real UD[AHR_N_PACKED], bs_real x[AHR_N_STATES], bs_ro
             row->gain[j] = b[j] / alpha;
         }
     }
-    return BS_OK;
+    return status;
 }
 
 void ahr_joseph_add(bs_real P[AHR_N_PACKED], bs_real c, bs_real v[AHR_N_STATES])

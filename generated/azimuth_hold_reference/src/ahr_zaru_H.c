@@ -7,7 +7,7 @@
 #include "ahr_zaru_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status ahr_zaru_H_checked(const ahr_nav *nav, bs_real H_nz[15])
+BS_INSIDE bs_status ahr_zaru_H_checked(const ahr_nav *nav, bs_real H_nz[15])
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586),
                                              BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };

@@ -7,7 +7,7 @@
 #include "ahr_zupt_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status ahr_zupt_H_checked(bs_real H_nz[3])
+BS_INSIDE bs_status ahr_zupt_H_checked(bs_real H_nz[3])
 {
     if (H_nz == NULL) {
         return BS_NULL_POINTER;

@@ -8,7 +8,7 @@
 
 #include "boresight.h"
 
-static void ahr_zupt_H_kernel(bs_real H_nz[3])
+BS_INSIDE void ahr_zupt_H_kernel(bs_real H_nz[3])
 {
     H_nz[0] = BS_REAL(1.0); /* e, dv_e */
     H_nz[1] = BS_REAL(1.0); /* n, dv_n */

@@ -63,8 +63,8 @@ bs_status em_ud_init(const bs_real dense[EM_N_STATES * EM_N_STATES],
                      bs_real UD[EM_N_PACKED],
                      bs_real work[EM_N_WORK]);
 
-/* next = Phi P Phi' + Q.  next must not overlap P; it may be Q.  With BORESIGHT_ROWS the joseph
- * form reads of Phi what a step of this model can make other than 0. */
+/* next = Phi P Phi' + Q.  next must not overlap P; it may be Q.  With BORESIGHT_ROWS it reads of
+ * Phi what a step of this model can make other than 0. */
 void em_joseph_predict(const bs_real P[EM_N_PACKED],
                        const bs_real Phi[EM_N_PHI],
                        const bs_real Q[EM_N_PACKED],

@@ -20,7 +20,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "d34f39d701e762313d3c27a5c1d8d442fcce9e0bbdd752eb066eced7979f1429"
+#define EM_MODEL_HASH "291d76ab656f8cd688f71c9949ef90103fca56da908a69dc6d1f07a026a67529"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1

@@ -6,7 +6,7 @@
 #include "em_F_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status em_F_checked(const em_step *step, bs_real F_nz[6])
+BS_INSIDE bs_status em_F_checked(const em_step *step, bs_real F_nz[6])
 {
     static const bs_real omega_in_n_low[3] = { BS_REAL(-0.01), BS_REAL(-0.01), BS_REAL(-0.01) };
     static const bs_real omega_in_n_high[3] = { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) };

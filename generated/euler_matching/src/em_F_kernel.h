@@ -6,7 +6,7 @@
 
 #include "boresight.h"
 
-static void em_F_kernel(const bs_real omega_in_n[3], bs_real F_nz[6])
+BS_INSIDE void em_F_kernel(const bs_real omega_in_n[3], bs_real F_nz[6])
 {
     const bs_real t2 = -omega_in_n[1];
     const bs_real t3 = -omega_in_n[2];

@@ -7,7 +7,7 @@
 #include "em_Phi_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status em_Phi_checked(const em_step *step, bs_real Phi_nz[12])
+BS_INSIDE bs_status em_Phi_checked(const em_step *step, bs_real Phi_nz[12])
 {
     static const bs_real omega_in_n_low[3] = { BS_REAL(-0.01), BS_REAL(-0.01), BS_REAL(-0.01) };
     static const bs_real omega_in_n_high[3] = { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) };

@@ -7,7 +7,7 @@
 
 #include "boresight.h"
 
-static void em_Phi_kernel(const bs_real omega_in_n[3], const bs_real dt[1], bs_real Phi_nz[12])
+BS_INSIDE void em_Phi_kernel(const bs_real omega_in_n[3], const bs_real dt[1], bs_real Phi_nz[12])
 {
     const bs_real t3 = omega_in_n[2] * dt[0];
     const bs_real t4 = t3 * t3;

@@ -268,11 +268,11 @@ static void em_Q_kernel_2(const bs_real q_b2n_wxyz[4],
     Q_nz[8] = t225; /* eps_d, eps_d */
 }
 
-static void em_Q_kernel(const bs_real q_b2n_wxyz[4],
-                        const bs_real omega_in_n[3],
-                        const bs_real dt[1],
-                        const bs_real gyro_noise[3],
-                        bs_real Q_nz[9])
+BS_INSIDE void em_Q_kernel(const bs_real q_b2n_wxyz[4],
+                           const bs_real omega_in_n[3],
+                           const bs_real dt[1],
+                           const bs_real gyro_noise[3],
+                           bs_real Q_nz[9])
 {
     em_Q_shared shared;
     em_Q_kernel_1(q_b2n_wxyz, omega_in_n, dt, gyro_noise, &shared);

@@ -6,7 +6,7 @@
 #include "em_Qc_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status em_Qc_checked(const em_nav *nav, const em_noise *noise, bs_real Qc_nz[9])
+BS_INSIDE bs_status em_Qc_checked(const em_nav *nav, const em_noise *noise, bs_real Qc_nz[9])
 {
     static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
                                                BS_REAL(-1.001) };

@@ -56,15 +56,107 @@ static void clear(bs_real *value, int n)
 }
 
 #ifdef BORESIGHT_ROWS
-/* Rows of constant width: a sum is one statement, in the order of the loops, with whole blocks of 4
- * that compilers vectorise.  The macro is for hosts: it costs code and stack, and changes no bit of
- * a finite number. */
-#define WIDE 8 /* N in whole blocks */
+/* Rows of constant width: a sum is one of 16 columns side by side that stay in registers, in the
+ * order of the loops.  The macro is for hosts: it costs code and stack, and no bit differs of a
+ * number that is finite in both texts. */
+#define WIDE 8 /* N in whole blocks of 4 */
 #define DEEP 4 /* M in whole blocks */
-static const bs_real zeros[WIDE] = { BS_REAL(0.0) }; /* copied: for clearing, compilers print a slow
-                                                      * instruction */
-/* Row by row of a symmetric matrix, where its numbers stand in a packed one; the first fills
- * blocks. */
+#if defined(__AVX__) || defined(BORESIGHT_FLOAT)
+#define LANES 4 /* numbers of a vector */
+#else
+#define LANES 2
+#endif
+#define VECTORS (16 / LANES)
+#define ALL (WIDE / LANES) /* vectors of a row */
+#define APART static __attribute__((noinline)) /* what is to have all registers */
+#define ALIGNED __attribute__((aligned(4 * sizeof(bs_real))))
+typedef bs_real vector __attribute__((vector_size(LANES * sizeof(bs_real)), may_alias));
+typedef vector anywhere __attribute__((aligned(sizeof(bs_real)), may_alias));
+#if LANES > 2
+typedef bs_real two __attribute__((vector_size(2 * sizeof(bs_real)), may_alias));
+typedef two pair __attribute__((aligned(sizeof(bs_real)), may_alias));
+#endif
+
+/* s += a[k] X[k] over the rows of X from begin to end, in its first columns. */
+BS_INSIDE void add_run(vector *s,
+                       const bs_real *a,
+                       const bs_real *X,
+                       int begin,
+                       int end,
+                       int first,
+                       int columns)
+{
+    BS_ROLLED
+    for (int k = begin; k < end; ++k) {
+        BS_UNROLLED
+        for (int v = first / LANES; (v * LANES) < columns; ++v) {
+            s[v] += a[k] * *(const vector *)&X[(k * WIDE) + (v * LANES)];
+        }
+    }
+}
+
+BS_INSIDE void take(vector *s, const bs_real *from, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        s[v] = *(const vector *)&from[v * LANES];
+    }
+}
+
+/* s += more, of which no number is read beyond the columns. */
+BS_INSIDE void add(vector *s, const bs_real *more, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        if (((v + 1) * LANES) <= columns) {
+            s[v] += *(const anywhere *)&more[v * LANES];
+        } else {
+            for (int i = 0; i < (columns - (v * LANES)); ++i) {
+                s[v][i] += more[(v * LANES) + i];
+            }
+        }
+    }
+}
+
+BS_INSIDE void put(bs_real *to, const vector *s, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        *(vector *)&to[v * LANES] = s[v];
+    }
+}
+
+/* No number is written beyond the columns. */
+BS_INSIDE void store(bs_real *to, const vector *s, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        if (((v + 1) * LANES) <= columns) {
+            *(anywhere *)&to[v * LANES] = s[v];
+        } else {
+            for (int i = 0; i < (columns - (v * LANES)); ++i) {
+                to[(v * LANES) + i] = s[v][i];
+            }
+        }
+    }
+}
+
+/* All numbers of s, below each other. */
+BS_INSIDE void spread(bs_real *to, int stride, const vector *s, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        to[(v * LANES) * stride] = s[v][0];
+        to[((v * LANES) + 1) * stride] = s[v][1];
+#if LANES > 2
+        to[((v * LANES) + 2) * stride] = s[v][2];
+        to[((v * LANES) + 3) * stride] = s[v][3];
+#endif
+    }
+}
+
+/* Row by row of a symmetric matrix, where its numbers stand in a packed one; behind column N the
+ * first, so that blocks are whole. */
 static const unsigned short whole[N][WIDE] = {
     { 0, 1, 3, 6, 10, 15, 0, 0 },
     { 1, 2, 4, 7, 11, 16, 0, 0 },
@@ -75,6 +167,7 @@ static const unsigned short whole[N][WIDE] = {
 };
 #endif
 
+#ifndef BORESIGHT_ROWS
 /* The first rows of A X, row i of them from to[i * stride] on.  Of X the first `inner` rows count,
  * or where it is upper triangular fewer; the rows of A and X have ROW numbers.  Blocks of 3 x 3
  * sums stay in registers. */
@@ -135,6 +228,8 @@ static void product(const bs_real *A,
         }
     }
 }
+
+#endif
 
 /* The upper triangle of A B' over the rows that move and the columns from begin to end, column j of
  * it from to[j * DOWN] on.  Blocks of 3 x 3 sums. */
@@ -258,6 +353,72 @@ static bs_real raise_by(bs_real *UD, bs_real c, bs_real *v, int last, int first)
     return left;
 }
 
+#ifdef BORESIGHT_ROWS
+/* From column begin on, w loses lost times along; returns sum + w weighted, in order.  All vectors
+ * of a row end with it: a vector that is read where no vector was written waits. */
+BS_INSIDE bs_real lose(bs_real *w,
+                       bs_real lost,
+                       const bs_real *along,
+                       const bs_real *weighted,
+                       bs_real sum,
+                       int begin,
+                       int end)
+{
+    bs_real s = sum;
+    int k = begin;
+    for (; ((end - k) % LANES) != 0; ++k) {
+        const bs_real left = w[k] - (lost * along[k]);
+        w[k] = left;
+        s += left * weighted[k];
+    }
+    for (; k < end; k += LANES) {
+        const vector left = *(const anywhere *)&w[k] - (lost * *(const anywhere *)&along[k]);
+        const vector more = left * *(const anywhere *)&weighted[k];
+        *(anywhere *)&w[k] = left;
+        s += more[0];
+        s += more[1];
+#if LANES > 2
+        s += more[2];
+        s += more[3];
+#endif
+    }
+    return s;
+}
+
+/* s += a[k * step] X[k] over these k. */
+BS_INSIDE void add_rows(vector *s,
+                        const bs_real *a,
+                        size_t step,
+                        const bs_real *X,
+                        size_t stride,
+                        const unsigned short *at,
+                        const unsigned short *end,
+                        int columns)
+{
+    BS_ROLLED
+    for (const unsigned short *k = at; k < end; ++k) {
+        const size_t row = *k;
+        const bs_real of_a = a[row * step];
+        const bs_real *const x = &X[row * stride];
+        BS_UNROLLED
+        for (int v = 0; (v * LANES) < columns; ++v) {
+            s[v] += of_a * *(const vector *)&x[v * LANES];
+        }
+    }
+}
+
+/* Of s = A A and A, what they add to Phi, as s, and to B. */
+BS_INSIDE void begin_series(vector *s, vector *b, const bs_real *A, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        const vector a = *(const vector *)&A[v * LANES];
+        b[v] = (BS_REAL(0.6666666666666666) * a) + (BS_REAL(0.2222222222222222) * s[v]);
+        s[v] = a + (BS_REAL(0.5) * s[v]);
+    }
+}
+#endif
+
 void em_discretize(const bs_real F[EM_N_F],
                    const bs_real Qc[EM_N_QC],
                    bs_real dt,
@@ -279,53 +440,37 @@ void em_discretize(const bs_real F[EM_N_F],
     bs_real w[N];
     const bs_real share = BS_REAL(0.75) * dt;
 #ifdef BORESIGHT_ROWS
-    bs_real A[M][WIDE];
-    bs_real B[WIDE][DEEP]; /* transposed, as T is */
-    bs_real T[WIDE][DEEP];
-    bs_real sum[WIDE];
+    ALIGNED bs_real A[M][WIDE] = {
+        { BS_REAL(0.0), F[0] * dt, F[1] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0) },
+        { F[2] * dt, BS_REAL(0.0), F[3] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0) },
+        { F[4] * dt, F[5] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0) }
+    };
+    ALIGNED bs_real B[WIDE][DEEP]; /* transposed, as T is */
+    ALIGNED bs_real T[WIDE][DEEP];
+    ALIGNED bs_real square[M][DEEP];
+    /* where rows of A, and of B U in the columns that meet noise, have non-zeros */
+    static const unsigned short A_from[M + 1] = { 0, 2, 4, 6 };
+    static const unsigned short A_at[] = { 1, 2, 0, 2, 0, 1 };
+    static const unsigned short B_from[M + 1] = { 0, 3, 6, 9 };
+    static const unsigned short B_at[] = { 0, 1, 2, 0, 1, 2, 0, 1, 2 };
     (void)work;
-    for (int i = 0; i < M; ++i) {
-        for (int j = 0; j < WIDE; ++j) {
-            A[i][j] = zeros[j];
-        }
-    }
-    A[0][1] = F[0] * dt;
-    A[0][2] = F[1] * dt;
-    A[1][0] = F[2] * dt;
-    A[1][2] = F[3] * dt;
-    A[2][0] = F[4] * dt;
-    A[2][1] = F[5] * dt;
     for (int j = 0; j < N; ++j) {
         for (int i = M; i < DEEP; ++i) {
             B[j][i] = BS_REAL(0.0);
         }
     }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[0][1] * A[1][j]) + (A[0][2] * A[2][j]);
-        sum[j] = A[0][j] + (BS_REAL(0.5) * twice);
-        B[j][0] = (BS_REAL(0.6666666666666666) * A[0][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[0 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[1][0] * A[0][j]) + (A[1][2] * A[2][j]);
-        sum[j] = A[1][j] + (BS_REAL(0.5) * twice);
-        B[j][1] = (BS_REAL(0.6666666666666666) * A[1][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[6 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[2][0] * A[0][j]) + (A[2][1] * A[1][j]);
-        sum[j] = A[2][j] + (BS_REAL(0.5) * twice);
-        B[j][2] = (BS_REAL(0.6666666666666666) * A[2][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[12 + j] = sum[j];
+    for (int i = 0; i < M; ++i) {
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } }; /* A A */
+            vector b[VECTORS];
+            add_rows(s, A[i], 1, &A[0][0], WIDE, &A_at[A_from[i]], &A_at[A_from[i + 1]], 6);
+            begin_series(s, b, &A[i][0], 6);
+            spread(&B[0][i], DEEP, b, 6);
+            store(&Phi[(i * ROW)], s, 6);
+        }
     }
     for (int i = 0; i < M; ++i) {
         Phi[i * (ROW + 1)] += BS_REAL(1.0);
@@ -370,11 +515,7 @@ void em_discretize(const bs_real F[EM_N_F],
                 }
                 w[l] -= u[l] * gain;
                 u[l] = gain;
-#ifdef BORESIGHT_ROWS
-                for (int i = 0; i < DEEP; ++i) {
-                    B[k][i] += B[l][i] * gain;
-                }
-#else
+#ifndef BORESIGHT_ROWS
                 for (int i = 0; i < (DOWN * ROW); i += 3 * ROW) {
                     B[i + k] += B[i + l] * gain;
                     B[i + ROW + k] += B[i + ROW + l] * gain;
@@ -388,9 +529,19 @@ void em_discretize(const bs_real F[EM_N_F],
         }
     }
 #ifdef BORESIGHT_ROWS
+    for (int p = 0; p < 3; ++p) {
+        const int k = (int)coupled[p];
+        for (int l = k - 1; (l >= (int)reach[p]) && (w[k] > BS_REAL(0.0)); --l) {
+            BS_UNROLLED
+            for (int i = 0; i < M; i += LANES) {
+                *(vector *)&B[k][i] += *(const vector *)&B[l][i] * Q[column(k) + l];
+            }
+        }
+    }
     for (int k = 0; k < N; ++k) { /* columns before meet no noise */
-        for (int i = 0; i < DEEP; ++i) {
-            T[k][i] = B[k][i] * w[k];
+        BS_UNROLLED
+        for (int i = 0; i < M; i += LANES) {
+            *(vector *)&T[k][i] = *(const vector *)&B[k][i] * w[k];
         }
     }
     for (int j = M; j < N; ++j) { /* B has rows of a unit matrix here */
@@ -398,26 +549,25 @@ void em_discretize(const bs_real F[EM_N_F],
             Q[column(j) + i] = T[j][i];
         }
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][0]) + (T[1][i] * B[1][0]) + (T[2][i] * B[2][0]);
+    for (int j = 0; j < 3; ++j) {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_rows(s, &B[0][j], DEEP, &T[0][0], DEEP, &B_at[B_from[j]], &B_at[B_from[j + 1]], 4);
+        put(&square[j][0], s, 4);
     }
-    for (int i = 0; i < 1; ++i) {
-        Q[0 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[0][0], 1);
+        store(&Q[0], s, 1);
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][1]) + (T[1][i] * B[1][1]) + (T[2][i] * B[2][1]);
+    {
+        vector s[VECTORS];
+        take(s, &square[1][0], 2);
+        store(&Q[1], s, 2);
     }
-    for (int i = 0; i < 2; ++i) {
-        Q[1 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][2]) + (T[1][i] * B[1][2]) + (T[2][i] * B[2][2]);
-    }
-    for (int i = 0; i < 3; ++i) {
-        Q[3 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[2][0], 3);
+        store(&Q[3], s, 3);
     }
 #else
     for (int i = 0; i < DOWN; ++i) {
@@ -518,7 +668,7 @@ void em_joseph_predict(const bs_real P[EM_N_PACKED],
                        bs_real next[EM_N_PACKED],
                        bs_real work[EM_N_WORK])
 {
-    bs_real X[N][WIDE] = {
+    ALIGNED bs_real X[N][WIDE] = {
         { P[0], P[1], P[3], P[6], P[10], P[15], BS_REAL(0.0), BS_REAL(0.0) },
         { P[1], P[2], P[4], P[7], P[11], P[16], BS_REAL(0.0), BS_REAL(0.0) },
         { P[3], P[4], P[5], P[8], P[12], P[17], BS_REAL(0.0), BS_REAL(0.0) },
@@ -526,74 +676,63 @@ void em_joseph_predict(const bs_real P[EM_N_PACKED],
         { P[10], P[11], P[12], P[13], P[14], P[19], BS_REAL(0.0), BS_REAL(0.0) },
         { P[15], P[16], P[17], P[18], P[19], P[20], BS_REAL(0.0), BS_REAL(0.0) }
     };
-    bs_real Y[WIDE][WIDE]; /* the transpose of Phi P */
-    bs_real sum[WIDE];
+    ALIGNED bs_real Y[WIDE][WIDE]; /* the transpose of Phi P */
     (void)work;
     for (int j = 0; j < N; ++j) {
         for (int i = M; i < WIDE; ++i) {
             Y[j][i] = X[j][i];
         }
     }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][0] = BS_REAL(0.0) + (Phi[0] * X[0][j]) + (Phi[1] * X[1][j]) + (Phi[2] * X[2][j]);
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[0], &X[0][0], 0, 3, 0, 8);
+        spread(&Y[0][0], WIDE, s, 8);
     }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][1] = BS_REAL(0.0) + (Phi[6] * X[0][j]) + (Phi[7] * X[1][j]) + (Phi[8] * X[2][j]);
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[6], &X[0][0], 0, 3, 0, 8);
+        spread(&Y[0][1], WIDE, s, 8);
     }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][2] = BS_REAL(0.0) + (Phi[12] * X[0][j]) + (Phi[13] * X[1][j]) + (Phi[14] * X[2][j]);
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[12], &X[0][0], 0, 3, 0, 8);
+        spread(&Y[0][2], WIDE, s, 8);
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[0] * Y[0][i]) + (Phi[1] * Y[1][i]) + (Phi[2] * Y[2][i])) +
-            Q[0 + i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[0], &Y[0][0], 0, 3, 0, 1);
+        add(s, &Q[0], 1);
+        store(&next[0], s, 1);
     }
-    for (int i = 0; i < 1; ++i) {
-        next[0 + i] = sum[i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[6], &Y[0][0], 0, 3, 0, 2);
+        add(s, &Q[1], 2);
+        store(&next[1], s, 2);
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[6] * Y[0][i]) + (Phi[7] * Y[1][i]) + (Phi[8] * Y[2][i])) +
-            Q[1 + i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[12], &Y[0][0], 0, 3, 0, 3);
+        add(s, &Q[3], 3);
+        store(&next[3], s, 3);
     }
-    for (int i = 0; i < 2; ++i) {
-        next[1 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[3][0], 4);
+        add(s, &Q[6], 4);
+        store(&next[6], s, 4);
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[12] * Y[0][i]) + (Phi[13] * Y[1][i]) + (Phi[14] * Y[2][i])) +
-            Q[3 + i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[4][0], 5);
+        add(s, &Q[10], 5);
+        store(&next[10], s, 5);
     }
-    for (int i = 0; i < 3; ++i) {
-        next[3 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = Y[3][i] + Q[6 + i];
-    }
-    for (int i = 0; i < 4; ++i) {
-        next[6 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 8; ++i) {
-        sum[i] = Y[4][i] + Q[10 + i];
-    }
-    for (int i = 0; i < 5; ++i) {
-        next[10 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = Y[5][i] + Q[15 + i];
-    }
-    BS_ROLLED
-    for (int i = 4; i < 6; ++i) {
-        sum[i] = Y[5][i] + Q[15 + i];
-    }
-    for (int i = 0; i < 6; ++i) {
-        next[15 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[5][0], 6);
+        add(s, &Q[15], 6);
+        store(&next[15], s, 6);
     }
 }
 #else
@@ -687,6 +826,39 @@ void em_ud_predict(const bs_real UD[EM_N_PACKED],
         }
     }
     (void)factorize(next, weight, M);
+    /* V = [the factor of Q, Phi U] over the states that move. */
+#ifdef BORESIGHT_ROWS
+    {
+        ALIGNED bs_real U[N][WIDE] = {
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[1], UD[3], UD[6], UD[10], UD[15] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[4], UD[7], UD[11],
+              UD[16] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[8], UD[12],
+              UD[17] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0),
+              UD[13], UD[18] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(1.0), UD[19] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(1.0) }
+        };
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[0], &U[0][0], 0, 3, 2, 8);
+            store(&V[(0 * WIDTH) + M + N - WIDE], s, 8);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[6], &U[0][0], 0, 3, 2, 8);
+            store(&V[(1 * WIDTH) + M + N - WIDE], s, 8);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[12], &U[0][0], 0, 3, 2, 8);
+            store(&V[(2 * WIDTH) + M + N - WIDE], s, 8);
+        }
+    }
+#else
     for (int j = 0; j < N; ++j) {
         for (int i = 0; i < j; ++i) {
             X[(i * ROW) + j] = UD[column(j) + i];
@@ -694,8 +866,8 @@ void em_ud_predict(const bs_real UD[EM_N_PACKED],
         }
         X[j * (ROW + 1)] = BS_REAL(1.0);
     }
-    /* V = [the factor of Q, Phi U] over the states that move. */
     product(Phi, X, M, N, true, &V[M], WIDTH);
+#endif
     for (int j = 0; j < M; ++j) {
         for (int i = 0; i < j; ++i) {
             V[(i * WIDTH) + j] = next[column(j) + i];
@@ -775,6 +947,14 @@ void em_ud_predict(const bs_real UD[EM_N_PACKED],
         } else {
             first = BS_REAL(0.0);
         }
+#ifdef BORESIGHT_ROWS
+        for (int i = j - 1; i >= 0; --i) {
+            bs_real *const w = &V[i * WIDTH];
+            const bs_real u0 = lose(w, gains[i], by - j, heavy, weights[0] * w[j], j + 1, M + N);
+            const bs_real g0 = first * w[M + j];
+            gains[i] = g0 + (((u0 + heavy[M + i]) - (g0 * beyond)) * inverse);
+        }
+#else
         gains[j] = BS_REAL(0.0); /* the rows from j on are done: what a block makes of them counts
                                   * no more */
         gains[j + 1] = BS_REAL(0.0);
@@ -808,6 +988,7 @@ void em_ud_predict(const bs_real UD[EM_N_PACKED],
             const bs_real g2 = first * w[(2 * WIDTH) + M];
             gain[2] = g2 + (((u2 + others[2]) - (g2 * beyond)) * inverse);
         }
+#endif
         for (int i = 0; i < j; ++i) {
             u[i] = gains[i];
         }
@@ -815,31 +996,193 @@ void em_ud_predict(const bs_real UD[EM_N_PACKED],
     }
 }
 
+/* Notes what a row says, and whether it is used. */
+BS_INSIDE bs_status judge(bs_row *row, bs_real nu, bs_real S)
+{
+    row->nu = nu;
+    row->S = S;
+    if (!(is_finite(nu) && is_finite(S) && (S >= LEAST))) {
+        row->used = 0;
+        return BS_NOT_POSITIVE;
+    }
+    if ((row->gate > BS_REAL(0.0)) && ((nu * nu) > ((row->gate * row->gate) * S))) {
+        row->used = 0;
+    }
+    return BS_OK;
+}
+
+#ifdef BORESIGHT_ROWS
+/* Numbers of P from where they stand. */
+BS_INSIDE void gather(vector *s, const bs_real *P, const unsigned short *at)
+{
+    BS_UNROLLED
+    for (int v = 0; v < ALL; ++v) {
+        const unsigned short *const here = &at[v * LANES];
+#if LANES > 2
+        s[v] = (vector){ P[here[0]], P[here[1]], P[here[2]], P[here[3]] };
+#else
+        s[v] = (vector){ P[here[0]], P[here[1]] };
+#endif
+    }
+}
+
+/* Of column j of P some rows: p = (p - K g[j]) - b K[j]. */
+BS_INSIDE void lower(bs_real *p,
+                     const bs_real *K,
+                     const bs_real *b,
+                     bs_real g_j,
+                     bs_real K_j,
+                     int rows)
+{
+    int i = 0;
+    BS_UNROLLED
+    for (; (i + LANES) <= rows; i += LANES) {
+        anywhere *const to = (anywhere *)&p[i];
+        *to = (*to - (*(const vector *)&K[i] * g_j)) - (*(const vector *)&b[i] * K_j);
+    }
+#if LANES > 2
+    if ((i + 2) <= rows) {
+        pair *const to = (pair *)&p[i];
+        *to = (*to - (*(const pair *)&K[i] * g_j)) - (*(const pair *)&b[i] * K_j);
+        i += 2;
+    }
+#endif
+    if (i < rows) {
+        p[i] = (p[i] - (K[i] * g_j)) - (b[i] * K_j);
+    }
+}
+
+/* All of P as the loops below take it: 16 rows of K and b stay in registers while the columns go
+ * by. */
+APART void lower_all(bs_real *restrict P,
+                     const bs_real *restrict g,
+                     const bs_real *restrict K,
+                     const bs_real *restrict b)
+{
+    lower(&P[0], K, b, g[0], K[0], 1);
+    lower(&P[1], K, b, g[1], K[1], 2);
+    lower(&P[3], K, b, g[2], K[2], 3);
+    lower(&P[6], K, b, g[3], K[3], 4);
+    lower(&P[10], K, b, g[4], K[4], 5);
+    lower(&P[15], K, b, g[5], K[5], 6);
+}
+
+/* x and P by the K in s. */
+BS_INSIDE void correct(bs_real *P,
+                       bs_real *x,
+                       const bs_row *row,
+                       const bs_real *g,
+                       const bs_real *b,
+                       vector *s)
+{
+    ALIGNED bs_real K[WIDE];
+    put(K, s, WIDE);
+    BS_UNROLLED
+    for (int v = 0; v < ALL; ++v) {
+        s[v] *= row->nu;
+    }
+    add(s, x, 6);
+    store(x, s, 6);
+    lower_all(P, g, K, b);
+    for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
+        row->gain[i] = K[i];
+    }
+}
+
+/* A row of several non-zeros, or none. */
+APART bs_status update_by_many(bs_real *P, bs_real *x, bs_row *row)
+{
+    ALIGNED bs_real g[WIDE]; /* P h */
+    ALIGNED bs_real b[WIDE]; /* A h - R K */
+    vector s[ALL] = { { BS_REAL(0.0) } };
+    vector line[ALL];
+    bs_real nu = row->z;
+    bs_real S = row->R;
+    bs_status status;
+    BS_ROLLED
+    for (int p = 0; p < row->count; ++p) {
+        const bs_real h = row->h[p];
+        nu -= h * x[row->at[p]];
+        gather(line, P, whole[row->at[p]]);
+        BS_UNROLLED
+        for (int v = 0; v < ALL; ++v) {
+            s[v] += h * line[v];
+        }
+    }
+    put(g, s, WIDE);
+    for (int p = 0; p < row->count; ++p) {
+        S += row->h[p] * g[row->at[p]];
+    }
+    status = judge(row, nu, S);
+    if ((status == BS_OK) && (row->used != 0)) {
+        const bs_real inverse = BS_REAL(1.0) / S;
+        vector sum[ALL] = { { BS_REAL(0.0) } };
+        BS_UNROLLED
+        for (int v = 0; v < ALL; ++v) {
+            s[v] *= inverse;
+        }
+        BS_ROLLED
+        for (int p = 0; p < row->count; ++p) {
+            const bs_real h = row->h[p];
+            const bs_real of_g = g[row->at[p]];
+            gather(line, P, whole[row->at[p]]);
+            BS_UNROLLED
+            for (int v = 0; v < ALL; ++v) {
+                sum[v] += h * (line[v] - (s[v] * of_g));
+            }
+        }
+        BS_UNROLLED
+        for (int v = 0; v < ALL; ++v) {
+            sum[v] -= row->R * s[v];
+        }
+        put(b, sum, WIDE);
+        correct(P, x, row, g, b, s);
+    }
+    return status;
+}
+
+bs_status em_joseph_update(bs_real P[EM_N_PACKED], bs_real x[EM_N_STATES], bs_row *row)
+{
+    if (row->count == 1) { /* as most have: S by itself first, for the division takes long; a sum
+                            * begins with 0, or -0 stays what it is */
+        const int k = (int)row->at[0];
+        const bs_real h = row->h[0];
+        const bs_real of_g = BS_REAL(0.0) + (h * P[column(k) + k]);
+        const bs_real nu = row->z - (h * x[k]);
+        const bs_real S = row->R + (h * of_g);
+        const bs_status status = judge(row, nu, S);
+        if ((status == BS_OK) && (row->used != 0)) {
+            const bs_real inverse = BS_REAL(1.0) / S;
+            ALIGNED bs_real g[WIDE]; /* P h */
+            ALIGNED bs_real b[WIDE]; /* A h - R K, of the rounded A = P - K g' */
+            vector s[ALL];
+            vector line[ALL];
+            gather(line, P, whole[k]);
+            BS_UNROLLED
+            for (int v = 0; v < ALL; ++v) {
+                s[v] = BS_REAL(0.0) + (h * line[v]);
+            }
+            put(g, s, WIDE);
+            BS_UNROLLED
+            for (int v = 0; v < ALL; ++v) {
+                s[v] *= inverse;
+                line[v] = (BS_REAL(0.0) + (h * (line[v] - (s[v] * of_g)))) - (row->R * s[v]);
+            }
+            put(b, line, WIDE);
+            correct(P, x, row, g, b, s);
+        }
+        return status;
+    }
+    return update_by_many(P, x, row);
+}
+#else
 bs_status em_joseph_update(bs_real P[EM_N_PACKED], bs_real x[EM_N_STATES], bs_row *row)
 {
     bs_real nu = row->z;
     bs_real S = row->R;
-#ifdef BORESIGHT_ROWS
-    bs_real g[WIDE]; /* P h */
-    bs_real K[WIDE];
-    bs_real lines[N][WIDE]; /* of P, where h is not zero */
-    for (int i = 0; i < WIDE; ++i) {
-        g[i] = zeros[i];
-    }
-    for (int p = 0; p < row->count; ++p) {
-        const unsigned short *const at = whole[row->at[p]];
-        const bs_real h = row->h[p];
-        nu -= h * x[row->at[p]];
-        for (int i = 0; i < WIDE; ++i) {
-            lines[p][i] = P[at[i]];
-        }
-        for (int i = 0; i < WIDE; ++i) {
-            g[i] += h * lines[p][i];
-        }
-    }
-#else
     bs_real g[N]; /* P h */
     bs_real K[N];
+    bs_status status;
     clear(g, N);
     for (int p = 0; p < row->count; ++p) {
         const int k = (int)row->at[p];
@@ -852,87 +1195,12 @@ bs_status em_joseph_update(bs_real P[EM_N_PACKED], bs_real x[EM_N_STATES], bs_ro
             g[i] += h * P[column(i) + k];
         }
     }
-#endif
     for (int p = 0; p < row->count; ++p) {
         S += row->h[p] * g[row->at[p]];
     }
-    row->nu = nu;
-    row->S = S;
-    if (!(is_finite(nu) && is_finite(S) && (S >= LEAST))) {
-        row->used = 0;
-        return BS_NOT_POSITIVE;
-    }
-    if ((row->gate > BS_REAL(0.0)) && ((nu * nu) > ((row->gate * row->gate) * S))) {
-        row->used = 0;
-    }
-    if (row->used != 0) {
+    status = judge(row, nu, S);
+    if ((status == BS_OK) && (row->used != 0)) {
         const bs_real inverse = BS_REAL(1.0) / S;
-#ifdef BORESIGHT_ROWS
-        const bs_real R = row->R;
-        bs_real b[WIDE]; /* as below */
-        if (row->count == 1) { /* as most are: in one pass */
-            const bs_real h = row->h[0];
-            const bs_real of_g = g[row->at[0]];
-            for (int i = 0; i < WIDE; ++i) {
-                const bs_real gain = g[i] * inverse;
-                K[i] = gain;
-                b[i] = (BS_REAL(0.0) + (h * (lines[0][i] - (gain * of_g)))) - (R * gain);
-            }
-        } else {
-            for (int i = 0; i < WIDE; ++i) {
-                K[i] = g[i] * inverse;
-                b[i] = zeros[i];
-            }
-            for (int p = 0; p < row->count; ++p) {
-                const bs_real h = row->h[p];
-                const bs_real of_g = g[row->at[p]];
-                for (int i = 0; i < WIDE; ++i) {
-                    b[i] += h * (lines[p][i] - (K[i] * of_g));
-                }
-            }
-            for (int i = 0; i < WIDE; ++i) {
-                b[i] -= R * K[i];
-            }
-        }
-        for (int i = 0; i < 4; ++i) {
-            x[i] += K[i] * nu;
-        }
-        for (int i = 4; i < 6; ++i) {
-            x[i] += K[i] * nu;
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 1; ++i) {
-            P[0 + i] = (P[0 + i] - (K[i] * g[0])) - (b[i] * K[0]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 2; ++i) {
-            P[1 + i] = (P[1 + i] - (K[i] * g[1])) - (b[i] * K[1]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 2; ++i) {
-            P[3 + i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
-        }
-        BS_BY_FOUR
-        for (int i = 2; i < 3; ++i) {
-            P[3 + i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 4; ++i) {
-            P[6 + i] = (P[6 + i] - (K[i] * g[3])) - (b[i] * K[3]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 4; ++i) {
-            P[10 + i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
-        }
-        BS_BY_FOUR
-        for (int i = 4; i < 5; ++i) {
-            P[10 + i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 6; ++i) {
-            P[15 + i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
-        }
-#else
         bs_real b[N]; /* A h - R K, of the rounded A = P - K g' */
         for (int i = 0; i < N; ++i) {
             K[i] = g[i] * inverse;
@@ -953,13 +1221,13 @@ bs_status em_joseph_update(bs_real P[EM_N_PACKED], bs_real x[EM_N_STATES], bs_ro
                 p[i] = (p[i] - (K[i] * g[j])) - (b[i] * K[j]);
             }
         }
-#endif
         for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
             row->gain[i] = K[i];
         }
     }
-    return BS_OK;
+    return status;
 }
+#endif
 
 bs_status em_ud_update(bs_real UD[EM_N_PACKED], bs_real x[EM_N_STATES], bs_row *row)
 {
@@ -967,6 +1235,7 @@ bs_status em_ud_update(bs_real UD[EM_N_PACKED], bs_real x[EM_N_STATES], bs_row *
     bs_real b[N]; /* what becomes the gain */
     bs_real nu = row->z;
     bs_real S = row->R;
+    bs_status status;
     clear(f, N);
     for (int p = 0; p < row->count; ++p) {
         const int k = (int)row->at[p];
@@ -980,16 +1249,8 @@ bs_status em_ud_update(bs_real UD[EM_N_PACKED], bs_real x[EM_N_STATES], bs_row *
     for (int j = 0; j < N; ++j) {
         S += UD[column(j) + j] * (f[j] * f[j]);
     }
-    row->nu = nu;
-    row->S = S;
-    if (!(is_finite(nu) && is_finite(S) && (S >= LEAST))) {
-        row->used = 0;
-        return BS_NOT_POSITIVE;
-    }
-    if ((row->gate > BS_REAL(0.0)) && ((nu * nu) > ((row->gate * row->gate) * S))) {
-        row->used = 0;
-    }
-    if (row->used != 0) {
+    status = judge(row, nu, S);
+    if ((status == BS_OK) && (row->used != 0)) {
         bs_real alpha = row->R; /* grows to S */
         for (int j = 0; j < N; ++j) {
             bs_real *const u = &UD[column(j)];
@@ -1012,7 +1273,7 @@ bs_status em_ud_update(bs_real UD[EM_N_PACKED], bs_real x[EM_N_STATES], bs_row *
             row->gain[j] = b[j] / alpha;
         }
     }
-    return BS_OK;
+    return status;
 }
 
 void em_joseph_add(bs_real P[EM_N_PACKED], bs_real c, bs_real v[EM_N_STATES])

@@ -8,7 +8,7 @@
 #include "em_euler_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status em_euler_H_checked(const em_angles *angles, bs_real H_nz[14])
+BS_INSIDE bs_status em_euler_H_checked(const em_angles *angles, bs_real H_nz[14])
 {
     /* euler_m_low too */
     static const bs_real euler_b_low[3] = { BS_REAL(-3.141592653589793),

@@ -9,7 +9,9 @@
 #include "boresight.h"
 #include "em_math.h"
 
-static void em_euler_H_kernel(const bs_real euler_b[3], const bs_real euler_m[3], bs_real H_nz[14])
+BS_INSIDE void em_euler_H_kernel(const bs_real euler_b[3],
+                                 const bs_real euler_m[3],
+                                 bs_real H_nz[14])
 {
     bs_real sin_yaw_b;
     bs_real cos_yaw_b;

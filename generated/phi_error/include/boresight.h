@@ -88,20 +88,24 @@ static inline void bs_sincos_of_library(bs_real angle, bs_real *sine, bs_real *c
 }
 #endif
 
-/* BORESIGHT_ROWS is for hosts: straight lines in place of loops, the same bits in less time for
- * more code.  What is long stays rolled, or it does not fit into the instruction cache. */
-#if defined(BORESIGHT_ROWS) && defined(__clang__)
-#define BS_UNROLLED _Pragma("clang loop unroll(full)")
-#define BS_ROLLED _Pragma("clang loop unroll(disable)")
-#define BS_BY_FOUR _Pragma("clang loop unroll_count(4)")
-#elif defined(BORESIGHT_ROWS) && defined(__GNUC__)
-#define BS_UNROLLED _Pragma("GCC unroll 4096")
-#define BS_ROLLED _Pragma("GCC unroll 1")
-#define BS_BY_FOUR _Pragma("GCC unroll 4")
-#else
+/* BORESIGHT_ROWS is for hosts: straight lines in place of loops, vectors, and BS_INSIDE a function
+ * that each caller has in itself, the same bits in less time for more code.  What is long stays
+ * rolled, or it does not fit into the instruction cache. */
+#ifndef BORESIGHT_ROWS
 #define BS_UNROLLED
 #define BS_ROLLED
-#define BS_BY_FOUR
+#define BS_INSIDE static
+#else
+#ifdef __clang__
+#define BS_UNROLLED _Pragma("clang loop unroll(full)")
+#define BS_ROLLED _Pragma("clang loop unroll(disable)")
+#elif defined(__GNUC__)
+#define BS_UNROLLED _Pragma("GCC unroll 4096")
+#define BS_ROLLED _Pragma("GCC unroll 1")
+#else
+#error "BORESIGHT_ROWS needs gcc or clang: compile without it"
+#endif
+#define BS_INSIDE static inline __attribute__((always_inline))
 #endif
 
 #define BS_SELECT(condition, value) (((condition) > BS_REAL(0.0)) ? (value) : BS_REAL(0.0))

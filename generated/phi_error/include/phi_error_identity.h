@@ -18,7 +18,7 @@
 #endif
 
 #define PHI_MODEL "phi-error"
-#define PHI_MODEL_HASH "b31eeaaee109e34753a71d2cf6de7391332ef132a86ae460feb3ac6c53bce10a"
+#define PHI_MODEL_HASH "522ea7666288c1b8d49c6329eaeab1a37ee9ae1a61c10be73a625cc90f79e510"
 #define PHI_VERSION "0.1.0" /* of the Boresight that printed it */
 #define PHI_VERSION_MAJOR 0
 #define PHI_VERSION_MINOR 1

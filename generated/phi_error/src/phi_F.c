@@ -5,7 +5,7 @@
 #include "phi_F_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status phi_F_checked(const phi_nav *nav, const phi_step *step, bs_real F_nz[42])
+BS_INSIDE bs_status phi_F_checked(const phi_nav *nav, const phi_step *step, bs_real F_nz[42])
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586),
                                              BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };

@@ -6,10 +6,10 @@
 #include "boresight.h"
 #include "phi_math.h"
 
-static void phi_F_kernel(const bs_real position[3],
-                         const bs_real v_n[3],
-                         const bs_real f_n[3],
-                         bs_real F_nz[42])
+BS_INSIDE void phi_F_kernel(const bs_real position[3],
+                            const bs_real v_n[3],
+                            const bs_real f_n[3],
+                            bs_real F_nz[42])
 {
     bs_real sin_lat;
     bs_real cos_lat;

@@ -6,7 +6,7 @@
 #include "phi_Phi_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status phi_Phi_checked(const phi_nav *nav, const phi_step *step, bs_real Phi_nz[70])
+BS_INSIDE bs_status phi_Phi_checked(const phi_nav *nav, const phi_step *step, bs_real Phi_nz[70])
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586),
                                              BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };

@@ -686,11 +686,11 @@ static void phi_Phi_kernel_3(const bs_real dt[1], const phi_Phi_shared *shared, 
     Phi_nz[69] = t562; /* phi_u, phi_u */
 }
 
-static void phi_Phi_kernel(const bs_real position[3],
-                           const bs_real v_n[3],
-                           const bs_real f_n[3],
-                           const bs_real dt[1],
-                           bs_real Phi_nz[70])
+BS_INSIDE void phi_Phi_kernel(const bs_real position[3],
+                              const bs_real v_n[3],
+                              const bs_real f_n[3],
+                              const bs_real dt[1],
+                              bs_real Phi_nz[70])
 {
     phi_Phi_shared shared;
     phi_Phi_kernel_1(position, v_n, f_n, dt, &shared, Phi_nz);

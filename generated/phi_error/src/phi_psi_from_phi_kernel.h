@@ -8,9 +8,9 @@
 #include "boresight.h"
 #include "phi_math.h"
 
-static void phi_psi_from_phi_kernel(const bs_real position[3],
-                                    const bs_real v_n[3],
-                                    bs_real T_nz[17])
+BS_INSIDE void phi_psi_from_phi_kernel(const bs_real position[3],
+                                       const bs_real v_n[3],
+                                       bs_real T_nz[17])
 {
     bs_real sin_lat;
     bs_real cos_lat;

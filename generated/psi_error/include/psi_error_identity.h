@@ -18,7 +18,7 @@
 #endif
 
 #define PSI_MODEL "psi-error"
-#define PSI_MODEL_HASH "d2126f4797385a03946c6c2f050c48ac9d3b7be680a5a20bf9537a4daa6e6e52"
+#define PSI_MODEL_HASH "26a2d90626ec5d6bf9357f9326cdeb0ca5ad6f7c73685b1aeb0e33c0831ece8c"
 #define PSI_VERSION "0.1.0" /* of the Boresight that printed it */
 #define PSI_VERSION_MAJOR 0
 #define PSI_VERSION_MINOR 1

@@ -5,7 +5,7 @@
 #include "psi_F_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status psi_F_checked(const psi_nav *nav, const psi_step *step, bs_real F_nz[33])
+BS_INSIDE bs_status psi_F_checked(const psi_nav *nav, const psi_step *step, bs_real F_nz[33])
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586),
                                              BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };

@@ -463,11 +463,11 @@ static void psi_Phi_kernel_2(const bs_real dt[1], const psi_Phi_shared *shared, 
     Phi_nz[59] = t382; /* psi_u, psi_u */
 }
 
-static void psi_Phi_kernel(const bs_real position[3],
-                           const bs_real v_n[3],
-                           const bs_real f_n[3],
-                           const bs_real dt[1],
-                           bs_real Phi_nz[60])
+BS_INSIDE void psi_Phi_kernel(const bs_real position[3],
+                              const bs_real v_n[3],
+                              const bs_real f_n[3],
+                              const bs_real dt[1],
+                              bs_real Phi_nz[60])
 {
     psi_Phi_shared shared;
     psi_Phi_kernel_1(position, v_n, f_n, dt, &shared, Phi_nz);

@@ -5,7 +5,7 @@
 #include "psi_Qc_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status psi_Qc_checked(const psi_nav *nav, const psi_noise *noise, bs_real Qc_nz[18])
+BS_INSIDE bs_status psi_Qc_checked(const psi_nav *nav, const psi_noise *noise, bs_real Qc_nz[18])
 {
     static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
                                                BS_REAL(-1.001) };

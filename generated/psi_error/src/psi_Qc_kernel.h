@@ -5,10 +5,10 @@
 
 #include "boresight.h"
 
-static void psi_Qc_kernel(const bs_real q_b2n_wxyz[4],
-                          const bs_real gyro_noise[3],
-                          const bs_real accel_noise[3],
-                          bs_real Qc_nz[18])
+BS_INSIDE void psi_Qc_kernel(const bs_real q_b2n_wxyz[4],
+                             const bs_real gyro_noise[3],
+                             const bs_real accel_noise[3],
+                             bs_real Qc_nz[18])
 {
     const bs_real t1 = q_b2n_wxyz[1] * q_b2n_wxyz[1];
     const bs_real t3 = q_b2n_wxyz[2] * q_b2n_wxyz[2];

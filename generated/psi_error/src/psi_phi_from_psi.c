@@ -6,7 +6,7 @@
 #include "psi_phi_from_psi_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status psi_phi_from_psi_checked(const psi_nav *nav, bs_real T_nz[17])
+BS_INSIDE bs_status psi_phi_from_psi_checked(const psi_nav *nav, bs_real T_nz[17])
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586),
                                              BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };

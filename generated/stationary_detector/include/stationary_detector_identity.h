@@ -18,7 +18,7 @@
 #endif
 
 #define DET_MODEL "stationary-detector"
-#define DET_MODEL_HASH "e071e08c4e70c8bba3c7f2e5e7438848a033cff2e305c18913fa48bbdec2bff5"
+#define DET_MODEL_HASH "53d16db5662b3beae4bfc7332f45ac0807de859a43cf2e7a11729315345e3253"
 #define DET_VERSION "0.1.0" /* of the Boresight that printed it */
 #define DET_VERSION_MAJOR 0
 #define DET_VERSION_MINOR 1

@@ -6,10 +6,10 @@
 #include "sd_earth_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status sd_earth_checked(const sd_nav *nav,
-                                  bs_real omega_ie_n_nz[2],
-                                  bs_real omega_en_n_nz[3],
-                                  bs_real gravity_n_nz[1])
+BS_INSIDE bs_status sd_earth_checked(const sd_nav *nav,
+                                     bs_real omega_ie_n_nz[2],
+                                     bs_real omega_en_n_nz[3],
+                                     bs_real gravity_n_nz[1])
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586),
                                              BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };

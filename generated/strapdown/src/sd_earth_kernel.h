@@ -7,11 +7,11 @@
 #include "boresight.h"
 #include "sd_math.h"
 
-static void sd_earth_kernel(const bs_real position[3],
-                            const bs_real v_n[3],
-                            bs_real omega_ie_n_nz[2],
-                            bs_real omega_en_n_nz[3],
-                            bs_real gravity_n_nz[1])
+BS_INSIDE void sd_earth_kernel(const bs_real position[3],
+                               const bs_real v_n[3],
+                               bs_real omega_ie_n_nz[2],
+                               bs_real omega_en_n_nz[3],
+                               bs_real gravity_n_nz[1])
 {
     bs_real sin_lat;
     bs_real cos_lat;

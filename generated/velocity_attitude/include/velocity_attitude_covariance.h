@@ -63,8 +63,8 @@ bs_status va_ud_init(const bs_real dense[VA_N_STATES * VA_N_STATES],
                      bs_real UD[VA_N_PACKED],
                      bs_real work[VA_N_WORK]);
 
-/* next = Phi P Phi' + Q.  next must not overlap P; it may be Q.  With BORESIGHT_ROWS the joseph
- * form reads of Phi what a step of this model can make other than 0. */
+/* next = Phi P Phi' + Q.  next must not overlap P; it may be Q.  With BORESIGHT_ROWS it reads of
+ * Phi what a step of this model can make other than 0. */
 void va_joseph_predict(const bs_real P[VA_N_PACKED],
                        const bs_real Phi[VA_N_PHI],
                        const bs_real Q[VA_N_PACKED],

@@ -601,12 +601,12 @@ static void va_Phi_kernel_3(const va_Phi_shared *shared, bs_real Phi_nz[82])
     Phi_nz[81] = BS_REAL(1.0); /* d_tau, d_tau */
 }
 
-static void va_Phi_kernel(const bs_real position[3],
-                          const bs_real v_n[3],
-                          const bs_real q_b2n_wxyz[4],
-                          const bs_real f_b[3],
-                          const bs_real dt[1],
-                          bs_real Phi_nz[82])
+BS_INSIDE void va_Phi_kernel(const bs_real position[3],
+                             const bs_real v_n[3],
+                             const bs_real q_b2n_wxyz[4],
+                             const bs_real f_b[3],
+                             const bs_real dt[1],
+                             bs_real Phi_nz[82])
 {
     va_Phi_shared shared;
     va_Phi_kernel_1(position, v_n, q_b2n_wxyz, f_b, dt, &shared, Phi_nz);

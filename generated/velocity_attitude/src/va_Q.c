@@ -6,10 +6,10 @@
 #include "va_Q_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status va_Q_checked(const va_nav *nav,
-                              const va_imu *imu,
-                              const va_noise *noise,
-                              bs_real Q_nz[118])
+BS_INSIDE bs_status va_Q_checked(const va_nav *nav,
+                                 const va_imu *imu,
+                                 const va_noise *noise,
+                                 bs_real Q_nz[118])
 {
     static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802),
                                              BS_REAL(-6.283185307179586), BS_REAL(-500.0) };

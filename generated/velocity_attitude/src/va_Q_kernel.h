@@ -1833,18 +1833,18 @@ static void va_Q_kernel_8(const bs_real gyro_bias_noise[3],
     Q_nz[117] = t1498; /* d_tau, d_tau */
 }
 
-static void va_Q_kernel(const bs_real position[3],
-                        const bs_real v_n[3],
-                        const bs_real q_b2n_wxyz[4],
-                        const bs_real f_b[3],
-                        const bs_real dt[1],
-                        const bs_real gyro_noise[3],
-                        const bs_real accel_noise[3],
-                        const bs_real gyro_bias_noise[3],
-                        const bs_real accel_bias_noise[3],
-                        const bs_real mu_noise[3],
-                        const bs_real tau_noise[1],
-                        bs_real Q_nz[118])
+BS_INSIDE void va_Q_kernel(const bs_real position[3],
+                           const bs_real v_n[3],
+                           const bs_real q_b2n_wxyz[4],
+                           const bs_real f_b[3],
+                           const bs_real dt[1],
+                           const bs_real gyro_noise[3],
+                           const bs_real accel_noise[3],
+                           const bs_real gyro_bias_noise[3],
+                           const bs_real accel_bias_noise[3],
+                           const bs_real mu_noise[3],
+                           const bs_real tau_noise[1],
+                           bs_real Q_nz[118])
 {
     va_Q_shared shared;
     va_Q_kernel_1(position, v_n, q_b2n_wxyz, f_b, dt, gyro_noise, &shared);

@@ -5,14 +5,14 @@
 
 #include "boresight.h"
 
-static void va_Qc_kernel(const bs_real q_b2n_wxyz[4],
-                         const bs_real gyro_noise[3],
-                         const bs_real accel_noise[3],
-                         const bs_real gyro_bias_noise[3],
-                         const bs_real accel_bias_noise[3],
-                         const bs_real mu_noise[3],
-                         const bs_real tau_noise[1],
-                         bs_real Qc_nz[28])
+BS_INSIDE void va_Qc_kernel(const bs_real q_b2n_wxyz[4],
+                            const bs_real gyro_noise[3],
+                            const bs_real accel_noise[3],
+                            const bs_real gyro_bias_noise[3],
+                            const bs_real accel_bias_noise[3],
+                            const bs_real mu_noise[3],
+                            const bs_real tau_noise[1],
+                            bs_real Qc_nz[28])
 {
     const bs_real t1 = q_b2n_wxyz[1] * q_b2n_wxyz[1];
     const bs_real t3 = q_b2n_wxyz[2] * q_b2n_wxyz[2];

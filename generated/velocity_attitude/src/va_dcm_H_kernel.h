@@ -8,12 +8,12 @@
 #include "boresight.h"
 #include "va_math.h"
 
-static void va_dcm_H_kernel(const bs_real position[3],
-                            const bs_real v_n[3],
-                            const bs_real q_b2n_wxyz[4],
-                            const bs_real q_b2m_wxyz[4],
-                            const bs_real omega_ib_b[3],
-                            bs_real H_nz[15])
+BS_INSIDE void va_dcm_H_kernel(const bs_real position[3],
+                               const bs_real v_n[3],
+                               const bs_real q_b2n_wxyz[4],
+                               const bs_real q_b2m_wxyz[4],
+                               const bs_real omega_ib_b[3],
+                               bs_real H_nz[15])
 {
     const bs_real t3 = q_b2m_wxyz[0] * q_b2n_wxyz[1];
     const bs_real t6 = q_b2m_wxyz[2] * q_b2n_wxyz[3];

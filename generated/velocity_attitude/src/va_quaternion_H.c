@@ -7,11 +7,11 @@
 #include "va_quaternion_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status va_quaternion_H_checked(const bs_real x[VA_N_STATES],
-                                         const va_nav *nav,
-                                         const va_imu *imu,
-                                         const va_master *master,
-                                         bs_real H_nz[30])
+BS_INSIDE bs_status va_quaternion_H_checked(const bs_real x[VA_N_STATES],
+                                            const va_nav *nav,
+                                            const va_imu *imu,
+                                            const va_master *master,
+                                            bs_real H_nz[30])
 {
     static const bs_real x_low[16] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-100.0),
                                        BS_REAL(-100.0), BS_REAL(-100.0),

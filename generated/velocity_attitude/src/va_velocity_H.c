@@ -7,11 +7,11 @@
 #include "va_velocity_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status va_velocity_H_checked(const va_nav *nav,
-                                       const va_imu *imu,
-                                       const va_mounting *mounting,
-                                       const va_master *master,
-                                       bs_real H_nz[24])
+BS_INSIDE bs_status va_velocity_H_checked(const va_nav *nav,
+                                          const va_imu *imu,
+                                          const va_mounting *mounting,
+                                          const va_master *master,
+                                          bs_real H_nz[24])
 {
     static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802),
                                              BS_REAL(-6.283185307179586), BS_REAL(-500.0) };

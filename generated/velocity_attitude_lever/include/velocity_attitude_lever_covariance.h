@@ -63,8 +63,8 @@ bs_status val_ud_init(const bs_real dense[VAL_N_STATES * VAL_N_STATES],
                       bs_real UD[VAL_N_PACKED],
                       bs_real work[VAL_N_WORK]);
 
-/* next = Phi P Phi' + Q.  next must not overlap P; it may be Q.  With BORESIGHT_ROWS the joseph
- * form reads of Phi what a step of this model can make other than 0. */
+/* next = Phi P Phi' + Q.  next must not overlap P; it may be Q.  With BORESIGHT_ROWS it reads of
+ * Phi what a step of this model can make other than 0. */
 void val_joseph_predict(const bs_real P[VAL_N_PACKED],
                         const bs_real Phi[VAL_N_PHI],
                         const bs_real Q[VAL_N_PACKED],

@@ -20,7 +20,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "45d520b69ea961c4a9470396dfd073f953415e3299723e0f7dadf3fb9898bff9"
+#define VAL_MODEL_HASH "1a565ae22c9cd974d2afa610132f4f635ec65541dee3fa96d429f28abf5a1922"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

@@ -350,7 +350,8 @@ int test_val_quaternion_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OUT_OF_RANGE) {
-            selftest_print("val_quaternion_H: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("val_quaternion_H: q_b2n_wxyz of norm %d outside its range not "
+                           "refused\n", end);
             ++failures;
         }
     }
@@ -400,7 +401,8 @@ int test_val_quaternion_H(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OUT_OF_RANGE) {
-            selftest_print("val_quaternion_H: q_b2m_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("val_quaternion_H: q_b2m_wxyz of norm %d outside its range not "
+                           "refused\n", end);
             ++failures;
         }
     }
@@ -475,7 +477,8 @@ int test_val_quaternion_H(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OUT_OF_RANGE) {
-            selftest_print("val_quaternion_H: q_m2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("val_quaternion_H: q_m2n_wxyz of norm %d outside its range not "
+                           "refused\n", end);
             ++failures;
         }
     }

@@ -288,7 +288,8 @@ int test_val_quaternion_h(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OUT_OF_RANGE) {
-            selftest_print("val_quaternion_h: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("val_quaternion_h: q_b2n_wxyz of norm %d outside its range not "
+                           "refused\n", end);
             ++failures;
         }
     }
@@ -338,7 +339,8 @@ int test_val_quaternion_h(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OUT_OF_RANGE) {
-            selftest_print("val_quaternion_h: q_b2m_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("val_quaternion_h: q_b2m_wxyz of norm %d outside its range not "
+                           "refused\n", end);
             ++failures;
         }
     }
@@ -418,7 +420,8 @@ int test_val_quaternion_h(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OUT_OF_RANGE) {
-            selftest_print("val_quaternion_h: q_m2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("val_quaternion_h: q_m2n_wxyz of norm %d outside its range not "
+                           "refused\n", end);
             ++failures;
         }
     }

@@ -214,7 +214,8 @@ int test_val_quaternion_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_quaternion_z(&nav, &imu, &master, z) != BS_OUT_OF_RANGE) {
-            selftest_print("val_quaternion_z: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("val_quaternion_z: q_b2n_wxyz of norm %d outside its range not "
+                           "refused\n", end);
             ++failures;
         }
     }
@@ -259,7 +260,8 @@ int test_val_quaternion_z(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_quaternion_z(&nav, &imu, &master, z) != BS_OUT_OF_RANGE) {
-            selftest_print("val_quaternion_z: q_b2m_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("val_quaternion_z: q_b2m_wxyz of norm %d outside its range not "
+                           "refused\n", end);
             ++failures;
         }
     }
@@ -334,7 +336,8 @@ int test_val_quaternion_z(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (val_quaternion_z(&nav, &imu, &master, z) != BS_OUT_OF_RANGE) {
-            selftest_print("val_quaternion_z: q_m2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("val_quaternion_z: q_m2n_wxyz of norm %d outside its range not "
+                           "refused\n", end);
             ++failures;
         }
     }

@@ -6,7 +6,7 @@
 #include "val_Phi_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status val_Phi_checked(const val_nav *nav, const val_imu *imu, bs_real Phi_nz[85])
+BS_INSIDE bs_status val_Phi_checked(const val_nav *nav, const val_imu *imu, bs_real Phi_nz[85])
 {
     static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802),
                                              BS_REAL(-6.283185307179586), BS_REAL(-500.0) };

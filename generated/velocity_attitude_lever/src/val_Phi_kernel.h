@@ -604,12 +604,12 @@ static void val_Phi_kernel_3(const val_Phi_shared *shared, bs_real Phi_nz[85])
     Phi_nz[84] = BS_REAL(1.0); /* d_lever_z, d_lever_z */
 }
 
-static void val_Phi_kernel(const bs_real position[3],
-                           const bs_real v_n[3],
-                           const bs_real q_b2n_wxyz[4],
-                           const bs_real f_b[3],
-                           const bs_real dt[1],
-                           bs_real Phi_nz[85])
+BS_INSIDE void val_Phi_kernel(const bs_real position[3],
+                              const bs_real v_n[3],
+                              const bs_real q_b2n_wxyz[4],
+                              const bs_real f_b[3],
+                              const bs_real dt[1],
+                              bs_real Phi_nz[85])
 {
     val_Phi_shared shared;
     val_Phi_kernel_1(position, v_n, q_b2n_wxyz, f_b, dt, &shared, Phi_nz);

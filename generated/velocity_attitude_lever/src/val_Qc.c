@@ -5,7 +5,7 @@
 #include "val_Qc_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status val_Qc_checked(const val_nav *nav, const val_noise *noise, bs_real Qc_nz[28])
+BS_INSIDE bs_status val_Qc_checked(const val_nav *nav, const val_noise *noise, bs_real Qc_nz[28])
 {
     static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
                                                BS_REAL(-1.001) };

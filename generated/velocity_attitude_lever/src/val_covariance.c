@@ -56,15 +56,107 @@ static void clear(bs_real *value, int n)
 }
 
 #ifdef BORESIGHT_ROWS
-/* Rows of constant width: a sum is one statement, in the order of the loops, with whole blocks of 4
- * that compilers vectorise.  The macro is for hosts: it costs code and stack, and changes no bit of
- * a finite number. */
-#define WIDE 20 /* N in whole blocks */
+/* Rows of constant width: a sum is one of 16 columns side by side that stay in registers, in the
+ * order of the loops.  The macro is for hosts: it costs code and stack, and no bit differs of a
+ * number that is finite in both texts. */
+#define WIDE 20 /* N in whole blocks of 4 */
 #define DEEP 8 /* M in whole blocks */
-static const bs_real zeros[WIDE] = { BS_REAL(0.0) }; /* copied: for clearing, compilers print a slow
-                                                      * instruction */
-/* Row by row of a symmetric matrix, where its numbers stand in a packed one; the first fills
- * blocks. */
+#if defined(__AVX__) || defined(BORESIGHT_FLOAT)
+#define LANES 4 /* numbers of a vector */
+#else
+#define LANES 2
+#endif
+#define VECTORS (16 / LANES)
+#define ALL (WIDE / LANES) /* vectors of a row */
+#define APART static __attribute__((noinline)) /* what is to have all registers */
+#define ALIGNED __attribute__((aligned(4 * sizeof(bs_real))))
+typedef bs_real vector __attribute__((vector_size(LANES * sizeof(bs_real)), may_alias));
+typedef vector anywhere __attribute__((aligned(sizeof(bs_real)), may_alias));
+#if LANES > 2
+typedef bs_real two __attribute__((vector_size(2 * sizeof(bs_real)), may_alias));
+typedef two pair __attribute__((aligned(sizeof(bs_real)), may_alias));
+#endif
+
+/* s += a[k] X[k] over the rows of X from begin to end, in its first columns. */
+BS_INSIDE void add_run(vector *s,
+                       const bs_real *a,
+                       const bs_real *X,
+                       int begin,
+                       int end,
+                       int first,
+                       int columns)
+{
+    BS_ROLLED
+    for (int k = begin; k < end; ++k) {
+        BS_UNROLLED
+        for (int v = first / LANES; (v * LANES) < columns; ++v) {
+            s[v] += a[k] * *(const vector *)&X[(k * WIDE) + (v * LANES)];
+        }
+    }
+}
+
+BS_INSIDE void take(vector *s, const bs_real *from, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        s[v] = *(const vector *)&from[v * LANES];
+    }
+}
+
+/* s += more, of which no number is read beyond the columns. */
+BS_INSIDE void add(vector *s, const bs_real *more, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        if (((v + 1) * LANES) <= columns) {
+            s[v] += *(const anywhere *)&more[v * LANES];
+        } else {
+            for (int i = 0; i < (columns - (v * LANES)); ++i) {
+                s[v][i] += more[(v * LANES) + i];
+            }
+        }
+    }
+}
+
+BS_INSIDE void put(bs_real *to, const vector *s, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        *(vector *)&to[v * LANES] = s[v];
+    }
+}
+
+/* No number is written beyond the columns. */
+BS_INSIDE void store(bs_real *to, const vector *s, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        if (((v + 1) * LANES) <= columns) {
+            *(anywhere *)&to[v * LANES] = s[v];
+        } else {
+            for (int i = 0; i < (columns - (v * LANES)); ++i) {
+                to[(v * LANES) + i] = s[v][i];
+            }
+        }
+    }
+}
+
+/* All numbers of s, below each other. */
+BS_INSIDE void spread(bs_real *to, int stride, const vector *s, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        to[(v * LANES) * stride] = s[v][0];
+        to[((v * LANES) + 1) * stride] = s[v][1];
+#if LANES > 2
+        to[((v * LANES) + 2) * stride] = s[v][2];
+        to[((v * LANES) + 3) * stride] = s[v][3];
+#endif
+    }
+}
+
+/* Row by row of a symmetric matrix, where its numbers stand in a packed one; behind column N the
+ * first, so that blocks are whole. */
 static const unsigned short whole[N][WIDE] = {
     { 0, 1, 3, 6, 10, 15, 21, 28, 36, 45, 55, 66, 78, 91, 105, 120, 136, 153, 171, 0 },
     { 1, 2, 4, 7, 11, 16, 22, 29, 37, 46, 56, 67, 79, 92, 106, 121, 137, 154, 172, 0 },
@@ -88,6 +180,7 @@ static const unsigned short whole[N][WIDE] = {
 };
 #endif
 
+#ifndef BORESIGHT_ROWS
 /* The first rows of A X, row i of them from to[i * stride] on.  Of X the first `inner` rows count,
  * or where it is upper triangular fewer; the rows of A and X have ROW numbers.  Blocks of 3 x 5
  * sums stay in registers. */
@@ -168,6 +261,8 @@ static void product(const bs_real *A,
         }
     }
 }
+
+#endif
 
 /* The upper triangle of A B' over the rows that move and the columns from begin to end, column j of
  * it from to[j * DOWN] on.  Blocks of 3 x 3 sums. */
@@ -291,6 +386,72 @@ static bs_real raise_by(bs_real *UD, bs_real c, bs_real *v, int last, int first)
     return left;
 }
 
+#ifdef BORESIGHT_ROWS
+/* From column begin on, w loses lost times along; returns sum + w weighted, in order.  All vectors
+ * of a row end with it: a vector that is read where no vector was written waits. */
+BS_INSIDE bs_real lose(bs_real *w,
+                       bs_real lost,
+                       const bs_real *along,
+                       const bs_real *weighted,
+                       bs_real sum,
+                       int begin,
+                       int end)
+{
+    bs_real s = sum;
+    int k = begin;
+    for (; ((end - k) % LANES) != 0; ++k) {
+        const bs_real left = w[k] - (lost * along[k]);
+        w[k] = left;
+        s += left * weighted[k];
+    }
+    for (; k < end; k += LANES) {
+        const vector left = *(const anywhere *)&w[k] - (lost * *(const anywhere *)&along[k]);
+        const vector more = left * *(const anywhere *)&weighted[k];
+        *(anywhere *)&w[k] = left;
+        s += more[0];
+        s += more[1];
+#if LANES > 2
+        s += more[2];
+        s += more[3];
+#endif
+    }
+    return s;
+}
+
+/* s += a[k * step] X[k] over these k. */
+BS_INSIDE void add_rows(vector *s,
+                        const bs_real *a,
+                        size_t step,
+                        const bs_real *X,
+                        size_t stride,
+                        const unsigned short *at,
+                        const unsigned short *end,
+                        int columns)
+{
+    BS_ROLLED
+    for (const unsigned short *k = at; k < end; ++k) {
+        const size_t row = *k;
+        const bs_real of_a = a[row * step];
+        const bs_real *const x = &X[row * stride];
+        BS_UNROLLED
+        for (int v = 0; (v * LANES) < columns; ++v) {
+            s[v] += of_a * *(const vector *)&x[v * LANES];
+        }
+    }
+}
+
+/* Of s = A A and A, what they add to Phi, as s, and to B. */
+BS_INSIDE void begin_series(vector *s, vector *b, const bs_real *A, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        const vector a = *(const vector *)&A[v * LANES];
+        b[v] = (BS_REAL(0.6666666666666666) * a) + (BS_REAL(0.2222222222222222) * s[v]);
+        s[v] = a + (BS_REAL(0.5) * s[v]);
+    }
+}
+#endif
+
 void val_discretize(const bs_real F[VAL_N_F],
                     const bs_real Qc[VAL_N_QC],
                     bs_real dt,
@@ -317,121 +478,68 @@ void val_discretize(const bs_real F[VAL_N_F],
     bs_real w[N];
     const bs_real share = BS_REAL(0.75) * dt;
 #ifdef BORESIGHT_ROWS
-    bs_real A[M][WIDE];
-    bs_real B[WIDE][DEEP]; /* transposed, as T is */
-    bs_real T[WIDE][DEEP];
-    bs_real sum[WIDE];
+    ALIGNED bs_real A[M][WIDE] = {
+        { BS_REAL(0.0), F[0] * dt, F[1] * dt, BS_REAL(0.0), F[2] * dt, BS_REAL(0.0), F[3] * dt,
+          F[4] * dt, F[5] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { F[6] * dt, BS_REAL(0.0), F[7] * dt, F[8] * dt, BS_REAL(0.0), BS_REAL(0.0), F[9] * dt,
+          F[10] * dt, F[11] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { F[12] * dt, F[13] * dt, BS_REAL(0.0), BS_REAL(0.0), F[14] * dt, BS_REAL(0.0), F[15] * dt,
+          F[16] * dt, F[17] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { BS_REAL(0.0), F[18] * dt, F[19] * dt, F[20] * dt, F[21] * dt, F[22] * dt, BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), F[23] * dt, F[24] * dt, F[25] * dt, BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { F[26] * dt, BS_REAL(0.0), F[27] * dt, F[28] * dt, F[29] * dt, F[30] * dt, BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), F[31] * dt, F[32] * dt, F[33] * dt, BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0) },
+        { F[34] * dt, F[35] * dt, BS_REAL(0.0), F[36] * dt, F[37] * dt, BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), F[38] * dt, F[39] * dt, F[40] * dt, BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0) }
+    };
+    ALIGNED bs_real B[WIDE][DEEP]; /* transposed, as T is */
+    ALIGNED bs_real T[WIDE][DEEP];
+    ALIGNED bs_real square[M][DEEP];
+    /* where rows of A, and of B U in the columns that meet noise, have non-zeros */
+    static const unsigned short A_from[M + 1] = { 0, 3, 6, 9, 14, 19, 23 };
+    static const unsigned short A_at[] = { 1, 2, 4, 0, 2, 3, 0, 1, 4, 1, 2, 3, 4, 5, 0, 2, 3, 4, 5,
+                                           0, 1, 3, 4 };
+    static const unsigned short B_from[M + 1] = { 0, 12, 24, 36, 48, 60, 72 };
+    static const unsigned short B_at[] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4, 5,
+                                           6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11,
+                                           0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4, 5,
+                                           6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10,
+                                           11 };
     (void)work;
-    for (int i = 0; i < M; ++i) {
-        for (int j = 0; j < WIDE; ++j) {
-            A[i][j] = zeros[j];
-        }
-    }
-    A[0][1] = F[0] * dt;
-    A[0][2] = F[1] * dt;
-    A[0][4] = F[2] * dt;
-    A[0][6] = F[3] * dt;
-    A[0][7] = F[4] * dt;
-    A[0][8] = F[5] * dt;
-    A[1][0] = F[6] * dt;
-    A[1][2] = F[7] * dt;
-    A[1][3] = F[8] * dt;
-    A[1][6] = F[9] * dt;
-    A[1][7] = F[10] * dt;
-    A[1][8] = F[11] * dt;
-    A[2][0] = F[12] * dt;
-    A[2][1] = F[13] * dt;
-    A[2][4] = F[14] * dt;
-    A[2][6] = F[15] * dt;
-    A[2][7] = F[16] * dt;
-    A[2][8] = F[17] * dt;
-    A[3][1] = F[18] * dt;
-    A[3][2] = F[19] * dt;
-    A[3][3] = F[20] * dt;
-    A[3][4] = F[21] * dt;
-    A[3][5] = F[22] * dt;
-    A[3][9] = F[23] * dt;
-    A[3][10] = F[24] * dt;
-    A[3][11] = F[25] * dt;
-    A[4][0] = F[26] * dt;
-    A[4][2] = F[27] * dt;
-    A[4][3] = F[28] * dt;
-    A[4][4] = F[29] * dt;
-    A[4][5] = F[30] * dt;
-    A[4][9] = F[31] * dt;
-    A[4][10] = F[32] * dt;
-    A[4][11] = F[33] * dt;
-    A[5][0] = F[34] * dt;
-    A[5][1] = F[35] * dt;
-    A[5][3] = F[36] * dt;
-    A[5][4] = F[37] * dt;
-    A[5][9] = F[38] * dt;
-    A[5][10] = F[39] * dt;
-    A[5][11] = F[40] * dt;
     for (int j = 0; j < N; ++j) {
         for (int i = M; i < DEEP; ++i) {
             B[j][i] = BS_REAL(0.0);
         }
     }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[0][1] * A[1][j]) + (A[0][2] * A[2][j]) +
-            (A[0][4] * A[4][j]);
-        sum[j] = A[0][j] + (BS_REAL(0.5) * twice);
-        B[j][0] = (BS_REAL(0.6666666666666666) * A[0][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[0 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[1][0] * A[0][j]) + (A[1][2] * A[2][j]) +
-            (A[1][3] * A[3][j]);
-        sum[j] = A[1][j] + (BS_REAL(0.5) * twice);
-        B[j][1] = (BS_REAL(0.6666666666666666) * A[1][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[20 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[2][0] * A[0][j]) + (A[2][1] * A[1][j]) +
-            (A[2][4] * A[4][j]);
-        sum[j] = A[2][j] + (BS_REAL(0.5) * twice);
-        B[j][2] = (BS_REAL(0.6666666666666666) * A[2][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[40 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[3][1] * A[1][j]) + (A[3][2] * A[2][j]) +
-            (A[3][3] * A[3][j]) + (A[3][4] * A[4][j]) + (A[3][5] * A[5][j]);
-        sum[j] = A[3][j] + (BS_REAL(0.5) * twice);
-        B[j][3] = (BS_REAL(0.6666666666666666) * A[3][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[60 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[4][0] * A[0][j]) + (A[4][2] * A[2][j]) +
-            (A[4][3] * A[3][j]) + (A[4][4] * A[4][j]) + (A[4][5] * A[5][j]);
-        sum[j] = A[4][j] + (BS_REAL(0.5) * twice);
-        B[j][4] = (BS_REAL(0.6666666666666666) * A[4][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[80 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[5][0] * A[0][j]) + (A[5][1] * A[1][j]) +
-            (A[5][3] * A[3][j]) + (A[5][4] * A[4][j]);
-        sum[j] = A[5][j] + (BS_REAL(0.5) * twice);
-        B[j][5] = (BS_REAL(0.6666666666666666) * A[5][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[100 + j] = sum[j];
+    for (int i = 0; i < M; ++i) {
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } }; /* A A */
+            vector b[VECTORS];
+            add_rows(s, A[i], 1, &A[0][0], WIDE, &A_at[A_from[i]], &A_at[A_from[i + 1]], 16);
+            begin_series(s, b, &A[i][0], 16);
+            spread(&B[0][i], DEEP, b, 16);
+            store(&Phi[(i * ROW)], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } }; /* A A */
+            vector b[VECTORS];
+            add_rows(s, A[i], 1, &A[0][16], WIDE, &A_at[A_from[i]], &A_at[A_from[i + 1]], 3);
+            begin_series(s, b, &A[i][16], 3);
+            spread(&B[16][i], DEEP, b, 3);
+            store(&Phi[(i * ROW) + 16], s, 3);
+        }
     }
     for (int i = 0; i < M; ++i) {
         clear(&Phi[(i * ROW) + N], ROW - N);
@@ -478,11 +586,7 @@ void val_discretize(const bs_real F[VAL_N_F],
                 }
                 w[l] -= u[l] * gain;
                 u[l] = gain;
-#ifdef BORESIGHT_ROWS
-                for (int i = 0; i < DEEP; ++i) {
-                    B[k][i] += B[l][i] * gain;
-                }
-#else
+#ifndef BORESIGHT_ROWS
                 for (int i = 0; i < (DOWN * ROW); i += 3 * ROW) {
                     B[i + k] += B[i + l] * gain;
                     B[i + ROW + k] += B[i + ROW + l] * gain;
@@ -496,9 +600,19 @@ void val_discretize(const bs_real F[VAL_N_F],
         }
     }
 #ifdef BORESIGHT_ROWS
+    for (int p = 0; p < 6; ++p) {
+        const int k = (int)coupled[p];
+        for (int l = k - 1; (l >= (int)reach[p]) && (w[k] > BS_REAL(0.0)); --l) {
+            BS_UNROLLED
+            for (int i = 0; i < M; i += LANES) {
+                *(vector *)&B[k][i] += *(const vector *)&B[l][i] * Q[column(k) + l];
+            }
+        }
+    }
     for (int k = 0; k < N; ++k) { /* columns before meet no noise */
-        for (int i = 0; i < DEEP; ++i) {
-            T[k][i] = B[k][i] * w[k];
+        BS_UNROLLED
+        for (int i = 0; i < M; i += LANES) {
+            *(vector *)&T[k][i] = *(const vector *)&B[k][i] * w[k];
         }
     }
     for (int j = M; j < N; ++j) { /* B has rows of a unit matrix here */
@@ -506,65 +620,45 @@ void val_discretize(const bs_real F[VAL_N_F],
             Q[column(j) + i] = T[j][i];
         }
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][0]) + (T[1][i] * B[1][0]) + (T[2][i] * B[2][0]) +
-            (T[3][i] * B[3][0]) + (T[4][i] * B[4][0]) + (T[5][i] * B[5][0]) + (T[6][i] * B[6][0]) +
-            (T[7][i] * B[7][0]) + (T[8][i] * B[8][0]) + (T[9][i] * B[9][0]) +
-            (T[10][i] * B[10][0]) + (T[11][i] * B[11][0]);
+    for (int j = 0; j < 4; ++j) {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_rows(s, &B[0][j], DEEP, &T[0][0], DEEP, &B_at[B_from[j]], &B_at[B_from[j + 1]], 4);
+        put(&square[j][0], s, 4);
     }
-    for (int i = 0; i < 1; ++i) {
-        Q[0 + i] = sum[i];
+    for (int j = 4; j < 6; ++j) {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_rows(s, &B[0][j], DEEP, &T[0][0], DEEP, &B_at[B_from[j]], &B_at[B_from[j + 1]], 8);
+        put(&square[j][0], s, 8);
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][1]) + (T[1][i] * B[1][1]) + (T[2][i] * B[2][1]) +
-            (T[3][i] * B[3][1]) + (T[4][i] * B[4][1]) + (T[5][i] * B[5][1]) + (T[6][i] * B[6][1]) +
-            (T[7][i] * B[7][1]) + (T[8][i] * B[8][1]) + (T[9][i] * B[9][1]) +
-            (T[10][i] * B[10][1]) + (T[11][i] * B[11][1]);
+    {
+        vector s[VECTORS];
+        take(s, &square[0][0], 1);
+        store(&Q[0], s, 1);
     }
-    for (int i = 0; i < 2; ++i) {
-        Q[1 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[1][0], 2);
+        store(&Q[1], s, 2);
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][2]) + (T[1][i] * B[1][2]) + (T[2][i] * B[2][2]) +
-            (T[3][i] * B[3][2]) + (T[4][i] * B[4][2]) + (T[5][i] * B[5][2]) + (T[6][i] * B[6][2]) +
-            (T[7][i] * B[7][2]) + (T[8][i] * B[8][2]) + (T[9][i] * B[9][2]) +
-            (T[10][i] * B[10][2]) + (T[11][i] * B[11][2]);
+    {
+        vector s[VECTORS];
+        take(s, &square[2][0], 3);
+        store(&Q[3], s, 3);
     }
-    for (int i = 0; i < 3; ++i) {
-        Q[3 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[3][0], 4);
+        store(&Q[6], s, 4);
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][3]) + (T[1][i] * B[1][3]) + (T[2][i] * B[2][3]) +
-            (T[3][i] * B[3][3]) + (T[4][i] * B[4][3]) + (T[5][i] * B[5][3]) + (T[6][i] * B[6][3]) +
-            (T[7][i] * B[7][3]) + (T[8][i] * B[8][3]) + (T[9][i] * B[9][3]) +
-            (T[10][i] * B[10][3]) + (T[11][i] * B[11][3]);
+    {
+        vector s[VECTORS];
+        take(s, &square[4][0], 5);
+        store(&Q[10], s, 5);
     }
-    for (int i = 0; i < 4; ++i) {
-        Q[6 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 8; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][4]) + (T[1][i] * B[1][4]) + (T[2][i] * B[2][4]) +
-            (T[3][i] * B[3][4]) + (T[4][i] * B[4][4]) + (T[5][i] * B[5][4]) + (T[6][i] * B[6][4]) +
-            (T[7][i] * B[7][4]) + (T[8][i] * B[8][4]) + (T[9][i] * B[9][4]) +
-            (T[10][i] * B[10][4]) + (T[11][i] * B[11][4]);
-    }
-    for (int i = 0; i < 5; ++i) {
-        Q[10 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 8; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][5]) + (T[1][i] * B[1][5]) + (T[2][i] * B[2][5]) +
-            (T[3][i] * B[3][5]) + (T[4][i] * B[4][5]) + (T[5][i] * B[5][5]) + (T[6][i] * B[6][5]) +
-            (T[7][i] * B[7][5]) + (T[8][i] * B[8][5]) + (T[9][i] * B[9][5]) +
-            (T[10][i] * B[10][5]) + (T[11][i] * B[11][5]);
-    }
-    for (int i = 0; i < 6; ++i) {
-        Q[15 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[5][0], 6);
+        store(&Q[15], s, 6);
     }
 #else
     for (int i = 0; i < DOWN; ++i) {
@@ -668,7 +762,7 @@ void val_joseph_predict(const bs_real P[VAL_N_PACKED],
                         bs_real next[VAL_N_PACKED],
                         bs_real work[VAL_N_WORK])
 {
-    bs_real X[N][WIDE] = {
+    ALIGNED bs_real X[N][WIDE] = {
         { P[0], P[1], P[3], P[6], P[10], P[15], P[21], P[28], P[36], P[45], P[55], P[66], P[78],
           P[91], P[105], P[120], P[136], P[153], P[171], BS_REAL(0.0) },
         { P[1], P[2], P[4], P[7], P[11], P[16], P[22], P[29], P[37], P[46], P[56], P[67], P[79],
@@ -708,212 +802,204 @@ void val_joseph_predict(const bs_real P[VAL_N_PACKED],
         { P[171], P[172], P[173], P[174], P[175], P[176], P[177], P[178], P[179], P[180], P[181],
           P[182], P[183], P[184], P[185], P[186], P[187], P[188], P[189], BS_REAL(0.0) }
     };
-    bs_real Y[WIDE][WIDE]; /* the transpose of Phi P */
-    bs_real sum[WIDE];
+    ALIGNED bs_real Y[WIDE][WIDE]; /* the transpose of Phi P */
     (void)work;
     for (int j = 0; j < N; ++j) {
         for (int i = M; i < WIDE; ++i) {
             Y[j][i] = X[j][i];
         }
     }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][0] = BS_REAL(0.0) + (Phi[0] * X[0][j]) + (Phi[1] * X[1][j]) + (Phi[2] * X[2][j]) +
-            (Phi[3] * X[3][j]) + (Phi[4] * X[4][j]) + (Phi[5] * X[5][j]) + (Phi[6] * X[6][j]) +
-            (Phi[7] * X[7][j]) + (Phi[8] * X[8][j]) + (Phi[9] * X[9][j]) + (Phi[10] * X[10][j]) +
-            (Phi[11] * X[11][j]);
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[0], &X[0][0], 0, 12, 0, 16);
+        spread(&Y[0][0], WIDE, s, 16);
     }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][1] = BS_REAL(0.0) + (Phi[20] * X[0][j]) + (Phi[21] * X[1][j]) + (Phi[22] * X[2][j]) +
-            (Phi[23] * X[3][j]) + (Phi[24] * X[4][j]) + (Phi[25] * X[5][j]) + (Phi[26] * X[6][j]) +
-            (Phi[27] * X[7][j]) + (Phi[28] * X[8][j]) + (Phi[29] * X[9][j]) + (Phi[30] * X[10][j]) +
-            (Phi[31] * X[11][j]);
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[0], &X[0][16], 0, 12, 0, 4);
+        spread(&Y[16][0], WIDE, s, 4);
     }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][2] = BS_REAL(0.0) + (Phi[40] * X[0][j]) + (Phi[41] * X[1][j]) + (Phi[42] * X[2][j]) +
-            (Phi[43] * X[3][j]) + (Phi[44] * X[4][j]) + (Phi[45] * X[5][j]) + (Phi[46] * X[6][j]) +
-            (Phi[47] * X[7][j]) + (Phi[48] * X[8][j]) + (Phi[49] * X[9][j]) + (Phi[50] * X[10][j]) +
-            (Phi[51] * X[11][j]);
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[20], &X[0][0], 0, 12, 0, 16);
+        spread(&Y[0][1], WIDE, s, 16);
     }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][3] = BS_REAL(0.0) + (Phi[60] * X[0][j]) + (Phi[61] * X[1][j]) + (Phi[62] * X[2][j]) +
-            (Phi[63] * X[3][j]) + (Phi[64] * X[4][j]) + (Phi[65] * X[5][j]) + (Phi[66] * X[6][j]) +
-            (Phi[67] * X[7][j]) + (Phi[68] * X[8][j]) + (Phi[69] * X[9][j]) + (Phi[70] * X[10][j]) +
-            (Phi[71] * X[11][j]);
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[20], &X[0][16], 0, 12, 0, 4);
+        spread(&Y[16][1], WIDE, s, 4);
     }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][4] = BS_REAL(0.0) + (Phi[80] * X[0][j]) + (Phi[81] * X[1][j]) + (Phi[82] * X[2][j]) +
-            (Phi[83] * X[3][j]) + (Phi[84] * X[4][j]) + (Phi[85] * X[5][j]) + (Phi[86] * X[6][j]) +
-            (Phi[87] * X[7][j]) + (Phi[88] * X[8][j]) + (Phi[89] * X[9][j]) + (Phi[90] * X[10][j]) +
-            (Phi[91] * X[11][j]);
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[40], &X[0][0], 0, 12, 0, 16);
+        spread(&Y[0][2], WIDE, s, 16);
     }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][5] = BS_REAL(0.0) + (Phi[100] * X[0][j]) + (Phi[101] * X[1][j]) +
-            (Phi[102] * X[2][j]) + (Phi[103] * X[3][j]) + (Phi[104] * X[4][j]) +
-            (Phi[105] * X[5][j]) + (Phi[106] * X[6][j]) + (Phi[107] * X[7][j]) +
-            (Phi[108] * X[8][j]) + (Phi[109] * X[9][j]) + (Phi[110] * X[10][j]) +
-            (Phi[111] * X[11][j]);
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[40], &X[0][16], 0, 12, 0, 4);
+        spread(&Y[16][2], WIDE, s, 4);
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[0] * Y[0][i]) + (Phi[1] * Y[1][i]) + (Phi[2] * Y[2][i]) +
-                  (Phi[3] * Y[3][i]) + (Phi[4] * Y[4][i]) + (Phi[5] * Y[5][i]) +
-                  (Phi[6] * Y[6][i]) + (Phi[7] * Y[7][i]) + (Phi[8] * Y[8][i]) +
-                  (Phi[9] * Y[9][i]) + (Phi[10] * Y[10][i]) + (Phi[11] * Y[11][i])) + Q[0 + i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[60], &X[0][0], 0, 12, 0, 16);
+        spread(&Y[0][3], WIDE, s, 16);
     }
-    for (int i = 0; i < 1; ++i) {
-        next[0 + i] = sum[i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[60], &X[0][16], 0, 12, 0, 4);
+        spread(&Y[16][3], WIDE, s, 4);
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[20] * Y[0][i]) + (Phi[21] * Y[1][i]) + (Phi[22] * Y[2][i]) +
-                  (Phi[23] * Y[3][i]) + (Phi[24] * Y[4][i]) + (Phi[25] * Y[5][i]) +
-                  (Phi[26] * Y[6][i]) + (Phi[27] * Y[7][i]) + (Phi[28] * Y[8][i]) +
-                  (Phi[29] * Y[9][i]) + (Phi[30] * Y[10][i]) + (Phi[31] * Y[11][i])) + Q[1 + i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[80], &X[0][0], 0, 12, 0, 16);
+        spread(&Y[0][4], WIDE, s, 16);
     }
-    for (int i = 0; i < 2; ++i) {
-        next[1 + i] = sum[i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[80], &X[0][16], 0, 12, 0, 4);
+        spread(&Y[16][4], WIDE, s, 4);
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[40] * Y[0][i]) + (Phi[41] * Y[1][i]) + (Phi[42] * Y[2][i]) +
-                  (Phi[43] * Y[3][i]) + (Phi[44] * Y[4][i]) + (Phi[45] * Y[5][i]) +
-                  (Phi[46] * Y[6][i]) + (Phi[47] * Y[7][i]) + (Phi[48] * Y[8][i]) +
-                  (Phi[49] * Y[9][i]) + (Phi[50] * Y[10][i]) + (Phi[51] * Y[11][i])) + Q[3 + i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[100], &X[0][0], 0, 12, 0, 16);
+        spread(&Y[0][5], WIDE, s, 16);
     }
-    for (int i = 0; i < 3; ++i) {
-        next[3 + i] = sum[i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[100], &X[0][16], 0, 12, 0, 4);
+        spread(&Y[16][5], WIDE, s, 4);
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[60] * Y[0][i]) + (Phi[61] * Y[1][i]) + (Phi[62] * Y[2][i]) +
-                  (Phi[63] * Y[3][i]) + (Phi[64] * Y[4][i]) + (Phi[65] * Y[5][i]) +
-                  (Phi[66] * Y[6][i]) + (Phi[67] * Y[7][i]) + (Phi[68] * Y[8][i]) +
-                  (Phi[69] * Y[9][i]) + (Phi[70] * Y[10][i]) + (Phi[71] * Y[11][i])) + Q[6 + i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[0], &Y[0][0], 0, 12, 0, 1);
+        add(s, &Q[0], 1);
+        store(&next[0], s, 1);
     }
-    for (int i = 0; i < 4; ++i) {
-        next[6 + i] = sum[i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[20], &Y[0][0], 0, 12, 0, 2);
+        add(s, &Q[1], 2);
+        store(&next[1], s, 2);
     }
-    BS_ROLLED
-    for (int i = 0; i < 8; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[80] * Y[0][i]) + (Phi[81] * Y[1][i]) + (Phi[82] * Y[2][i]) +
-                  (Phi[83] * Y[3][i]) + (Phi[84] * Y[4][i]) + (Phi[85] * Y[5][i]) +
-                  (Phi[86] * Y[6][i]) + (Phi[87] * Y[7][i]) + (Phi[88] * Y[8][i]) +
-                  (Phi[89] * Y[9][i]) + (Phi[90] * Y[10][i]) + (Phi[91] * Y[11][i])) + Q[10 + i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[40], &Y[0][0], 0, 12, 0, 3);
+        add(s, &Q[3], 3);
+        store(&next[3], s, 3);
     }
-    for (int i = 0; i < 5; ++i) {
-        next[10 + i] = sum[i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[60], &Y[0][0], 0, 12, 0, 4);
+        add(s, &Q[6], 4);
+        store(&next[6], s, 4);
     }
-    BS_ROLLED
-    for (int i = 0; i < 8; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[100] * Y[0][i]) + (Phi[101] * Y[1][i]) +
-                  (Phi[102] * Y[2][i]) + (Phi[103] * Y[3][i]) + (Phi[104] * Y[4][i]) +
-                  (Phi[105] * Y[5][i]) + (Phi[106] * Y[6][i]) + (Phi[107] * Y[7][i]) +
-                  (Phi[108] * Y[8][i]) + (Phi[109] * Y[9][i]) + (Phi[110] * Y[10][i]) +
-                  (Phi[111] * Y[11][i])) + Q[15 + i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[80], &Y[0][0], 0, 12, 0, 5);
+        add(s, &Q[10], 5);
+        store(&next[10], s, 5);
     }
-    for (int i = 0; i < 6; ++i) {
-        next[15 + i] = sum[i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[100], &Y[0][0], 0, 12, 0, 6);
+        add(s, &Q[15], 6);
+        store(&next[15], s, 6);
     }
-    BS_ROLLED
-    for (int i = 0; i < 8; ++i) {
-        sum[i] = Y[6][i] + Q[21 + i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[6][0], 7);
+        add(s, &Q[21], 7);
+        store(&next[21], s, 7);
     }
-    for (int i = 0; i < 7; ++i) {
-        next[21 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[7][0], 8);
+        add(s, &Q[28], 8);
+        store(&next[28], s, 8);
     }
-    BS_ROLLED
-    for (int i = 0; i < 8; ++i) {
-        sum[i] = Y[7][i] + Q[28 + i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[8][0], 9);
+        add(s, &Q[36], 9);
+        store(&next[36], s, 9);
     }
-    for (int i = 0; i < 8; ++i) {
-        next[28 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[9][0], 10);
+        add(s, &Q[45], 10);
+        store(&next[45], s, 10);
     }
-    BS_ROLLED
-    for (int i = 0; i < 12; ++i) {
-        sum[i] = Y[8][i] + Q[36 + i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[10][0], 11);
+        add(s, &Q[55], 11);
+        store(&next[55], s, 11);
     }
-    for (int i = 0; i < 9; ++i) {
-        next[36 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[11][0], 12);
+        add(s, &Q[66], 12);
+        store(&next[66], s, 12);
     }
-    BS_ROLLED
-    for (int i = 0; i < 12; ++i) {
-        sum[i] = Y[9][i] + Q[45 + i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[12][0], 13);
+        add(s, &Q[78], 13);
+        store(&next[78], s, 13);
     }
-    for (int i = 0; i < 10; ++i) {
-        next[45 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[13][0], 14);
+        add(s, &Q[91], 14);
+        store(&next[91], s, 14);
     }
-    BS_ROLLED
-    for (int i = 0; i < 12; ++i) {
-        sum[i] = Y[10][i] + Q[55 + i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[14][0], 15);
+        add(s, &Q[105], 15);
+        store(&next[105], s, 15);
     }
-    for (int i = 0; i < 11; ++i) {
-        next[55 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[15][0], 16);
+        add(s, &Q[120], 16);
+        store(&next[120], s, 16);
     }
-    BS_ROLLED
-    for (int i = 0; i < 12; ++i) {
-        sum[i] = Y[11][i] + Q[66 + i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[16][0], 16);
+        add(s, &Q[136], 16);
+        store(&next[136], s, 16);
     }
-    for (int i = 0; i < 12; ++i) {
-        next[66 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[16][16], 1);
+        add(s, &Q[152], 1);
+        store(&next[152], s, 1);
     }
-    BS_ROLLED
-    for (int i = 0; i < 16; ++i) {
-        sum[i] = Y[12][i] + Q[78 + i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[17][0], 16);
+        add(s, &Q[153], 16);
+        store(&next[153], s, 16);
     }
-    for (int i = 0; i < 13; ++i) {
-        next[78 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[17][16], 2);
+        add(s, &Q[169], 2);
+        store(&next[169], s, 2);
     }
-    BS_ROLLED
-    for (int i = 0; i < 16; ++i) {
-        sum[i] = Y[13][i] + Q[91 + i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[18][0], 16);
+        add(s, &Q[171], 16);
+        store(&next[171], s, 16);
     }
-    for (int i = 0; i < 14; ++i) {
-        next[91 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 16; ++i) {
-        sum[i] = Y[14][i] + Q[105 + i];
-    }
-    for (int i = 0; i < 15; ++i) {
-        next[105 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 16; ++i) {
-        sum[i] = Y[15][i] + Q[120 + i];
-    }
-    for (int i = 0; i < 16; ++i) {
-        next[120 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 20; ++i) {
-        sum[i] = Y[16][i] + Q[136 + i];
-    }
-    for (int i = 0; i < 17; ++i) {
-        next[136 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 20; ++i) {
-        sum[i] = Y[17][i] + Q[153 + i];
-    }
-    for (int i = 0; i < 18; ++i) {
-        next[153 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 16; ++i) {
-        sum[i] = Y[18][i] + Q[171 + i];
-    }
-    BS_ROLLED
-    for (int i = 16; i < 19; ++i) {
-        sum[i] = Y[18][i] + Q[171 + i];
-    }
-    for (int i = 0; i < 19; ++i) {
-        next[171 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &Y[18][16], 3);
+        add(s, &Q[187], 3);
+        store(&next[187], s, 3);
     }
 }
 #else
@@ -1008,6 +1094,136 @@ void val_ud_predict(const bs_real UD[VAL_N_PACKED],
         }
     }
     (void)factorize(next, weight, M);
+    /* V = [the factor of Q, Phi U] over the states that move. */
+#ifdef BORESIGHT_ROWS
+    {
+        ALIGNED bs_real U[N][WIDE] = {
+            { BS_REAL(0.0), BS_REAL(1.0), UD[1], UD[3], UD[6], UD[10], UD[15], UD[21], UD[28],
+              UD[36], UD[45], UD[55], UD[66], UD[78], UD[91], UD[105], UD[120], UD[136], UD[153],
+              UD[171] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[4], UD[7], UD[11], UD[16], UD[22],
+              UD[29], UD[37], UD[46], UD[56], UD[67], UD[79], UD[92], UD[106], UD[121], UD[137],
+              UD[154], UD[172] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[8], UD[12], UD[17], UD[23],
+              UD[30], UD[38], UD[47], UD[57], UD[68], UD[80], UD[93], UD[107], UD[122], UD[138],
+              UD[155], UD[173] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[13], UD[18],
+              UD[24], UD[31], UD[39], UD[48], UD[58], UD[69], UD[81], UD[94], UD[108], UD[123],
+              UD[139], UD[156], UD[174] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0),
+              UD[19], UD[25], UD[32], UD[40], UD[49], UD[59], UD[70], UD[82], UD[95], UD[109],
+              UD[124], UD[140], UD[157], UD[175] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(1.0), UD[26], UD[33], UD[41], UD[50], UD[60], UD[71], UD[83], UD[96], UD[110],
+              UD[125], UD[141], UD[158], UD[176] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(1.0), UD[34], UD[42], UD[51], UD[61], UD[72], UD[84], UD[97],
+              UD[111], UD[126], UD[142], UD[159], UD[177] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[43], UD[52], UD[62], UD[73], UD[85],
+              UD[98], UD[112], UD[127], UD[143], UD[160], UD[178] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[53], UD[63], UD[74],
+              UD[86], UD[99], UD[113], UD[128], UD[144], UD[161], UD[179] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[64], UD[75],
+              UD[87], UD[100], UD[114], UD[129], UD[145], UD[162], UD[180] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0),
+              UD[76], UD[88], UD[101], UD[115], UD[130], UD[146], UD[163], UD[181] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(1.0), UD[89], UD[102], UD[116], UD[131], UD[147], UD[164], UD[182] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(1.0), UD[103], UD[117], UD[132], UD[148], UD[165], UD[183] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[118], UD[133], UD[149], UD[166],
+              UD[184] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[134], UD[150], UD[167],
+              UD[185] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[151],
+              UD[168], UD[186] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0),
+              UD[169], UD[187] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(1.0), UD[188] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(1.0) }
+        };
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[0], &U[0][0], 0, 12, 1, 16);
+            store(&V[(0 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[0], &U[0][16], 0, 12, 0, 4);
+            store(&V[(0 * WIDTH) + M + N - WIDE + 16], s, 4);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[20], &U[0][0], 0, 12, 1, 16);
+            store(&V[(1 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[20], &U[0][16], 0, 12, 0, 4);
+            store(&V[(1 * WIDTH) + M + N - WIDE + 16], s, 4);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[40], &U[0][0], 0, 12, 1, 16);
+            store(&V[(2 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[40], &U[0][16], 0, 12, 0, 4);
+            store(&V[(2 * WIDTH) + M + N - WIDE + 16], s, 4);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[60], &U[0][0], 0, 12, 1, 16);
+            store(&V[(3 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[60], &U[0][16], 0, 12, 0, 4);
+            store(&V[(3 * WIDTH) + M + N - WIDE + 16], s, 4);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[80], &U[0][0], 0, 12, 1, 16);
+            store(&V[(4 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[80], &U[0][16], 0, 12, 0, 4);
+            store(&V[(4 * WIDTH) + M + N - WIDE + 16], s, 4);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[100], &U[0][0], 0, 12, 1, 16);
+            store(&V[(5 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[100], &U[0][16], 0, 12, 0, 4);
+            store(&V[(5 * WIDTH) + M + N - WIDE + 16], s, 4);
+        }
+    }
+#else
     clear(X, N * ROW); /* columns that fill the last block */
     for (int j = 0; j < N; ++j) {
         for (int i = 0; i < j; ++i) {
@@ -1016,8 +1232,8 @@ void val_ud_predict(const bs_real UD[VAL_N_PACKED],
         }
         X[j * (ROW + 1)] = BS_REAL(1.0);
     }
-    /* V = [the factor of Q, Phi U] over the states that move. */
     product(Phi, X, M, N, true, &V[M], WIDTH);
+#endif
     for (int j = 0; j < M; ++j) {
         for (int i = 0; i < j; ++i) {
             V[(i * WIDTH) + j] = next[column(j) + i];
@@ -1097,6 +1313,14 @@ void val_ud_predict(const bs_real UD[VAL_N_PACKED],
         } else {
             first = BS_REAL(0.0);
         }
+#ifdef BORESIGHT_ROWS
+        for (int i = j - 1; i >= 0; --i) {
+            bs_real *const w = &V[i * WIDTH];
+            const bs_real u0 = lose(w, gains[i], by - j, heavy, weights[0] * w[j], j + 1, M + N);
+            const bs_real g0 = first * w[M + j];
+            gains[i] = g0 + (((u0 + heavy[M + i]) - (g0 * beyond)) * inverse);
+        }
+#else
         gains[j] = BS_REAL(0.0); /* the rows from j on are done: what a block makes of them counts
                                   * no more */
         gains[j + 1] = BS_REAL(0.0);
@@ -1130,6 +1354,7 @@ void val_ud_predict(const bs_real UD[VAL_N_PACKED],
             const bs_real g2 = first * w[(2 * WIDTH) + M];
             gain[2] = g2 + (((u2 + others[2]) - (g2 * beyond)) * inverse);
         }
+#endif
         for (int i = 0; i < j; ++i) {
             u[i] = gains[i];
         }
@@ -1137,31 +1362,212 @@ void val_ud_predict(const bs_real UD[VAL_N_PACKED],
     }
 }
 
+/* Notes what a row says, and whether it is used. */
+BS_INSIDE bs_status judge(bs_row *row, bs_real nu, bs_real S)
+{
+    row->nu = nu;
+    row->S = S;
+    if (!(is_finite(nu) && is_finite(S) && (S >= LEAST))) {
+        row->used = 0;
+        return BS_NOT_POSITIVE;
+    }
+    if ((row->gate > BS_REAL(0.0)) && ((nu * nu) > ((row->gate * row->gate) * S))) {
+        row->used = 0;
+    }
+    return BS_OK;
+}
+
+#ifdef BORESIGHT_ROWS
+/* Numbers of P from where they stand. */
+BS_INSIDE void gather(vector *s, const bs_real *P, const unsigned short *at)
+{
+    BS_UNROLLED
+    for (int v = 0; v < ALL; ++v) {
+        const unsigned short *const here = &at[v * LANES];
+#if LANES > 2
+        s[v] = (vector){ P[here[0]], P[here[1]], P[here[2]], P[here[3]] };
+#else
+        s[v] = (vector){ P[here[0]], P[here[1]] };
+#endif
+    }
+}
+
+/* Of column j of P some rows: p = (p - K g[j]) - b K[j]. */
+BS_INSIDE void lower(bs_real *p,
+                     const bs_real *K,
+                     const bs_real *b,
+                     bs_real g_j,
+                     bs_real K_j,
+                     int rows)
+{
+    int i = 0;
+    BS_UNROLLED
+    for (; (i + LANES) <= rows; i += LANES) {
+        anywhere *const to = (anywhere *)&p[i];
+        *to = (*to - (*(const vector *)&K[i] * g_j)) - (*(const vector *)&b[i] * K_j);
+    }
+#if LANES > 2
+    if ((i + 2) <= rows) {
+        pair *const to = (pair *)&p[i];
+        *to = (*to - (*(const pair *)&K[i] * g_j)) - (*(const pair *)&b[i] * K_j);
+        i += 2;
+    }
+#endif
+    if (i < rows) {
+        p[i] = (p[i] - (K[i] * g_j)) - (b[i] * K_j);
+    }
+}
+
+/* All of P as the loops below take it: 16 rows of K and b stay in registers while the columns go
+ * by. */
+APART void lower_all(bs_real *restrict P,
+                     const bs_real *restrict g,
+                     const bs_real *restrict K,
+                     const bs_real *restrict b)
+{
+    lower(&P[0], K, b, g[0], K[0], 1);
+    lower(&P[1], K, b, g[1], K[1], 2);
+    lower(&P[3], K, b, g[2], K[2], 3);
+    lower(&P[6], K, b, g[3], K[3], 4);
+    lower(&P[10], K, b, g[4], K[4], 5);
+    lower(&P[15], K, b, g[5], K[5], 6);
+    lower(&P[21], K, b, g[6], K[6], 7);
+    lower(&P[28], K, b, g[7], K[7], 8);
+    lower(&P[36], K, b, g[8], K[8], 9);
+    lower(&P[45], K, b, g[9], K[9], 10);
+    lower(&P[55], K, b, g[10], K[10], 11);
+    lower(&P[66], K, b, g[11], K[11], 12);
+    lower(&P[78], K, b, g[12], K[12], 13);
+    lower(&P[91], K, b, g[13], K[13], 14);
+    lower(&P[105], K, b, g[14], K[14], 15);
+    lower(&P[120], K, b, g[15], K[15], 16);
+    BS_ROLLED
+    for (int j = 16; j < N; ++j) {
+        lower(&P[column(j)], K, b, g[j], K[j], 16);
+    }
+    lower(&P[152], &K[16], &b[16], g[16], K[16], 1);
+    lower(&P[169], &K[16], &b[16], g[17], K[17], 2);
+    lower(&P[187], &K[16], &b[16], g[18], K[18], 3);
+}
+
+/* x and P by the K in s. */
+BS_INSIDE void correct(bs_real *P,
+                       bs_real *x,
+                       const bs_row *row,
+                       const bs_real *g,
+                       const bs_real *b,
+                       vector *s)
+{
+    ALIGNED bs_real K[WIDE];
+    put(K, s, WIDE);
+    BS_UNROLLED
+    for (int v = 0; v < ALL; ++v) {
+        s[v] *= row->nu;
+    }
+    add(s, x, 16);
+    store(x, s, 16);
+    add(&s[16 / LANES], &x[16], 3);
+    store(&x[16], &s[16 / LANES], 3);
+    lower_all(P, g, K, b);
+    for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
+        row->gain[i] = K[i];
+    }
+}
+
+/* A row of several non-zeros, or none. */
+APART bs_status update_by_many(bs_real *P, bs_real *x, bs_row *row)
+{
+    ALIGNED bs_real g[WIDE]; /* P h */
+    ALIGNED bs_real b[WIDE]; /* A h - R K */
+    vector s[ALL] = { { BS_REAL(0.0) } };
+    vector line[ALL];
+    bs_real nu = row->z;
+    bs_real S = row->R;
+    bs_status status;
+    BS_ROLLED
+    for (int p = 0; p < row->count; ++p) {
+        const bs_real h = row->h[p];
+        nu -= h * x[row->at[p]];
+        gather(line, P, whole[row->at[p]]);
+        BS_UNROLLED
+        for (int v = 0; v < ALL; ++v) {
+            s[v] += h * line[v];
+        }
+    }
+    put(g, s, WIDE);
+    for (int p = 0; p < row->count; ++p) {
+        S += row->h[p] * g[row->at[p]];
+    }
+    status = judge(row, nu, S);
+    if ((status == BS_OK) && (row->used != 0)) {
+        const bs_real inverse = BS_REAL(1.0) / S;
+        vector sum[ALL] = { { BS_REAL(0.0) } };
+        BS_UNROLLED
+        for (int v = 0; v < ALL; ++v) {
+            s[v] *= inverse;
+        }
+        BS_ROLLED
+        for (int p = 0; p < row->count; ++p) {
+            const bs_real h = row->h[p];
+            const bs_real of_g = g[row->at[p]];
+            gather(line, P, whole[row->at[p]]);
+            BS_UNROLLED
+            for (int v = 0; v < ALL; ++v) {
+                sum[v] += h * (line[v] - (s[v] * of_g));
+            }
+        }
+        BS_UNROLLED
+        for (int v = 0; v < ALL; ++v) {
+            sum[v] -= row->R * s[v];
+        }
+        put(b, sum, WIDE);
+        correct(P, x, row, g, b, s);
+    }
+    return status;
+}
+
+bs_status val_joseph_update(bs_real P[VAL_N_PACKED], bs_real x[VAL_N_STATES], bs_row *row)
+{
+    if (row->count == 1) { /* as most have: S by itself first, for the division takes long; a sum
+                            * begins with 0, or -0 stays what it is */
+        const int k = (int)row->at[0];
+        const bs_real h = row->h[0];
+        const bs_real of_g = BS_REAL(0.0) + (h * P[column(k) + k]);
+        const bs_real nu = row->z - (h * x[k]);
+        const bs_real S = row->R + (h * of_g);
+        const bs_status status = judge(row, nu, S);
+        if ((status == BS_OK) && (row->used != 0)) {
+            const bs_real inverse = BS_REAL(1.0) / S;
+            ALIGNED bs_real g[WIDE]; /* P h */
+            ALIGNED bs_real b[WIDE]; /* A h - R K, of the rounded A = P - K g' */
+            vector s[ALL];
+            vector line[ALL];
+            gather(line, P, whole[k]);
+            BS_UNROLLED
+            for (int v = 0; v < ALL; ++v) {
+                s[v] = BS_REAL(0.0) + (h * line[v]);
+            }
+            put(g, s, WIDE);
+            BS_UNROLLED
+            for (int v = 0; v < ALL; ++v) {
+                s[v] *= inverse;
+                line[v] = (BS_REAL(0.0) + (h * (line[v] - (s[v] * of_g)))) - (row->R * s[v]);
+            }
+            put(b, line, WIDE);
+            correct(P, x, row, g, b, s);
+        }
+        return status;
+    }
+    return update_by_many(P, x, row);
+}
+#else
 bs_status val_joseph_update(bs_real P[VAL_N_PACKED], bs_real x[VAL_N_STATES], bs_row *row)
 {
     bs_real nu = row->z;
     bs_real S = row->R;
-#ifdef BORESIGHT_ROWS
-    bs_real g[WIDE]; /* P h */
-    bs_real K[WIDE];
-    bs_real lines[N][WIDE]; /* of P, where h is not zero */
-    for (int i = 0; i < WIDE; ++i) {
-        g[i] = zeros[i];
-    }
-    for (int p = 0; p < row->count; ++p) {
-        const unsigned short *const at = whole[row->at[p]];
-        const bs_real h = row->h[p];
-        nu -= h * x[row->at[p]];
-        for (int i = 0; i < WIDE; ++i) {
-            lines[p][i] = P[at[i]];
-        }
-        for (int i = 0; i < WIDE; ++i) {
-            g[i] += h * lines[p][i];
-        }
-    }
-#else
     bs_real g[N]; /* P h */
     bs_real K[N];
+    bs_status status;
     clear(g, N);
     for (int p = 0; p < row->count; ++p) {
         const int k = (int)row->at[p];
@@ -1174,167 +1580,12 @@ bs_status val_joseph_update(bs_real P[VAL_N_PACKED], bs_real x[VAL_N_STATES], bs
             g[i] += h * P[column(i) + k];
         }
     }
-#endif
     for (int p = 0; p < row->count; ++p) {
         S += row->h[p] * g[row->at[p]];
     }
-    row->nu = nu;
-    row->S = S;
-    if (!(is_finite(nu) && is_finite(S) && (S >= LEAST))) {
-        row->used = 0;
-        return BS_NOT_POSITIVE;
-    }
-    if ((row->gate > BS_REAL(0.0)) && ((nu * nu) > ((row->gate * row->gate) * S))) {
-        row->used = 0;
-    }
-    if (row->used != 0) {
+    status = judge(row, nu, S);
+    if ((status == BS_OK) && (row->used != 0)) {
         const bs_real inverse = BS_REAL(1.0) / S;
-#ifdef BORESIGHT_ROWS
-        const bs_real R = row->R;
-        bs_real b[WIDE]; /* as below */
-        if (row->count == 1) { /* as most are: in one pass */
-            const bs_real h = row->h[0];
-            const bs_real of_g = g[row->at[0]];
-            for (int i = 0; i < WIDE; ++i) {
-                const bs_real gain = g[i] * inverse;
-                K[i] = gain;
-                b[i] = (BS_REAL(0.0) + (h * (lines[0][i] - (gain * of_g)))) - (R * gain);
-            }
-        } else {
-            for (int i = 0; i < WIDE; ++i) {
-                K[i] = g[i] * inverse;
-                b[i] = zeros[i];
-            }
-            for (int p = 0; p < row->count; ++p) {
-                const bs_real h = row->h[p];
-                const bs_real of_g = g[row->at[p]];
-                for (int i = 0; i < WIDE; ++i) {
-                    b[i] += h * (lines[p][i] - (K[i] * of_g));
-                }
-            }
-            for (int i = 0; i < WIDE; ++i) {
-                b[i] -= R * K[i];
-            }
-        }
-        for (int i = 0; i < 16; ++i) {
-            x[i] += K[i] * nu;
-        }
-        for (int i = 16; i < 19; ++i) {
-            x[i] += K[i] * nu;
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 1; ++i) {
-            P[0 + i] = (P[0 + i] - (K[i] * g[0])) - (b[i] * K[0]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 2; ++i) {
-            P[1 + i] = (P[1 + i] - (K[i] * g[1])) - (b[i] * K[1]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 2; ++i) {
-            P[3 + i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
-        }
-        BS_BY_FOUR
-        for (int i = 2; i < 3; ++i) {
-            P[3 + i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 4; ++i) {
-            P[6 + i] = (P[6 + i] - (K[i] * g[3])) - (b[i] * K[3]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 4; ++i) {
-            P[10 + i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
-        }
-        BS_BY_FOUR
-        for (int i = 4; i < 5; ++i) {
-            P[10 + i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 6; ++i) {
-            P[15 + i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 6; ++i) {
-            P[21 + i] = (P[21 + i] - (K[i] * g[6])) - (b[i] * K[6]);
-        }
-        BS_BY_FOUR
-        for (int i = 6; i < 7; ++i) {
-            P[21 + i] = (P[21 + i] - (K[i] * g[6])) - (b[i] * K[6]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 8; ++i) {
-            P[28 + i] = (P[28 + i] - (K[i] * g[7])) - (b[i] * K[7]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 8; ++i) {
-            P[36 + i] = (P[36 + i] - (K[i] * g[8])) - (b[i] * K[8]);
-        }
-        BS_BY_FOUR
-        for (int i = 8; i < 9; ++i) {
-            P[36 + i] = (P[36 + i] - (K[i] * g[8])) - (b[i] * K[8]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 10; ++i) {
-            P[45 + i] = (P[45 + i] - (K[i] * g[9])) - (b[i] * K[9]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 10; ++i) {
-            P[55 + i] = (P[55 + i] - (K[i] * g[10])) - (b[i] * K[10]);
-        }
-        BS_BY_FOUR
-        for (int i = 10; i < 11; ++i) {
-            P[55 + i] = (P[55 + i] - (K[i] * g[10])) - (b[i] * K[10]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 12; ++i) {
-            P[66 + i] = (P[66 + i] - (K[i] * g[11])) - (b[i] * K[11]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 12; ++i) {
-            P[78 + i] = (P[78 + i] - (K[i] * g[12])) - (b[i] * K[12]);
-        }
-        BS_BY_FOUR
-        for (int i = 12; i < 13; ++i) {
-            P[78 + i] = (P[78 + i] - (K[i] * g[12])) - (b[i] * K[12]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 14; ++i) {
-            P[91 + i] = (P[91 + i] - (K[i] * g[13])) - (b[i] * K[13]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 14; ++i) {
-            P[105 + i] = (P[105 + i] - (K[i] * g[14])) - (b[i] * K[14]);
-        }
-        BS_BY_FOUR
-        for (int i = 14; i < 15; ++i) {
-            P[105 + i] = (P[105 + i] - (K[i] * g[14])) - (b[i] * K[14]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 16; ++i) {
-            P[120 + i] = (P[120 + i] - (K[i] * g[15])) - (b[i] * K[15]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 16; ++i) {
-            P[136 + i] = (P[136 + i] - (K[i] * g[16])) - (b[i] * K[16]);
-        }
-        BS_BY_FOUR
-        for (int i = 16; i < 17; ++i) {
-            P[136 + i] = (P[136 + i] - (K[i] * g[16])) - (b[i] * K[16]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 18; ++i) {
-            P[153 + i] = (P[153 + i] - (K[i] * g[17])) - (b[i] * K[17]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 18; ++i) {
-            P[171 + i] = (P[171 + i] - (K[i] * g[18])) - (b[i] * K[18]);
-        }
-        BS_BY_FOUR
-        for (int i = 18; i < 19; ++i) {
-            P[171 + i] = (P[171 + i] - (K[i] * g[18])) - (b[i] * K[18]);
-        }
-#else
         bs_real b[N]; /* A h - R K, of the rounded A = P - K g' */
         for (int i = 0; i < N; ++i) {
             K[i] = g[i] * inverse;
@@ -1355,13 +1606,13 @@ bs_status val_joseph_update(bs_real P[VAL_N_PACKED], bs_real x[VAL_N_STATES], bs
                 p[i] = (p[i] - (K[i] * g[j])) - (b[i] * K[j]);
             }
         }
-#endif
         for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
             row->gain[i] = K[i];
         }
     }
-    return BS_OK;
+    return status;
 }
+#endif
 
 bs_status val_ud_update(bs_real UD[VAL_N_PACKED], bs_real x[VAL_N_STATES], bs_row *row)
 {
@@ -1369,6 +1620,7 @@ bs_status val_ud_update(bs_real UD[VAL_N_PACKED], bs_real x[VAL_N_STATES], bs_ro
     bs_real b[N]; /* what becomes the gain */
     bs_real nu = row->z;
     bs_real S = row->R;
+    bs_status status;
     clear(f, N);
     for (int p = 0; p < row->count; ++p) {
         const int k = (int)row->at[p];
@@ -1382,16 +1634,8 @@ bs_status val_ud_update(bs_real UD[VAL_N_PACKED], bs_real x[VAL_N_STATES], bs_ro
     for (int j = 0; j < N; ++j) {
         S += UD[column(j) + j] * (f[j] * f[j]);
     }
-    row->nu = nu;
-    row->S = S;
-    if (!(is_finite(nu) && is_finite(S) && (S >= LEAST))) {
-        row->used = 0;
-        return BS_NOT_POSITIVE;
-    }
-    if ((row->gate > BS_REAL(0.0)) && ((nu * nu) > ((row->gate * row->gate) * S))) {
-        row->used = 0;
-    }
-    if (row->used != 0) {
+    status = judge(row, nu, S);
+    if ((status == BS_OK) && (row->used != 0)) {
         bs_real alpha = row->R; /* grows to S */
         for (int j = 0; j < N; ++j) {
             bs_real *const u = &UD[column(j)];
@@ -1414,7 +1658,7 @@ bs_status val_ud_update(bs_real UD[VAL_N_PACKED], bs_real x[VAL_N_STATES], bs_ro
             row->gain[j] = b[j] / alpha;
         }
     }
-    return BS_OK;
+    return status;
 }
 
 void val_joseph_add(bs_real P[VAL_N_PACKED], bs_real c, bs_real v[VAL_N_STATES])

@@ -7,10 +7,10 @@
 #include "val_euler_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status val_euler_H_checked(const val_nav *nav,
-                                     const val_imu *imu,
-                                     const val_master *master,
-                                     bs_real H_nz[17])
+BS_INSIDE bs_status val_euler_H_checked(const val_nav *nav,
+                                        const val_imu *imu,
+                                        const val_master *master,
+                                        bs_real H_nz[17])
 {
     static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802),
                                              BS_REAL(-6.283185307179586), BS_REAL(-500.0) };

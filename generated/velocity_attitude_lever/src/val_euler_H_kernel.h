@@ -8,12 +8,12 @@
 #include "boresight.h"
 #include "val_math.h"
 
-static void val_euler_H_kernel(const bs_real position[3],
-                               const bs_real v_n[3],
-                               const bs_real q_b2n_wxyz[4],
-                               const bs_real omega_ib_b[3],
-                               const bs_real euler_m[3],
-                               bs_real H_nz[17])
+BS_INSIDE void val_euler_H_kernel(const bs_real position[3],
+                                  const bs_real v_n[3],
+                                  const bs_real q_b2n_wxyz[4],
+                                  const bs_real omega_ib_b[3],
+                                  const bs_real euler_m[3],
+                                  bs_real H_nz[17])
 {
     bs_real sin_pitch_m;
     bs_real cos_pitch_m;

@@ -7,11 +7,11 @@
 #include "val_quaternion_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status val_quaternion_H_checked(const bs_real x[VAL_N_STATES],
-                                          const val_nav *nav,
-                                          const val_imu *imu,
-                                          const val_master *master,
-                                          bs_real H_nz[30])
+BS_INSIDE bs_status val_quaternion_H_checked(const bs_real x[VAL_N_STATES],
+                                             const val_nav *nav,
+                                             const val_imu *imu,
+                                             const val_master *master,
+                                             bs_real H_nz[30])
 {
     static const bs_real x_low[19] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-100.0),
                                        BS_REAL(-100.0), BS_REAL(-100.0),

@@ -1570,15 +1570,15 @@ static void val_quaternion_H_kernel_7(const bs_real x[19],
     H_nz[29] = t1342; /* d, d_tau */
 }
 
-static void val_quaternion_H_kernel(const bs_real x[19],
-                                    const bs_real position[3],
-                                    const bs_real v_n[3],
-                                    const bs_real q_b2n_wxyz[4],
-                                    const bs_real q_b2m_wxyz[4],
-                                    const bs_real omega_ib_b[3],
-                                    const bs_real q_m2n_wxyz[4],
-                                    const bs_real lag[1],
-                                    bs_real H_nz[30])
+BS_INSIDE void val_quaternion_H_kernel(const bs_real x[19],
+                                       const bs_real position[3],
+                                       const bs_real v_n[3],
+                                       const bs_real q_b2n_wxyz[4],
+                                       const bs_real q_b2m_wxyz[4],
+                                       const bs_real omega_ib_b[3],
+                                       const bs_real q_m2n_wxyz[4],
+                                       const bs_real lag[1],
+                                       bs_real H_nz[30])
 {
     val_quaternion_H_shared shared;
     val_quaternion_H_kernel_1(x, position, v_n, q_b2n_wxyz, q_b2m_wxyz, omega_ib_b, lag, &shared);

@@ -7,11 +7,11 @@
 #include "val_velocity_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status val_velocity_H_checked(const val_nav *nav,
-                                        const val_imu *imu,
-                                        const val_mounting *mounting,
-                                        const val_master *master,
-                                        bs_real H_nz[33])
+BS_INSIDE bs_status val_velocity_H_checked(const val_nav *nav,
+                                           const val_imu *imu,
+                                           const val_mounting *mounting,
+                                           const val_master *master,
+                                           bs_real H_nz[33])
 {
     static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802),
                                              BS_REAL(-6.283185307179586), BS_REAL(-500.0) };

@@ -9,13 +9,13 @@
 #include "boresight.h"
 #include "val_math.h"
 
-static void val_velocity_H_kernel(const bs_real position[3],
-                                  const bs_real v_n[3],
-                                  const bs_real q_b2n_wxyz[4],
-                                  const bs_real omega_ib_b[3],
-                                  const bs_real lever_b[3],
-                                  const bs_real a_n[3],
-                                  bs_real H_nz[33])
+BS_INSIDE void val_velocity_H_kernel(const bs_real position[3],
+                                     const bs_real v_n[3],
+                                     const bs_real q_b2n_wxyz[4],
+                                     const bs_real omega_ib_b[3],
+                                     const bs_real lever_b[3],
+                                     const bs_real a_n[3],
+                                     bs_real H_nz[33])
 {
     bs_real sin_lat;
     bs_real cos_lat;

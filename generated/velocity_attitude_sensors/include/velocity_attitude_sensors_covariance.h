@@ -63,8 +63,8 @@ bs_status vas_ud_init(const bs_real dense[VAS_N_STATES * VAS_N_STATES],
                       bs_real UD[VAS_N_PACKED],
                       bs_real work[VAS_N_WORK]);
 
-/* next = Phi P Phi' + Q.  next must not overlap P; it may be Q.  With BORESIGHT_ROWS the joseph
- * form reads of Phi what a step of this model can make other than 0. */
+/* next = Phi P Phi' + Q.  next must not overlap P; it may be Q.  With BORESIGHT_ROWS it reads of
+ * Phi what a step of this model can make other than 0. */
 void vas_joseph_predict(const bs_real P[VAS_N_PACKED],
                         const bs_real Phi[VAS_N_PHI],
                         const bs_real Q[VAS_N_PACKED],

@@ -401,7 +401,8 @@ int test_vas_quaternion_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != BS_OUT_OF_RANGE) {
-            selftest_print("vas_quaternion_H: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vas_quaternion_H: q_b2n_wxyz of norm %d outside its range not "
+                           "refused\n", end);
             ++failures;
         }
     }
@@ -446,7 +447,8 @@ int test_vas_quaternion_H(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != BS_OUT_OF_RANGE) {
-            selftest_print("vas_quaternion_H: q_b2m_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vas_quaternion_H: q_b2m_wxyz of norm %d outside its range not "
+                           "refused\n", end);
             ++failures;
         }
     }
@@ -521,7 +523,8 @@ int test_vas_quaternion_H(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != BS_OUT_OF_RANGE) {
-            selftest_print("vas_quaternion_H: q_m2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vas_quaternion_H: q_m2n_wxyz of norm %d outside its range not "
+                           "refused\n", end);
             ++failures;
         }
     }

@@ -365,7 +365,8 @@ int test_vas_quaternion_h(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OUT_OF_RANGE) {
-            selftest_print("vas_quaternion_h: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vas_quaternion_h: q_b2n_wxyz of norm %d outside its range not "
+                           "refused\n", end);
             ++failures;
         }
     }
@@ -410,7 +411,8 @@ int test_vas_quaternion_h(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OUT_OF_RANGE) {
-            selftest_print("vas_quaternion_h: q_b2m_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vas_quaternion_h: q_b2m_wxyz of norm %d outside its range not "
+                           "refused\n", end);
             ++failures;
         }
     }
@@ -485,7 +487,8 @@ int test_vas_quaternion_h(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OUT_OF_RANGE) {
-            selftest_print("vas_quaternion_h: q_m2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vas_quaternion_h: q_m2n_wxyz of norm %d outside its range not "
+                           "refused\n", end);
             ++failures;
         }
     }

@@ -257,7 +257,8 @@ int test_vas_quaternion_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != BS_OUT_OF_RANGE) {
-            selftest_print("vas_quaternion_z: q_b2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vas_quaternion_z: q_b2n_wxyz of norm %d outside its range not "
+                           "refused\n", end);
             ++failures;
         }
     }
@@ -302,7 +303,8 @@ int test_vas_quaternion_z(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != BS_OUT_OF_RANGE) {
-            selftest_print("vas_quaternion_z: q_b2m_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vas_quaternion_z: q_b2m_wxyz of norm %d outside its range not "
+                           "refused\n", end);
             ++failures;
         }
     }
@@ -377,7 +379,8 @@ int test_vas_quaternion_z(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_quaternion_z(&nav, &imu, &master, &bending, &triads, z) != BS_OUT_OF_RANGE) {
-            selftest_print("vas_quaternion_z: q_m2n_wxyz of norm %d outside its range not refused\n", end);
+            selftest_print("vas_quaternion_z: q_m2n_wxyz of norm %d outside its range not "
+                           "refused\n", end);
             ++failures;
         }
     }

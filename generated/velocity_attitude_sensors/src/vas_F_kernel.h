@@ -423,20 +423,20 @@ static void vas_F_kernel_2(const bs_real f_b[3],
     F_nz[106] = t316; /* d_bend_rate_z, d_bend_rate_z */
 }
 
-static void vas_F_kernel(const bs_real position[3],
-                         const bs_real v_n[3],
-                         const bs_real q_b2n_wxyz[4],
-                         const bs_real f_b[3],
-                         const bs_real omega_ib_b[3],
-                         const bs_real flexure_omega[3],
-                         const bs_real flexure_damping[3],
-                         const bs_real gyro_scale[3],
-                         const bs_real accel_scale[3],
-                         const bs_real gyro_axes[6],
-                         const bs_real accel_axes[3],
-                         const bs_real gyro_bias_beta[3],
-                         const bs_real accel_bias_beta[3],
-                         bs_real F_nz[107])
+BS_INSIDE void vas_F_kernel(const bs_real position[3],
+                            const bs_real v_n[3],
+                            const bs_real q_b2n_wxyz[4],
+                            const bs_real f_b[3],
+                            const bs_real omega_ib_b[3],
+                            const bs_real flexure_omega[3],
+                            const bs_real flexure_damping[3],
+                            const bs_real gyro_scale[3],
+                            const bs_real accel_scale[3],
+                            const bs_real gyro_axes[6],
+                            const bs_real accel_axes[3],
+                            const bs_real gyro_bias_beta[3],
+                            const bs_real accel_bias_beta[3],
+                            bs_real F_nz[107])
 {
     vas_F_shared shared;
     vas_F_kernel_1(position, v_n, q_b2n_wxyz, f_b, omega_ib_b, gyro_scale, accel_scale, gyro_axes,

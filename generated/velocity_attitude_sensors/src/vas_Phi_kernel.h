@@ -1654,21 +1654,21 @@ static void vas_Phi_kernel_7(const bs_real dt[1],
     Phi_nz[231] = BS_REAL(1.0); /* dba0_z, dba0_z */
 }
 
-static void vas_Phi_kernel(const bs_real position[3],
-                           const bs_real v_n[3],
-                           const bs_real q_b2n_wxyz[4],
-                           const bs_real f_b[3],
-                           const bs_real omega_ib_b[3],
-                           const bs_real dt[1],
-                           const bs_real flexure_omega[3],
-                           const bs_real flexure_damping[3],
-                           const bs_real gyro_scale[3],
-                           const bs_real accel_scale[3],
-                           const bs_real gyro_axes[6],
-                           const bs_real accel_axes[3],
-                           const bs_real gyro_bias_beta[3],
-                           const bs_real accel_bias_beta[3],
-                           bs_real Phi_nz[232])
+BS_INSIDE void vas_Phi_kernel(const bs_real position[3],
+                              const bs_real v_n[3],
+                              const bs_real q_b2n_wxyz[4],
+                              const bs_real f_b[3],
+                              const bs_real omega_ib_b[3],
+                              const bs_real dt[1],
+                              const bs_real flexure_omega[3],
+                              const bs_real flexure_damping[3],
+                              const bs_real gyro_scale[3],
+                              const bs_real accel_scale[3],
+                              const bs_real gyro_axes[6],
+                              const bs_real accel_axes[3],
+                              const bs_real gyro_bias_beta[3],
+                              const bs_real accel_bias_beta[3],
+                              bs_real Phi_nz[232])
 {
     vas_Phi_shared shared;
     vas_Phi_kernel_1(position, v_n, q_b2n_wxyz, f_b, dt, gyro_scale, accel_scale, gyro_axes,

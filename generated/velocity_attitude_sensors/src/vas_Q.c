@@ -6,13 +6,13 @@
 #include "vas_Q_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status vas_Q_checked(const vas_nav *nav,
-                               const vas_imu *imu,
-                               const vas_noise *noise,
-                               const vas_bending *bending,
-                               const vas_triads *triads,
-                               const vas_biases *biases,
-                               bs_real Q_nz[130])
+BS_INSIDE bs_status vas_Q_checked(const vas_nav *nav,
+                                  const vas_imu *imu,
+                                  const vas_noise *noise,
+                                  const vas_bending *bending,
+                                  const vas_triads *triads,
+                                  const vas_biases *biases,
+                                  bs_real Q_nz[130])
 {
     static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802),
                                              BS_REAL(-6.283185307179586), BS_REAL(-500.0) };

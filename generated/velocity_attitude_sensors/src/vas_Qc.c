@@ -5,11 +5,11 @@
 #include "vas_Qc_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status vas_Qc_checked(const vas_nav *nav,
-                                const vas_noise *noise,
-                                const vas_bending *bending,
-                                const vas_triads *triads,
-                                bs_real Qc_nz[31])
+BS_INSIDE bs_status vas_Qc_checked(const vas_nav *nav,
+                                   const vas_noise *noise,
+                                   const vas_bending *bending,
+                                   const vas_triads *triads,
+                                   bs_real Qc_nz[31])
 {
     static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
                                                BS_REAL(-1.001) };

@@ -273,19 +273,19 @@ static void vas_Qc_kernel_2(const bs_real accel_noise[3],
     Qc_nz[30] = t240; /* d_bend_rate_z, d_bend_rate_z */
 }
 
-static void vas_Qc_kernel(const bs_real q_b2n_wxyz[4],
-                          const bs_real gyro_noise[3],
-                          const bs_real accel_noise[3],
-                          const bs_real gyro_bias_noise[3],
-                          const bs_real accel_bias_noise[3],
-                          const bs_real mu_noise[3],
-                          const bs_real tau_noise[1],
-                          const bs_real flexure_noise[3],
-                          const bs_real gyro_scale[3],
-                          const bs_real accel_scale[3],
-                          const bs_real gyro_axes[6],
-                          const bs_real accel_axes[3],
-                          bs_real Qc_nz[31])
+BS_INSIDE void vas_Qc_kernel(const bs_real q_b2n_wxyz[4],
+                             const bs_real gyro_noise[3],
+                             const bs_real accel_noise[3],
+                             const bs_real gyro_bias_noise[3],
+                             const bs_real accel_bias_noise[3],
+                             const bs_real mu_noise[3],
+                             const bs_real tau_noise[1],
+                             const bs_real flexure_noise[3],
+                             const bs_real gyro_scale[3],
+                             const bs_real accel_scale[3],
+                             const bs_real gyro_axes[6],
+                             const bs_real accel_axes[3],
+                             bs_real Qc_nz[31])
 {
     vas_Qc_shared shared;
     vas_Qc_kernel_1(q_b2n_wxyz, gyro_noise, gyro_scale, gyro_axes, &shared, Qc_nz);

@@ -56,15 +56,107 @@ static void clear(bs_real *value, int n)
 }
 
 #ifdef BORESIGHT_ROWS
-/* Rows of constant width: a sum is one statement, in the order of the loops, with whole blocks of 4
- * that compilers vectorise.  The macro is for hosts: it costs code and stack, and changes no bit of
- * a finite number. */
-#define WIDE 48 /* N in whole blocks */
+/* Rows of constant width: a sum is one of 16 columns side by side that stay in registers, in the
+ * order of the loops.  The macro is for hosts: it costs code and stack, and no bit differs of a
+ * number that is finite in both texts. */
+#define WIDE 48 /* N in whole blocks of 4 */
 #define DEEP 28 /* M in whole blocks */
-static const bs_real zeros[WIDE] = { BS_REAL(0.0) }; /* copied: for clearing, compilers print a slow
-                                                      * instruction */
-/* Row by row of a symmetric matrix, where its numbers stand in a packed one; the first fills
- * blocks. */
+#if defined(__AVX__) || defined(BORESIGHT_FLOAT)
+#define LANES 4 /* numbers of a vector */
+#else
+#define LANES 2
+#endif
+#define VECTORS (16 / LANES)
+#define ALL (WIDE / LANES) /* vectors of a row */
+#define APART static __attribute__((noinline)) /* what is to have all registers */
+#define ALIGNED __attribute__((aligned(4 * sizeof(bs_real))))
+typedef bs_real vector __attribute__((vector_size(LANES * sizeof(bs_real)), may_alias));
+typedef vector anywhere __attribute__((aligned(sizeof(bs_real)), may_alias));
+#if LANES > 2
+typedef bs_real two __attribute__((vector_size(2 * sizeof(bs_real)), may_alias));
+typedef two pair __attribute__((aligned(sizeof(bs_real)), may_alias));
+#endif
+
+/* s += a[k] X[k] over the rows of X from begin to end, in its first columns. */
+BS_INSIDE void add_run(vector *s,
+                       const bs_real *a,
+                       const bs_real *X,
+                       int begin,
+                       int end,
+                       int first,
+                       int columns)
+{
+    BS_ROLLED
+    for (int k = begin; k < end; ++k) {
+        BS_UNROLLED
+        for (int v = first / LANES; (v * LANES) < columns; ++v) {
+            s[v] += a[k] * *(const vector *)&X[(k * WIDE) + (v * LANES)];
+        }
+    }
+}
+
+BS_INSIDE void take(vector *s, const bs_real *from, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        s[v] = *(const vector *)&from[v * LANES];
+    }
+}
+
+/* s += more, of which no number is read beyond the columns. */
+BS_INSIDE void add(vector *s, const bs_real *more, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        if (((v + 1) * LANES) <= columns) {
+            s[v] += *(const anywhere *)&more[v * LANES];
+        } else {
+            for (int i = 0; i < (columns - (v * LANES)); ++i) {
+                s[v][i] += more[(v * LANES) + i];
+            }
+        }
+    }
+}
+
+BS_INSIDE void put(bs_real *to, const vector *s, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        *(vector *)&to[v * LANES] = s[v];
+    }
+}
+
+/* No number is written beyond the columns. */
+BS_INSIDE void store(bs_real *to, const vector *s, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        if (((v + 1) * LANES) <= columns) {
+            *(anywhere *)&to[v * LANES] = s[v];
+        } else {
+            for (int i = 0; i < (columns - (v * LANES)); ++i) {
+                to[(v * LANES) + i] = s[v][i];
+            }
+        }
+    }
+}
+
+/* All numbers of s, below each other. */
+BS_INSIDE void spread(bs_real *to, int stride, const vector *s, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        to[(v * LANES) * stride] = s[v][0];
+        to[((v * LANES) + 1) * stride] = s[v][1];
+#if LANES > 2
+        to[((v * LANES) + 2) * stride] = s[v][2];
+        to[((v * LANES) + 3) * stride] = s[v][3];
+#endif
+    }
+}
+
+/* Row by row of a symmetric matrix, where its numbers stand in a packed one; behind column N the
+ * first, so that blocks are whole. */
 static const unsigned short whole[N][WIDE] = {
     { 0, 1, 3, 6, 10, 15, 21, 28, 36, 45, 55, 66, 78, 91, 105, 120, 136, 153, 171, 190, 210, 231, 253, 276, 300, 325, 351, 378, 406, 435, 465, 496, 528, 561, 595, 630, 666, 703, 741, 780, 820, 861, 903, 946, 990, 1035, 0, 0 },
     { 1, 2, 4, 7, 11, 16, 22, 29, 37, 46, 56, 67, 79, 92, 106, 121, 137, 154, 172, 191, 211, 232, 254, 277, 301, 326, 352, 379, 407, 436, 466, 497, 529, 562, 596, 631, 667, 704, 742, 781, 821, 862, 904, 947, 991, 1036, 0, 0 },
@@ -115,6 +207,7 @@ static const unsigned short whole[N][WIDE] = {
 };
 #endif
 
+#ifndef BORESIGHT_ROWS
 /* The first rows of A X, row i of them from to[i * stride] on.  Of X the first `inner` rows count,
  * or where it is upper triangular fewer; the rows of A and X have ROW numbers.  Blocks of 3 x 5
  * sums stay in registers. */
@@ -195,6 +288,8 @@ static void product(const bs_real *A,
         }
     }
 }
+
+#endif
 
 /* The upper triangle of A B' over the rows that move and the columns from begin to end, column j of
  * it from to[j * DOWN] on.  Blocks of 3 x 3 sums. */
@@ -318,6 +413,72 @@ static bs_real raise_by(bs_real *UD, bs_real c, bs_real *v, int last, int first)
     return left;
 }
 
+#ifdef BORESIGHT_ROWS
+/* From column begin on, w loses lost times along; returns sum + w weighted, in order.  All vectors
+ * of a row end with it: a vector that is read where no vector was written waits. */
+BS_INSIDE bs_real lose(bs_real *w,
+                       bs_real lost,
+                       const bs_real *along,
+                       const bs_real *weighted,
+                       bs_real sum,
+                       int begin,
+                       int end)
+{
+    bs_real s = sum;
+    int k = begin;
+    for (; ((end - k) % LANES) != 0; ++k) {
+        const bs_real left = w[k] - (lost * along[k]);
+        w[k] = left;
+        s += left * weighted[k];
+    }
+    for (; k < end; k += LANES) {
+        const vector left = *(const anywhere *)&w[k] - (lost * *(const anywhere *)&along[k]);
+        const vector more = left * *(const anywhere *)&weighted[k];
+        *(anywhere *)&w[k] = left;
+        s += more[0];
+        s += more[1];
+#if LANES > 2
+        s += more[2];
+        s += more[3];
+#endif
+    }
+    return s;
+}
+
+/* s += a[k * step] X[k] over these k. */
+BS_INSIDE void add_rows(vector *s,
+                        const bs_real *a,
+                        size_t step,
+                        const bs_real *X,
+                        size_t stride,
+                        const unsigned short *at,
+                        const unsigned short *end,
+                        int columns)
+{
+    BS_ROLLED
+    for (const unsigned short *k = at; k < end; ++k) {
+        const size_t row = *k;
+        const bs_real of_a = a[row * step];
+        const bs_real *const x = &X[row * stride];
+        BS_UNROLLED
+        for (int v = 0; (v * LANES) < columns; ++v) {
+            s[v] += of_a * *(const vector *)&x[v * LANES];
+        }
+    }
+}
+
+/* Of s = A A and A, what they add to Phi, as s, and to B. */
+BS_INSIDE void begin_series(vector *s, vector *b, const bs_real *A, int columns)
+{
+    BS_UNROLLED
+    for (int v = 0; (v * LANES) < columns; ++v) {
+        const vector a = *(const vector *)&A[v * LANES];
+        b[v] = (BS_REAL(0.6666666666666666) * a) + (BS_REAL(0.2222222222222222) * s[v]);
+        s[v] = a + (BS_REAL(0.5) * s[v]);
+    }
+}
+#endif
+
 void vas_discretize(const bs_real F[VAS_N_F],
                     const bs_real Qc[VAS_N_QC],
                     bs_real dt,
@@ -352,361 +513,267 @@ void vas_discretize(const bs_real F[VAS_N_F],
     bs_real w[N];
     const bs_real share = BS_REAL(0.75) * dt;
 #ifdef BORESIGHT_ROWS
-    bs_real A[M][WIDE];
-    bs_real B[WIDE][DEEP]; /* transposed, as T is */
-    bs_real T[WIDE][DEEP];
-    bs_real sum[WIDE];
+    ALIGNED bs_real A[M][WIDE] = {
+        { BS_REAL(0.0), F[0] * dt, F[1] * dt, BS_REAL(0.0), F[2] * dt, BS_REAL(0.0), F[3] * dt,
+          F[4] * dt, F[5] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), F[6] *
+          dt, F[7] * dt, F[8] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), F[9] * dt, F[10] * dt,
+          F[11] * dt, F[12] * dt, F[13] * dt, F[14] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0) },
+        { F[15] * dt, BS_REAL(0.0), F[16] * dt, F[17] * dt, BS_REAL(0.0), BS_REAL(0.0), F[18] * dt,
+          F[19] * dt, F[20] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          F[21] * dt, F[22] * dt, F[23] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), F[24] * dt,
+          F[25] * dt, F[26] * dt, F[27] * dt, F[28] * dt, F[29] * dt, BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { F[30] * dt, F[31] * dt, BS_REAL(0.0), BS_REAL(0.0), F[32] * dt, BS_REAL(0.0), F[33] * dt,
+          F[34] * dt, F[35] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          F[36] * dt, F[37] * dt, F[38] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), F[39] * dt,
+          F[40] * dt, F[41] * dt, F[42] * dt, F[43] * dt, F[44] * dt, BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), F[45] * dt, F[46] * dt, F[47] * dt, F[48] * dt, F[49] * dt, BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), F[50] * dt, F[51] * dt, F[52] * dt, BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), F[53] * dt, F[54] * dt, F[55] * dt,
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          F[56] * dt, F[57] * dt, F[58] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { F[59] * dt, BS_REAL(0.0), F[60] * dt, F[61] * dt, F[62] * dt, F[63] * dt, BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), F[64] * dt, F[65] * dt, F[66] * dt, BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), F[67] * dt, F[68] * dt, F[69] * dt,
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          F[70] * dt, F[71] * dt, F[72] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { F[73] * dt, F[74] * dt, BS_REAL(0.0), F[75] * dt, F[76] * dt, BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), F[77] * dt, F[78] * dt, F[79] * dt, BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), F[80] * dt, F[81] * dt, F[82] * dt,
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          F[83] * dt, F[84] * dt, F[85] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          F[86] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), F[87] * dt, BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), F[88] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), F[89] * dt,
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), F[90] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          F[91] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), F[92] * dt, BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), F[93] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), F[94] * dt, BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), F[95] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), F[96] * dt,
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), F[97] * dt, BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), F[98] * dt, BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), F[99] * dt,
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          F[100] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), F[101] * dt, BS_REAL(0.0), BS_REAL(0.0), F[102] * dt, BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), F[103] * dt, BS_REAL(0.0), BS_REAL(0.0), F[104] * dt,
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) },
+        { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), F[105] * dt, BS_REAL(0.0), BS_REAL(0.0),
+          F[106] * dt, BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+          BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) }
+    };
+    ALIGNED bs_real B[WIDE][DEEP]; /* transposed, as T is */
+    ALIGNED bs_real T[WIDE][DEEP];
+    ALIGNED bs_real square[M][DEEP];
+    /* where rows of A, and of B U in the columns that meet noise, have non-zeros */
+    static const unsigned short A_from[M + 1] = { 0, 6, 12, 18, 26, 34, 41, 42, 43, 44, 45, 46, 47,
+                                                  47, 47, 47, 47, 47, 47, 47, 48, 49, 50, 52, 54,
+                                                  56 };
+    static const unsigned short A_at[] = { 1, 2, 4, 6, 7, 8, 0, 2, 3, 6, 7, 8, 0, 1, 4, 6, 7, 8, 1,
+                                           2, 3, 4, 5, 9, 10, 11, 0, 2, 3, 4, 5, 9, 10, 11, 0, 1, 3,
+                                           4, 9, 10, 11, 6, 7, 8, 9, 10, 11, 22, 23, 24, 19, 22, 20,
+                                           23, 21, 24 };
+    static const unsigned short B_from[M + 1] = { 0, 30, 60, 90, 120, 150, 180, 182, 184, 186, 188,
+                                                  190, 192, 193, 194, 195, 196, 197, 198, 199, 201,
+                                                  203, 205, 207, 209, 211 };
+    static const unsigned short B_at[] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 25, 26, 27, 28, 29,
+                                           30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 0, 1,
+                                           2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 25, 26, 27, 28, 29, 30,
+                                           31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 0, 1, 2,
+                                           3, 4, 5, 6, 7, 8, 9, 10, 11, 25, 26, 27, 28, 29, 30, 31,
+                                           32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 0, 1, 2, 3,
+                                           4, 5, 6, 7, 8, 9, 10, 11, 25, 26, 27, 28, 29, 30, 31, 32,
+                                           33, 34, 35, 36, 37, 38, 39, 43, 44, 45, 0, 1, 2, 3, 4, 5,
+                                           6, 7, 8, 9, 10, 11, 25, 26, 27, 28, 29, 30, 31, 32, 33,
+                                           34, 35, 36, 37, 38, 39, 43, 44, 45, 0, 1, 2, 3, 4, 5, 6,
+                                           7, 8, 9, 10, 11, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34,
+                                           35, 36, 37, 38, 39, 43, 44, 45, 6, 40, 7, 41, 8, 42, 9,
+                                           43, 10, 44, 11, 45, 12, 13, 14, 15, 16, 17, 18, 19, 22,
+                                           20, 23, 21, 24, 19, 22, 20, 23, 21, 24 };
     (void)work;
-    for (int i = 0; i < M; ++i) {
-        for (int j = 0; j < WIDE; ++j) {
-            A[i][j] = zeros[j];
-        }
-    }
-    A[0][1] = F[0] * dt;
-    A[0][2] = F[1] * dt;
-    A[0][4] = F[2] * dt;
-    A[0][6] = F[3] * dt;
-    A[0][7] = F[4] * dt;
-    A[0][8] = F[5] * dt;
-    A[0][25] = F[6] * dt;
-    A[0][26] = F[7] * dt;
-    A[0][27] = F[8] * dt;
-    A[0][31] = F[9] * dt;
-    A[0][32] = F[10] * dt;
-    A[0][33] = F[11] * dt;
-    A[0][34] = F[12] * dt;
-    A[0][35] = F[13] * dt;
-    A[0][36] = F[14] * dt;
-    A[1][0] = F[15] * dt;
-    A[1][2] = F[16] * dt;
-    A[1][3] = F[17] * dt;
-    A[1][6] = F[18] * dt;
-    A[1][7] = F[19] * dt;
-    A[1][8] = F[20] * dt;
-    A[1][25] = F[21] * dt;
-    A[1][26] = F[22] * dt;
-    A[1][27] = F[23] * dt;
-    A[1][31] = F[24] * dt;
-    A[1][32] = F[25] * dt;
-    A[1][33] = F[26] * dt;
-    A[1][34] = F[27] * dt;
-    A[1][35] = F[28] * dt;
-    A[1][36] = F[29] * dt;
-    A[2][0] = F[30] * dt;
-    A[2][1] = F[31] * dt;
-    A[2][4] = F[32] * dt;
-    A[2][6] = F[33] * dt;
-    A[2][7] = F[34] * dt;
-    A[2][8] = F[35] * dt;
-    A[2][25] = F[36] * dt;
-    A[2][26] = F[37] * dt;
-    A[2][27] = F[38] * dt;
-    A[2][31] = F[39] * dt;
-    A[2][32] = F[40] * dt;
-    A[2][33] = F[41] * dt;
-    A[2][34] = F[42] * dt;
-    A[2][35] = F[43] * dt;
-    A[2][36] = F[44] * dt;
-    A[3][1] = F[45] * dt;
-    A[3][2] = F[46] * dt;
-    A[3][3] = F[47] * dt;
-    A[3][4] = F[48] * dt;
-    A[3][5] = F[49] * dt;
-    A[3][9] = F[50] * dt;
-    A[3][10] = F[51] * dt;
-    A[3][11] = F[52] * dt;
-    A[3][28] = F[53] * dt;
-    A[3][29] = F[54] * dt;
-    A[3][30] = F[55] * dt;
-    A[3][37] = F[56] * dt;
-    A[3][38] = F[57] * dt;
-    A[3][39] = F[58] * dt;
-    A[4][0] = F[59] * dt;
-    A[4][2] = F[60] * dt;
-    A[4][3] = F[61] * dt;
-    A[4][4] = F[62] * dt;
-    A[4][5] = F[63] * dt;
-    A[4][9] = F[64] * dt;
-    A[4][10] = F[65] * dt;
-    A[4][11] = F[66] * dt;
-    A[4][28] = F[67] * dt;
-    A[4][29] = F[68] * dt;
-    A[4][30] = F[69] * dt;
-    A[4][37] = F[70] * dt;
-    A[4][38] = F[71] * dt;
-    A[4][39] = F[72] * dt;
-    A[5][0] = F[73] * dt;
-    A[5][1] = F[74] * dt;
-    A[5][3] = F[75] * dt;
-    A[5][4] = F[76] * dt;
-    A[5][9] = F[77] * dt;
-    A[5][10] = F[78] * dt;
-    A[5][11] = F[79] * dt;
-    A[5][28] = F[80] * dt;
-    A[5][29] = F[81] * dt;
-    A[5][30] = F[82] * dt;
-    A[5][37] = F[83] * dt;
-    A[5][38] = F[84] * dt;
-    A[5][39] = F[85] * dt;
-    A[6][6] = F[86] * dt;
-    A[6][40] = F[87] * dt;
-    A[7][7] = F[88] * dt;
-    A[7][41] = F[89] * dt;
-    A[8][8] = F[90] * dt;
-    A[8][42] = F[91] * dt;
-    A[9][9] = F[92] * dt;
-    A[9][43] = F[93] * dt;
-    A[10][10] = F[94] * dt;
-    A[10][44] = F[95] * dt;
-    A[11][11] = F[96] * dt;
-    A[11][45] = F[97] * dt;
-    A[19][22] = F[98] * dt;
-    A[20][23] = F[99] * dt;
-    A[21][24] = F[100] * dt;
-    A[22][19] = F[101] * dt;
-    A[22][22] = F[102] * dt;
-    A[23][20] = F[103] * dt;
-    A[23][23] = F[104] * dt;
-    A[24][21] = F[105] * dt;
-    A[24][24] = F[106] * dt;
     for (int j = 0; j < N; ++j) {
         for (int i = M; i < DEEP; ++i) {
             B[j][i] = BS_REAL(0.0);
         }
     }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[0][1] * A[1][j]) + (A[0][2] * A[2][j]) +
-            (A[0][4] * A[4][j]) + (A[0][6] * A[6][j]) + (A[0][7] * A[7][j]) + (A[0][8] * A[8][j]);
-        sum[j] = A[0][j] + (BS_REAL(0.5) * twice);
-        B[j][0] = (BS_REAL(0.6666666666666666) * A[0][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[0 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[1][0] * A[0][j]) + (A[1][2] * A[2][j]) +
-            (A[1][3] * A[3][j]) + (A[1][6] * A[6][j]) + (A[1][7] * A[7][j]) + (A[1][8] * A[8][j]);
-        sum[j] = A[1][j] + (BS_REAL(0.5) * twice);
-        B[j][1] = (BS_REAL(0.6666666666666666) * A[1][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[50 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[2][0] * A[0][j]) + (A[2][1] * A[1][j]) +
-            (A[2][4] * A[4][j]) + (A[2][6] * A[6][j]) + (A[2][7] * A[7][j]) + (A[2][8] * A[8][j]);
-        sum[j] = A[2][j] + (BS_REAL(0.5) * twice);
-        B[j][2] = (BS_REAL(0.6666666666666666) * A[2][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[100 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[3][1] * A[1][j]) + (A[3][2] * A[2][j]) +
-            (A[3][3] * A[3][j]) + (A[3][4] * A[4][j]) + (A[3][5] * A[5][j]) + (A[3][9] * A[9][j]) +
-            (A[3][10] * A[10][j]) + (A[3][11] * A[11][j]);
-        sum[j] = A[3][j] + (BS_REAL(0.5) * twice);
-        B[j][3] = (BS_REAL(0.6666666666666666) * A[3][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[150 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[4][0] * A[0][j]) + (A[4][2] * A[2][j]) +
-            (A[4][3] * A[3][j]) + (A[4][4] * A[4][j]) + (A[4][5] * A[5][j]) + (A[4][9] * A[9][j]) +
-            (A[4][10] * A[10][j]) + (A[4][11] * A[11][j]);
-        sum[j] = A[4][j] + (BS_REAL(0.5) * twice);
-        B[j][4] = (BS_REAL(0.6666666666666666) * A[4][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[200 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[5][0] * A[0][j]) + (A[5][1] * A[1][j]) +
-            (A[5][3] * A[3][j]) + (A[5][4] * A[4][j]) + (A[5][9] * A[9][j]) +
-            (A[5][10] * A[10][j]) + (A[5][11] * A[11][j]);
-        sum[j] = A[5][j] + (BS_REAL(0.5) * twice);
-        B[j][5] = (BS_REAL(0.6666666666666666) * A[5][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[250 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[6][6] * A[6][j]);
-        sum[j] = A[6][j] + (BS_REAL(0.5) * twice);
-        B[j][6] = (BS_REAL(0.6666666666666666) * A[6][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[300 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[7][7] * A[7][j]);
-        sum[j] = A[7][j] + (BS_REAL(0.5) * twice);
-        B[j][7] = (BS_REAL(0.6666666666666666) * A[7][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[350 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[8][8] * A[8][j]);
-        sum[j] = A[8][j] + (BS_REAL(0.5) * twice);
-        B[j][8] = (BS_REAL(0.6666666666666666) * A[8][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[400 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[9][9] * A[9][j]);
-        sum[j] = A[9][j] + (BS_REAL(0.5) * twice);
-        B[j][9] = (BS_REAL(0.6666666666666666) * A[9][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[450 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[10][10] * A[10][j]);
-        sum[j] = A[10][j] + (BS_REAL(0.5) * twice);
-        B[j][10] = (BS_REAL(0.6666666666666666) * A[10][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[500 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[11][11] * A[11][j]);
-        sum[j] = A[11][j] + (BS_REAL(0.5) * twice);
-        B[j][11] = (BS_REAL(0.6666666666666666) * A[11][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[550 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0);
-        sum[j] = A[12][j] + (BS_REAL(0.5) * twice);
-        B[j][12] = (BS_REAL(0.6666666666666666) * A[12][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[600 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0);
-        sum[j] = A[13][j] + (BS_REAL(0.5) * twice);
-        B[j][13] = (BS_REAL(0.6666666666666666) * A[13][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[650 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0);
-        sum[j] = A[14][j] + (BS_REAL(0.5) * twice);
-        B[j][14] = (BS_REAL(0.6666666666666666) * A[14][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[700 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0);
-        sum[j] = A[15][j] + (BS_REAL(0.5) * twice);
-        B[j][15] = (BS_REAL(0.6666666666666666) * A[15][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[750 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0);
-        sum[j] = A[16][j] + (BS_REAL(0.5) * twice);
-        B[j][16] = (BS_REAL(0.6666666666666666) * A[16][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[800 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0);
-        sum[j] = A[17][j] + (BS_REAL(0.5) * twice);
-        B[j][17] = (BS_REAL(0.6666666666666666) * A[17][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[850 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0);
-        sum[j] = A[18][j] + (BS_REAL(0.5) * twice);
-        B[j][18] = (BS_REAL(0.6666666666666666) * A[18][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[900 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[19][22] * A[22][j]);
-        sum[j] = A[19][j] + (BS_REAL(0.5) * twice);
-        B[j][19] = (BS_REAL(0.6666666666666666) * A[19][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[950 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[20][23] * A[23][j]);
-        sum[j] = A[20][j] + (BS_REAL(0.5) * twice);
-        B[j][20] = (BS_REAL(0.6666666666666666) * A[20][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[1000 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[21][24] * A[24][j]);
-        sum[j] = A[21][j] + (BS_REAL(0.5) * twice);
-        B[j][21] = (BS_REAL(0.6666666666666666) * A[21][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[1050 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[22][19] * A[19][j]) + (A[22][22] * A[22][j]);
-        sum[j] = A[22][j] + (BS_REAL(0.5) * twice);
-        B[j][22] = (BS_REAL(0.6666666666666666) * A[22][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[1100 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[23][20] * A[20][j]) + (A[23][23] * A[23][j]);
-        sum[j] = A[23][j] + (BS_REAL(0.5) * twice);
-        B[j][23] = (BS_REAL(0.6666666666666666) * A[23][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[1150 + j] = sum[j];
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        const bs_real twice = BS_REAL(0.0) + (A[24][21] * A[21][j]) + (A[24][24] * A[24][j]);
-        sum[j] = A[24][j] + (BS_REAL(0.5) * twice);
-        B[j][24] = (BS_REAL(0.6666666666666666) * A[24][j]) + (BS_REAL(0.2222222222222222) * twice);
-    }
-    for (int j = 0; j < N; ++j) {
-        Phi[1200 + j] = sum[j];
+    for (int i = 0; i < M; ++i) {
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } }; /* A A */
+            vector b[VECTORS];
+            add_rows(s, A[i], 1, &A[0][0], WIDE, &A_at[A_from[i]], &A_at[A_from[i + 1]], 16);
+            begin_series(s, b, &A[i][0], 16);
+            spread(&B[0][i], DEEP, b, 16);
+            store(&Phi[(i * ROW)], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } }; /* A A */
+            vector b[VECTORS];
+            add_rows(s, A[i], 1, &A[0][16], WIDE, &A_at[A_from[i]], &A_at[A_from[i + 1]], 16);
+            begin_series(s, b, &A[i][16], 16);
+            spread(&B[16][i], DEEP, b, 16);
+            store(&Phi[(i * ROW) + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } }; /* A A */
+            vector b[VECTORS];
+            add_rows(s, A[i], 1, &A[0][32], WIDE, &A_at[A_from[i]], &A_at[A_from[i + 1]], 14);
+            begin_series(s, b, &A[i][32], 14);
+            spread(&B[32][i], DEEP, b, 14);
+            store(&Phi[(i * ROW) + 32], s, 14);
+        }
     }
     for (int i = 0; i < M; ++i) {
         clear(&Phi[(i * ROW) + N], ROW - N);
@@ -760,11 +827,7 @@ void vas_discretize(const bs_real F[VAS_N_F],
                 }
                 w[l] -= u[l] * gain;
                 u[l] = gain;
-#ifdef BORESIGHT_ROWS
-                for (int i = 0; i < DEEP; ++i) {
-                    B[k][i] += B[l][i] * gain;
-                }
-#else
+#ifndef BORESIGHT_ROWS
                 for (int i = 0; i < (DOWN * ROW); i += 3 * ROW) {
                     B[i + k] += B[i + l] * gain;
                     B[i + ROW + k] += B[i + ROW + l] * gain;
@@ -778,9 +841,19 @@ void vas_discretize(const bs_real F[VAS_N_F],
         }
     }
 #ifdef BORESIGHT_ROWS
+    for (int p = 0; p < 6; ++p) {
+        const int k = (int)coupled[p];
+        for (int l = k - 1; (l >= (int)reach[p]) && (w[k] > BS_REAL(0.0)); --l) {
+            BS_UNROLLED
+            for (int i = 0; i < M; i += LANES) {
+                *(vector *)&B[k][i] += *(const vector *)&B[l][i] * Q[column(k) + l];
+            }
+        }
+    }
     for (int k = 0; k < N; ++k) { /* columns before meet no noise */
-        for (int i = 0; i < DEEP; ++i) {
-            T[k][i] = B[k][i] * w[k];
+        BS_UNROLLED
+        for (int i = 0; i < M; i += LANES) {
+            *(vector *)&T[k][i] = *(const vector *)&B[k][i] * w[k];
         }
     }
     for (int j = M; j < N; ++j) { /* B has rows of a unit matrix here */
@@ -788,234 +861,210 @@ void vas_discretize(const bs_real F[VAS_N_F],
             Q[column(j) + i] = T[j][i];
         }
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][0]) + (T[1][i] * B[1][0]) + (T[2][i] * B[2][0]) +
-            (T[3][i] * B[3][0]) + (T[4][i] * B[4][0]) + (T[5][i] * B[5][0]) + (T[6][i] * B[6][0]) +
-            (T[7][i] * B[7][0]) + (T[8][i] * B[8][0]) + (T[9][i] * B[9][0]) +
-            (T[10][i] * B[10][0]) + (T[11][i] * B[11][0]) + (T[25][i] * B[25][0]) +
-            (T[26][i] * B[26][0]) + (T[27][i] * B[27][0]) + (T[28][i] * B[28][0]) +
-            (T[29][i] * B[29][0]) + (T[30][i] * B[30][0]) + (T[31][i] * B[31][0]) +
-            (T[32][i] * B[32][0]) + (T[33][i] * B[33][0]) + (T[34][i] * B[34][0]) +
-            (T[35][i] * B[35][0]) + (T[36][i] * B[36][0]) + (T[37][i] * B[37][0]) +
-            (T[38][i] * B[38][0]) + (T[39][i] * B[39][0]) + (T[40][i] * B[40][0]) +
-            (T[41][i] * B[41][0]) + (T[42][i] * B[42][0]);
+    for (int j = 0; j < 4; ++j) {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_rows(s, &B[0][j], DEEP, &T[0][0], DEEP, &B_at[B_from[j]], &B_at[B_from[j + 1]], 4);
+        put(&square[j][0], s, 4);
     }
-    for (int i = 0; i < 1; ++i) {
-        Q[0 + i] = sum[i];
+    for (int j = 4; j < 8; ++j) {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_rows(s, &B[0][j], DEEP, &T[0][0], DEEP, &B_at[B_from[j]], &B_at[B_from[j + 1]], 8);
+        put(&square[j][0], s, 8);
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][1]) + (T[1][i] * B[1][1]) + (T[2][i] * B[2][1]) +
-            (T[3][i] * B[3][1]) + (T[4][i] * B[4][1]) + (T[5][i] * B[5][1]) + (T[6][i] * B[6][1]) +
-            (T[7][i] * B[7][1]) + (T[8][i] * B[8][1]) + (T[9][i] * B[9][1]) +
-            (T[10][i] * B[10][1]) + (T[11][i] * B[11][1]) + (T[25][i] * B[25][1]) +
-            (T[26][i] * B[26][1]) + (T[27][i] * B[27][1]) + (T[28][i] * B[28][1]) +
-            (T[29][i] * B[29][1]) + (T[30][i] * B[30][1]) + (T[31][i] * B[31][1]) +
-            (T[32][i] * B[32][1]) + (T[33][i] * B[33][1]) + (T[34][i] * B[34][1]) +
-            (T[35][i] * B[35][1]) + (T[36][i] * B[36][1]) + (T[37][i] * B[37][1]) +
-            (T[38][i] * B[38][1]) + (T[39][i] * B[39][1]) + (T[40][i] * B[40][1]) +
-            (T[41][i] * B[41][1]) + (T[42][i] * B[42][1]);
+    for (int j = 8; j < 12; ++j) {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_rows(s, &B[0][j], DEEP, &T[0][0], DEEP, &B_at[B_from[j]], &B_at[B_from[j + 1]], 12);
+        put(&square[j][0], s, 12);
     }
-    for (int i = 0; i < 2; ++i) {
-        Q[1 + i] = sum[i];
+    for (int j = 12; j < 25; ++j) {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_rows(s, &B[0][j], DEEP, &T[0][0], DEEP, &B_at[B_from[j]], &B_at[B_from[j + 1]], 16);
+        put(&square[j][0], s, 16);
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][2]) + (T[1][i] * B[1][2]) + (T[2][i] * B[2][2]) +
-            (T[3][i] * B[3][2]) + (T[4][i] * B[4][2]) + (T[5][i] * B[5][2]) + (T[6][i] * B[6][2]) +
-            (T[7][i] * B[7][2]) + (T[8][i] * B[8][2]) + (T[9][i] * B[9][2]) +
-            (T[10][i] * B[10][2]) + (T[11][i] * B[11][2]) + (T[25][i] * B[25][2]) +
-            (T[26][i] * B[26][2]) + (T[27][i] * B[27][2]) + (T[28][i] * B[28][2]) +
-            (T[29][i] * B[29][2]) + (T[30][i] * B[30][2]) + (T[31][i] * B[31][2]) +
-            (T[32][i] * B[32][2]) + (T[33][i] * B[33][2]) + (T[34][i] * B[34][2]) +
-            (T[35][i] * B[35][2]) + (T[36][i] * B[36][2]) + (T[37][i] * B[37][2]) +
-            (T[38][i] * B[38][2]) + (T[39][i] * B[39][2]) + (T[40][i] * B[40][2]) +
-            (T[41][i] * B[41][2]) + (T[42][i] * B[42][2]);
+    for (int j = 16; j < 20; ++j) {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_rows(s, &B[0][j], DEEP, &T[0][16], DEEP, &B_at[B_from[j]], &B_at[B_from[j + 1]], 4);
+        put(&square[j][16], s, 4);
     }
-    for (int i = 0; i < 3; ++i) {
-        Q[3 + i] = sum[i];
+    for (int j = 20; j < 24; ++j) {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_rows(s, &B[0][j], DEEP, &T[0][16], DEEP, &B_at[B_from[j]], &B_at[B_from[j + 1]], 8);
+        put(&square[j][16], s, 8);
     }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][3]) + (T[1][i] * B[1][3]) + (T[2][i] * B[2][3]) +
-            (T[3][i] * B[3][3]) + (T[4][i] * B[4][3]) + (T[5][i] * B[5][3]) + (T[6][i] * B[6][3]) +
-            (T[7][i] * B[7][3]) + (T[8][i] * B[8][3]) + (T[9][i] * B[9][3]) +
-            (T[10][i] * B[10][3]) + (T[11][i] * B[11][3]) + (T[25][i] * B[25][3]) +
-            (T[26][i] * B[26][3]) + (T[27][i] * B[27][3]) + (T[28][i] * B[28][3]) +
-            (T[29][i] * B[29][3]) + (T[30][i] * B[30][3]) + (T[31][i] * B[31][3]) +
-            (T[32][i] * B[32][3]) + (T[33][i] * B[33][3]) + (T[34][i] * B[34][3]) +
-            (T[35][i] * B[35][3]) + (T[36][i] * B[36][3]) + (T[37][i] * B[37][3]) +
-            (T[38][i] * B[38][3]) + (T[39][i] * B[39][3]) + (T[43][i] * B[43][3]) +
-            (T[44][i] * B[44][3]) + (T[45][i] * B[45][3]);
+    for (int j = 24; j < 25; ++j) {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_rows(s, &B[0][j], DEEP, &T[0][16], DEEP, &B_at[B_from[j]], &B_at[B_from[j + 1]], 12);
+        put(&square[j][16], s, 12);
     }
-    for (int i = 0; i < 4; ++i) {
-        Q[6 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[0][0], 1);
+        store(&Q[0], s, 1);
     }
-    BS_ROLLED
-    for (int i = 0; i < 8; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][4]) + (T[1][i] * B[1][4]) + (T[2][i] * B[2][4]) +
-            (T[3][i] * B[3][4]) + (T[4][i] * B[4][4]) + (T[5][i] * B[5][4]) + (T[6][i] * B[6][4]) +
-            (T[7][i] * B[7][4]) + (T[8][i] * B[8][4]) + (T[9][i] * B[9][4]) +
-            (T[10][i] * B[10][4]) + (T[11][i] * B[11][4]) + (T[25][i] * B[25][4]) +
-            (T[26][i] * B[26][4]) + (T[27][i] * B[27][4]) + (T[28][i] * B[28][4]) +
-            (T[29][i] * B[29][4]) + (T[30][i] * B[30][4]) + (T[31][i] * B[31][4]) +
-            (T[32][i] * B[32][4]) + (T[33][i] * B[33][4]) + (T[34][i] * B[34][4]) +
-            (T[35][i] * B[35][4]) + (T[36][i] * B[36][4]) + (T[37][i] * B[37][4]) +
-            (T[38][i] * B[38][4]) + (T[39][i] * B[39][4]) + (T[43][i] * B[43][4]) +
-            (T[44][i] * B[44][4]) + (T[45][i] * B[45][4]);
+    {
+        vector s[VECTORS];
+        take(s, &square[1][0], 2);
+        store(&Q[1], s, 2);
     }
-    for (int i = 0; i < 5; ++i) {
-        Q[10 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[2][0], 3);
+        store(&Q[3], s, 3);
     }
-    BS_ROLLED
-    for (int i = 0; i < 8; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[0][i] * B[0][5]) + (T[1][i] * B[1][5]) + (T[2][i] * B[2][5]) +
-            (T[3][i] * B[3][5]) + (T[4][i] * B[4][5]) + (T[5][i] * B[5][5]) + (T[6][i] * B[6][5]) +
-            (T[7][i] * B[7][5]) + (T[8][i] * B[8][5]) + (T[9][i] * B[9][5]) +
-            (T[10][i] * B[10][5]) + (T[11][i] * B[11][5]) + (T[25][i] * B[25][5]) +
-            (T[26][i] * B[26][5]) + (T[27][i] * B[27][5]) + (T[28][i] * B[28][5]) +
-            (T[29][i] * B[29][5]) + (T[30][i] * B[30][5]) + (T[31][i] * B[31][5]) +
-            (T[32][i] * B[32][5]) + (T[33][i] * B[33][5]) + (T[34][i] * B[34][5]) +
-            (T[35][i] * B[35][5]) + (T[36][i] * B[36][5]) + (T[37][i] * B[37][5]) +
-            (T[38][i] * B[38][5]) + (T[39][i] * B[39][5]) + (T[43][i] * B[43][5]) +
-            (T[44][i] * B[44][5]) + (T[45][i] * B[45][5]);
+    {
+        vector s[VECTORS];
+        take(s, &square[3][0], 4);
+        store(&Q[6], s, 4);
     }
-    for (int i = 0; i < 6; ++i) {
-        Q[15 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[4][0], 5);
+        store(&Q[10], s, 5);
     }
-    BS_ROLLED
-    for (int i = 0; i < 8; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[6][i] * B[6][6]) + (T[40][i] * B[40][6]);
+    {
+        vector s[VECTORS];
+        take(s, &square[5][0], 6);
+        store(&Q[15], s, 6);
     }
-    for (int i = 0; i < 7; ++i) {
-        Q[21 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[6][0], 7);
+        store(&Q[21], s, 7);
     }
-    BS_ROLLED
-    for (int i = 0; i < 8; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[7][i] * B[7][7]) + (T[41][i] * B[41][7]);
+    {
+        vector s[VECTORS];
+        take(s, &square[7][0], 8);
+        store(&Q[28], s, 8);
     }
-    for (int i = 0; i < 8; ++i) {
-        Q[28 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[8][0], 9);
+        store(&Q[36], s, 9);
     }
-    BS_ROLLED
-    for (int i = 0; i < 12; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[8][i] * B[8][8]) + (T[42][i] * B[42][8]);
+    {
+        vector s[VECTORS];
+        take(s, &square[9][0], 10);
+        store(&Q[45], s, 10);
     }
-    for (int i = 0; i < 9; ++i) {
-        Q[36 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[10][0], 11);
+        store(&Q[55], s, 11);
     }
-    BS_ROLLED
-    for (int i = 0; i < 12; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[9][i] * B[9][9]) + (T[43][i] * B[43][9]);
+    {
+        vector s[VECTORS];
+        take(s, &square[11][0], 12);
+        store(&Q[66], s, 12);
     }
-    for (int i = 0; i < 10; ++i) {
-        Q[45 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[12][0], 13);
+        store(&Q[78], s, 13);
     }
-    BS_ROLLED
-    for (int i = 0; i < 12; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[10][i] * B[10][10]) + (T[44][i] * B[44][10]);
+    {
+        vector s[VECTORS];
+        take(s, &square[13][0], 14);
+        store(&Q[91], s, 14);
     }
-    for (int i = 0; i < 11; ++i) {
-        Q[55 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[14][0], 15);
+        store(&Q[105], s, 15);
     }
-    BS_ROLLED
-    for (int i = 0; i < 12; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[11][i] * B[11][11]) + (T[45][i] * B[45][11]);
+    {
+        vector s[VECTORS];
+        take(s, &square[15][0], 16);
+        store(&Q[120], s, 16);
     }
-    for (int i = 0; i < 12; ++i) {
-        Q[66 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[16][0], 16);
+        store(&Q[136], s, 16);
     }
-    BS_ROLLED
-    for (int i = 0; i < 16; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[12][i] * B[12][12]);
+    {
+        vector s[VECTORS];
+        take(s, &square[16][16], 1);
+        store(&Q[152], s, 1);
     }
-    for (int i = 0; i < 13; ++i) {
-        Q[78 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[17][0], 16);
+        store(&Q[153], s, 16);
     }
-    BS_ROLLED
-    for (int i = 0; i < 16; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[13][i] * B[13][13]);
+    {
+        vector s[VECTORS];
+        take(s, &square[17][16], 2);
+        store(&Q[169], s, 2);
     }
-    for (int i = 0; i < 14; ++i) {
-        Q[91 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[18][0], 16);
+        store(&Q[171], s, 16);
     }
-    BS_ROLLED
-    for (int i = 0; i < 16; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[14][i] * B[14][14]);
+    {
+        vector s[VECTORS];
+        take(s, &square[18][16], 3);
+        store(&Q[187], s, 3);
     }
-    for (int i = 0; i < 15; ++i) {
-        Q[105 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[19][0], 16);
+        store(&Q[190], s, 16);
     }
-    BS_ROLLED
-    for (int i = 0; i < 16; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[15][i] * B[15][15]);
+    {
+        vector s[VECTORS];
+        take(s, &square[19][16], 4);
+        store(&Q[206], s, 4);
     }
-    for (int i = 0; i < 16; ++i) {
-        Q[120 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[20][0], 16);
+        store(&Q[210], s, 16);
     }
-    BS_ROLLED
-    for (int i = 0; i < 20; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[16][i] * B[16][16]);
+    {
+        vector s[VECTORS];
+        take(s, &square[20][16], 5);
+        store(&Q[226], s, 5);
     }
-    for (int i = 0; i < 17; ++i) {
-        Q[136 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[21][0], 16);
+        store(&Q[231], s, 16);
     }
-    BS_ROLLED
-    for (int i = 0; i < 20; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[17][i] * B[17][17]);
+    {
+        vector s[VECTORS];
+        take(s, &square[21][16], 6);
+        store(&Q[247], s, 6);
     }
-    for (int i = 0; i < 18; ++i) {
-        Q[153 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[22][0], 16);
+        store(&Q[253], s, 16);
     }
-    BS_ROLLED
-    for (int i = 0; i < 20; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[18][i] * B[18][18]);
+    {
+        vector s[VECTORS];
+        take(s, &square[22][16], 7);
+        store(&Q[269], s, 7);
     }
-    for (int i = 0; i < 19; ++i) {
-        Q[171 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[23][0], 16);
+        store(&Q[276], s, 16);
     }
-    BS_ROLLED
-    for (int i = 0; i < 20; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[19][i] * B[19][19]) + (T[22][i] * B[22][19]);
+    {
+        vector s[VECTORS];
+        take(s, &square[23][16], 8);
+        store(&Q[292], s, 8);
     }
-    for (int i = 0; i < 20; ++i) {
-        Q[190 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[24][0], 16);
+        store(&Q[300], s, 16);
     }
-    BS_ROLLED
-    for (int i = 0; i < 24; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[20][i] * B[20][20]) + (T[23][i] * B[23][20]);
-    }
-    for (int i = 0; i < 21; ++i) {
-        Q[210 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 24; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[21][i] * B[21][21]) + (T[24][i] * B[24][21]);
-    }
-    for (int i = 0; i < 22; ++i) {
-        Q[231 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 24; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[19][i] * B[19][22]) + (T[22][i] * B[22][22]);
-    }
-    for (int i = 0; i < 23; ++i) {
-        Q[253 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 24; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[20][i] * B[20][23]) + (T[23][i] * B[23][23]);
-    }
-    for (int i = 0; i < 24; ++i) {
-        Q[276 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 28; ++i) {
-        sum[i] = BS_REAL(0.0) + (T[21][i] * B[21][24]) + (T[24][i] * B[24][24]);
-    }
-    for (int i = 0; i < 25; ++i) {
-        Q[300 + i] = sum[i];
+    {
+        vector s[VECTORS];
+        take(s, &square[24][16], 9);
+        store(&Q[316], s, 9);
     }
 #else
     for (int i = 0; i < DOWN; ++i) {
@@ -1116,7 +1165,7 @@ void vas_joseph_predict(const bs_real P[VAS_N_PACKED],
                         bs_real next[VAS_N_PACKED],
                         bs_real work[VAS_N_WORK])
 {
-    bs_real X[N][WIDE] = {
+    ALIGNED bs_real X[N][WIDE] = {
         { P[0], P[1], P[3], P[6], P[10], P[15], P[21], P[28], P[36], P[45], P[55], P[66], P[78],
           P[91], P[105], P[120], P[136], P[153], P[171], P[190], P[210], P[231], P[253], P[276],
           P[300], P[325], P[351], P[378], P[406], P[435], P[465], P[496], P[528], P[561], P[595],
@@ -1348,555 +1397,1017 @@ void vas_joseph_predict(const bs_real P[VAS_N_PACKED],
           P[1065], P[1066], P[1067], P[1068], P[1069], P[1070], P[1071], P[1072], P[1073], P[1074],
           P[1075], P[1076], P[1077], P[1078], P[1079], P[1080], BS_REAL(0.0), BS_REAL(0.0) }
     };
-    bs_real Y[WIDE][WIDE]; /* the transpose of Phi P */
-    bs_real sum[WIDE];
+    ALIGNED bs_real Y[WIDE][WIDE]; /* the transpose of Phi P */
     (void)work;
     for (int j = 0; j < N; ++j) {
         for (int i = M; i < WIDE; ++i) {
             Y[j][i] = X[j][i];
         }
     }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][0] = BS_REAL(0.0) + (Phi[0] * X[0][j]) + (Phi[1] * X[1][j]) + (Phi[2] * X[2][j]) +
-            (Phi[3] * X[3][j]) + (Phi[4] * X[4][j]) + (Phi[5] * X[5][j]) + (Phi[6] * X[6][j]) +
-            (Phi[7] * X[7][j]) + (Phi[8] * X[8][j]) + (Phi[9] * X[9][j]) + (Phi[10] * X[10][j]) +
-            (Phi[11] * X[11][j]) + (Phi[25] * X[25][j]) + (Phi[26] * X[26][j]) +
-            (Phi[27] * X[27][j]) + (Phi[28] * X[28][j]) + (Phi[29] * X[29][j]) +
-            (Phi[30] * X[30][j]) + (Phi[31] * X[31][j]) + (Phi[32] * X[32][j]) +
-            (Phi[33] * X[33][j]) + (Phi[34] * X[34][j]) + (Phi[35] * X[35][j]) +
-            (Phi[36] * X[36][j]) + (Phi[37] * X[37][j]) + (Phi[38] * X[38][j]) +
-            (Phi[39] * X[39][j]) + (Phi[40] * X[40][j]) + (Phi[41] * X[41][j]) +
-            (Phi[42] * X[42][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][1] = BS_REAL(0.0) + (Phi[50] * X[0][j]) + (Phi[51] * X[1][j]) + (Phi[52] * X[2][j]) +
-            (Phi[53] * X[3][j]) + (Phi[54] * X[4][j]) + (Phi[55] * X[5][j]) + (Phi[56] * X[6][j]) +
-            (Phi[57] * X[7][j]) + (Phi[58] * X[8][j]) + (Phi[59] * X[9][j]) + (Phi[60] * X[10][j]) +
-            (Phi[61] * X[11][j]) + (Phi[75] * X[25][j]) + (Phi[76] * X[26][j]) +
-            (Phi[77] * X[27][j]) + (Phi[78] * X[28][j]) + (Phi[79] * X[29][j]) +
-            (Phi[80] * X[30][j]) + (Phi[81] * X[31][j]) + (Phi[82] * X[32][j]) +
-            (Phi[83] * X[33][j]) + (Phi[84] * X[34][j]) + (Phi[85] * X[35][j]) +
-            (Phi[86] * X[36][j]) + (Phi[87] * X[37][j]) + (Phi[88] * X[38][j]) +
-            (Phi[89] * X[39][j]) + (Phi[90] * X[40][j]) + (Phi[91] * X[41][j]) +
-            (Phi[92] * X[42][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][2] = BS_REAL(0.0) + (Phi[100] * X[0][j]) + (Phi[101] * X[1][j]) +
-            (Phi[102] * X[2][j]) + (Phi[103] * X[3][j]) + (Phi[104] * X[4][j]) +
-            (Phi[105] * X[5][j]) + (Phi[106] * X[6][j]) + (Phi[107] * X[7][j]) +
-            (Phi[108] * X[8][j]) + (Phi[109] * X[9][j]) + (Phi[110] * X[10][j]) +
-            (Phi[111] * X[11][j]) + (Phi[125] * X[25][j]) + (Phi[126] * X[26][j]) +
-            (Phi[127] * X[27][j]) + (Phi[128] * X[28][j]) + (Phi[129] * X[29][j]) +
-            (Phi[130] * X[30][j]) + (Phi[131] * X[31][j]) + (Phi[132] * X[32][j]) +
-            (Phi[133] * X[33][j]) + (Phi[134] * X[34][j]) + (Phi[135] * X[35][j]) +
-            (Phi[136] * X[36][j]) + (Phi[137] * X[37][j]) + (Phi[138] * X[38][j]) +
-            (Phi[139] * X[39][j]) + (Phi[140] * X[40][j]) + (Phi[141] * X[41][j]) +
-            (Phi[142] * X[42][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][3] = BS_REAL(0.0) + (Phi[150] * X[0][j]) + (Phi[151] * X[1][j]) +
-            (Phi[152] * X[2][j]) + (Phi[153] * X[3][j]) + (Phi[154] * X[4][j]) +
-            (Phi[155] * X[5][j]) + (Phi[156] * X[6][j]) + (Phi[157] * X[7][j]) +
-            (Phi[158] * X[8][j]) + (Phi[159] * X[9][j]) + (Phi[160] * X[10][j]) +
-            (Phi[161] * X[11][j]) + (Phi[175] * X[25][j]) + (Phi[176] * X[26][j]) +
-            (Phi[177] * X[27][j]) + (Phi[178] * X[28][j]) + (Phi[179] * X[29][j]) +
-            (Phi[180] * X[30][j]) + (Phi[181] * X[31][j]) + (Phi[182] * X[32][j]) +
-            (Phi[183] * X[33][j]) + (Phi[184] * X[34][j]) + (Phi[185] * X[35][j]) +
-            (Phi[186] * X[36][j]) + (Phi[187] * X[37][j]) + (Phi[188] * X[38][j]) +
-            (Phi[189] * X[39][j]) + (Phi[193] * X[43][j]) + (Phi[194] * X[44][j]) +
-            (Phi[195] * X[45][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][4] = BS_REAL(0.0) + (Phi[200] * X[0][j]) + (Phi[201] * X[1][j]) +
-            (Phi[202] * X[2][j]) + (Phi[203] * X[3][j]) + (Phi[204] * X[4][j]) +
-            (Phi[205] * X[5][j]) + (Phi[206] * X[6][j]) + (Phi[207] * X[7][j]) +
-            (Phi[208] * X[8][j]) + (Phi[209] * X[9][j]) + (Phi[210] * X[10][j]) +
-            (Phi[211] * X[11][j]) + (Phi[225] * X[25][j]) + (Phi[226] * X[26][j]) +
-            (Phi[227] * X[27][j]) + (Phi[228] * X[28][j]) + (Phi[229] * X[29][j]) +
-            (Phi[230] * X[30][j]) + (Phi[231] * X[31][j]) + (Phi[232] * X[32][j]) +
-            (Phi[233] * X[33][j]) + (Phi[234] * X[34][j]) + (Phi[235] * X[35][j]) +
-            (Phi[236] * X[36][j]) + (Phi[237] * X[37][j]) + (Phi[238] * X[38][j]) +
-            (Phi[239] * X[39][j]) + (Phi[243] * X[43][j]) + (Phi[244] * X[44][j]) +
-            (Phi[245] * X[45][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][5] = BS_REAL(0.0) + (Phi[250] * X[0][j]) + (Phi[251] * X[1][j]) +
-            (Phi[252] * X[2][j]) + (Phi[253] * X[3][j]) + (Phi[254] * X[4][j]) +
-            (Phi[255] * X[5][j]) + (Phi[256] * X[6][j]) + (Phi[257] * X[7][j]) +
-            (Phi[258] * X[8][j]) + (Phi[259] * X[9][j]) + (Phi[260] * X[10][j]) +
-            (Phi[261] * X[11][j]) + (Phi[275] * X[25][j]) + (Phi[276] * X[26][j]) +
-            (Phi[277] * X[27][j]) + (Phi[278] * X[28][j]) + (Phi[279] * X[29][j]) +
-            (Phi[280] * X[30][j]) + (Phi[281] * X[31][j]) + (Phi[282] * X[32][j]) +
-            (Phi[283] * X[33][j]) + (Phi[284] * X[34][j]) + (Phi[285] * X[35][j]) +
-            (Phi[286] * X[36][j]) + (Phi[287] * X[37][j]) + (Phi[288] * X[38][j]) +
-            (Phi[289] * X[39][j]) + (Phi[293] * X[43][j]) + (Phi[294] * X[44][j]) +
-            (Phi[295] * X[45][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][6] = BS_REAL(0.0) + (Phi[306] * X[6][j]) + (Phi[340] * X[40][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][7] = BS_REAL(0.0) + (Phi[357] * X[7][j]) + (Phi[391] * X[41][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][8] = BS_REAL(0.0) + (Phi[408] * X[8][j]) + (Phi[442] * X[42][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][9] = BS_REAL(0.0) + (Phi[459] * X[9][j]) + (Phi[493] * X[43][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][10] = BS_REAL(0.0) + (Phi[510] * X[10][j]) + (Phi[544] * X[44][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][11] = BS_REAL(0.0) + (Phi[561] * X[11][j]) + (Phi[595] * X[45][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][12] = BS_REAL(0.0) + (Phi[612] * X[12][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][13] = BS_REAL(0.0) + (Phi[663] * X[13][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][14] = BS_REAL(0.0) + (Phi[714] * X[14][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][15] = BS_REAL(0.0) + (Phi[765] * X[15][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][16] = BS_REAL(0.0) + (Phi[816] * X[16][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][17] = BS_REAL(0.0) + (Phi[867] * X[17][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][18] = BS_REAL(0.0) + (Phi[918] * X[18][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][19] = BS_REAL(0.0) + (Phi[969] * X[19][j]) + (Phi[972] * X[22][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][20] = BS_REAL(0.0) + (Phi[1020] * X[20][j]) + (Phi[1023] * X[23][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][21] = BS_REAL(0.0) + (Phi[1071] * X[21][j]) + (Phi[1074] * X[24][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][22] = BS_REAL(0.0) + (Phi[1119] * X[19][j]) + (Phi[1122] * X[22][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][23] = BS_REAL(0.0) + (Phi[1170] * X[20][j]) + (Phi[1173] * X[23][j]);
-    }
-    BS_ROLLED
-    for (int j = 0; j < WIDE; ++j) {
-        Y[j][24] = BS_REAL(0.0) + (Phi[1221] * X[21][j]) + (Phi[1224] * X[24][j]);
-    }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[0] * Y[0][i]) + (Phi[1] * Y[1][i]) + (Phi[2] * Y[2][i]) +
-                  (Phi[3] * Y[3][i]) + (Phi[4] * Y[4][i]) + (Phi[5] * Y[5][i]) +
-                  (Phi[6] * Y[6][i]) + (Phi[7] * Y[7][i]) + (Phi[8] * Y[8][i]) +
-                  (Phi[9] * Y[9][i]) + (Phi[10] * Y[10][i]) + (Phi[11] * Y[11][i]) +
-                  (Phi[25] * Y[25][i]) + (Phi[26] * Y[26][i]) + (Phi[27] * Y[27][i]) +
-                  (Phi[28] * Y[28][i]) + (Phi[29] * Y[29][i]) + (Phi[30] * Y[30][i]) +
-                  (Phi[31] * Y[31][i]) + (Phi[32] * Y[32][i]) + (Phi[33] * Y[33][i]) +
-                  (Phi[34] * Y[34][i]) + (Phi[35] * Y[35][i]) + (Phi[36] * Y[36][i]) +
-                  (Phi[37] * Y[37][i]) + (Phi[38] * Y[38][i]) + (Phi[39] * Y[39][i]) +
-                  (Phi[40] * Y[40][i]) + (Phi[41] * Y[41][i]) + (Phi[42] * Y[42][i])) + Q[0 + i];
-    }
-    for (int i = 0; i < 1; ++i) {
-        next[0 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[50] * Y[0][i]) + (Phi[51] * Y[1][i]) + (Phi[52] * Y[2][i]) +
-                  (Phi[53] * Y[3][i]) + (Phi[54] * Y[4][i]) + (Phi[55] * Y[5][i]) +
-                  (Phi[56] * Y[6][i]) + (Phi[57] * Y[7][i]) + (Phi[58] * Y[8][i]) +
-                  (Phi[59] * Y[9][i]) + (Phi[60] * Y[10][i]) + (Phi[61] * Y[11][i]) +
-                  (Phi[75] * Y[25][i]) + (Phi[76] * Y[26][i]) + (Phi[77] * Y[27][i]) +
-                  (Phi[78] * Y[28][i]) + (Phi[79] * Y[29][i]) + (Phi[80] * Y[30][i]) +
-                  (Phi[81] * Y[31][i]) + (Phi[82] * Y[32][i]) + (Phi[83] * Y[33][i]) +
-                  (Phi[84] * Y[34][i]) + (Phi[85] * Y[35][i]) + (Phi[86] * Y[36][i]) +
-                  (Phi[87] * Y[37][i]) + (Phi[88] * Y[38][i]) + (Phi[89] * Y[39][i]) +
-                  (Phi[90] * Y[40][i]) + (Phi[91] * Y[41][i]) + (Phi[92] * Y[42][i])) + Q[1 + i];
-    }
-    for (int i = 0; i < 2; ++i) {
-        next[1 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[100] * Y[0][i]) + (Phi[101] * Y[1][i]) +
-                  (Phi[102] * Y[2][i]) + (Phi[103] * Y[3][i]) + (Phi[104] * Y[4][i]) +
-                  (Phi[105] * Y[5][i]) + (Phi[106] * Y[6][i]) + (Phi[107] * Y[7][i]) +
-                  (Phi[108] * Y[8][i]) + (Phi[109] * Y[9][i]) + (Phi[110] * Y[10][i]) +
-                  (Phi[111] * Y[11][i]) + (Phi[125] * Y[25][i]) + (Phi[126] * Y[26][i]) +
-                  (Phi[127] * Y[27][i]) + (Phi[128] * Y[28][i]) + (Phi[129] * Y[29][i]) +
-                  (Phi[130] * Y[30][i]) + (Phi[131] * Y[31][i]) + (Phi[132] * Y[32][i]) +
-                  (Phi[133] * Y[33][i]) + (Phi[134] * Y[34][i]) + (Phi[135] * Y[35][i]) +
-                  (Phi[136] * Y[36][i]) + (Phi[137] * Y[37][i]) + (Phi[138] * Y[38][i]) +
-                  (Phi[139] * Y[39][i]) + (Phi[140] * Y[40][i]) + (Phi[141] * Y[41][i]) +
-                  (Phi[142] * Y[42][i])) + Q[3 + i];
-    }
-    for (int i = 0; i < 3; ++i) {
-        next[3 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 4; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[150] * Y[0][i]) + (Phi[151] * Y[1][i]) +
-                  (Phi[152] * Y[2][i]) + (Phi[153] * Y[3][i]) + (Phi[154] * Y[4][i]) +
-                  (Phi[155] * Y[5][i]) + (Phi[156] * Y[6][i]) + (Phi[157] * Y[7][i]) +
-                  (Phi[158] * Y[8][i]) + (Phi[159] * Y[9][i]) + (Phi[160] * Y[10][i]) +
-                  (Phi[161] * Y[11][i]) + (Phi[175] * Y[25][i]) + (Phi[176] * Y[26][i]) +
-                  (Phi[177] * Y[27][i]) + (Phi[178] * Y[28][i]) + (Phi[179] * Y[29][i]) +
-                  (Phi[180] * Y[30][i]) + (Phi[181] * Y[31][i]) + (Phi[182] * Y[32][i]) +
-                  (Phi[183] * Y[33][i]) + (Phi[184] * Y[34][i]) + (Phi[185] * Y[35][i]) +
-                  (Phi[186] * Y[36][i]) + (Phi[187] * Y[37][i]) + (Phi[188] * Y[38][i]) +
-                  (Phi[189] * Y[39][i]) + (Phi[193] * Y[43][i]) + (Phi[194] * Y[44][i]) +
-                  (Phi[195] * Y[45][i])) + Q[6 + i];
-    }
-    for (int i = 0; i < 4; ++i) {
-        next[6 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 8; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[200] * Y[0][i]) + (Phi[201] * Y[1][i]) +
-                  (Phi[202] * Y[2][i]) + (Phi[203] * Y[3][i]) + (Phi[204] * Y[4][i]) +
-                  (Phi[205] * Y[5][i]) + (Phi[206] * Y[6][i]) + (Phi[207] * Y[7][i]) +
-                  (Phi[208] * Y[8][i]) + (Phi[209] * Y[9][i]) + (Phi[210] * Y[10][i]) +
-                  (Phi[211] * Y[11][i]) + (Phi[225] * Y[25][i]) + (Phi[226] * Y[26][i]) +
-                  (Phi[227] * Y[27][i]) + (Phi[228] * Y[28][i]) + (Phi[229] * Y[29][i]) +
-                  (Phi[230] * Y[30][i]) + (Phi[231] * Y[31][i]) + (Phi[232] * Y[32][i]) +
-                  (Phi[233] * Y[33][i]) + (Phi[234] * Y[34][i]) + (Phi[235] * Y[35][i]) +
-                  (Phi[236] * Y[36][i]) + (Phi[237] * Y[37][i]) + (Phi[238] * Y[38][i]) +
-                  (Phi[239] * Y[39][i]) + (Phi[243] * Y[43][i]) + (Phi[244] * Y[44][i]) +
-                  (Phi[245] * Y[45][i])) + Q[10 + i];
-    }
-    for (int i = 0; i < 5; ++i) {
-        next[10 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 8; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[250] * Y[0][i]) + (Phi[251] * Y[1][i]) +
-                  (Phi[252] * Y[2][i]) + (Phi[253] * Y[3][i]) + (Phi[254] * Y[4][i]) +
-                  (Phi[255] * Y[5][i]) + (Phi[256] * Y[6][i]) + (Phi[257] * Y[7][i]) +
-                  (Phi[258] * Y[8][i]) + (Phi[259] * Y[9][i]) + (Phi[260] * Y[10][i]) +
-                  (Phi[261] * Y[11][i]) + (Phi[275] * Y[25][i]) + (Phi[276] * Y[26][i]) +
-                  (Phi[277] * Y[27][i]) + (Phi[278] * Y[28][i]) + (Phi[279] * Y[29][i]) +
-                  (Phi[280] * Y[30][i]) + (Phi[281] * Y[31][i]) + (Phi[282] * Y[32][i]) +
-                  (Phi[283] * Y[33][i]) + (Phi[284] * Y[34][i]) + (Phi[285] * Y[35][i]) +
-                  (Phi[286] * Y[36][i]) + (Phi[287] * Y[37][i]) + (Phi[288] * Y[38][i]) +
-                  (Phi[289] * Y[39][i]) + (Phi[293] * Y[43][i]) + (Phi[294] * Y[44][i]) +
-                  (Phi[295] * Y[45][i])) + Q[15 + i];
-    }
-    for (int i = 0; i < 6; ++i) {
-        next[15 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 8; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[306] * Y[6][i]) + (Phi[340] * Y[40][i])) + Q[21 + i];
-    }
-    for (int i = 0; i < 7; ++i) {
-        next[21 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 8; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[357] * Y[7][i]) + (Phi[391] * Y[41][i])) + Q[28 + i];
-    }
-    for (int i = 0; i < 8; ++i) {
-        next[28 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 12; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[408] * Y[8][i]) + (Phi[442] * Y[42][i])) + Q[36 + i];
-    }
-    for (int i = 0; i < 9; ++i) {
-        next[36 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 12; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[459] * Y[9][i]) + (Phi[493] * Y[43][i])) + Q[45 + i];
-    }
-    for (int i = 0; i < 10; ++i) {
-        next[45 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 12; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[510] * Y[10][i]) + (Phi[544] * Y[44][i])) + Q[55 + i];
-    }
-    for (int i = 0; i < 11; ++i) {
-        next[55 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 12; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[561] * Y[11][i]) + (Phi[595] * Y[45][i])) + Q[66 + i];
-    }
-    for (int i = 0; i < 12; ++i) {
-        next[66 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 16; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[612] * Y[12][i])) + Q[78 + i];
-    }
-    for (int i = 0; i < 13; ++i) {
-        next[78 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 16; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[663] * Y[13][i])) + Q[91 + i];
-    }
-    for (int i = 0; i < 14; ++i) {
-        next[91 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 16; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[714] * Y[14][i])) + Q[105 + i];
-    }
-    for (int i = 0; i < 15; ++i) {
-        next[105 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 16; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[765] * Y[15][i])) + Q[120 + i];
-    }
-    for (int i = 0; i < 16; ++i) {
-        next[120 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 20; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[816] * Y[16][i])) + Q[136 + i];
-    }
-    for (int i = 0; i < 17; ++i) {
-        next[136 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 20; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[867] * Y[17][i])) + Q[153 + i];
-    }
-    for (int i = 0; i < 18; ++i) {
-        next[153 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 20; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[918] * Y[18][i])) + Q[171 + i];
-    }
-    for (int i = 0; i < 19; ++i) {
-        next[171 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 20; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[969] * Y[19][i]) + (Phi[972] * Y[22][i])) + Q[190 + i];
-    }
-    for (int i = 0; i < 20; ++i) {
-        next[190 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 24; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[1020] * Y[20][i]) + (Phi[1023] * Y[23][i])) + Q[210 + i];
-    }
-    for (int i = 0; i < 21; ++i) {
-        next[210 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 24; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[1071] * Y[21][i]) + (Phi[1074] * Y[24][i])) + Q[231 + i];
-    }
-    for (int i = 0; i < 22; ++i) {
-        next[231 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 24; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[1119] * Y[19][i]) + (Phi[1122] * Y[22][i])) + Q[253 + i];
-    }
-    for (int i = 0; i < 23; ++i) {
-        next[253 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 24; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[1170] * Y[20][i]) + (Phi[1173] * Y[23][i])) + Q[276 + i];
-    }
-    for (int i = 0; i < 24; ++i) {
-        next[276 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 28; ++i) {
-        sum[i] = (BS_REAL(0.0) + (Phi[1221] * Y[21][i]) + (Phi[1224] * Y[24][i])) + Q[300 + i];
-    }
-    for (int i = 0; i < 25; ++i) {
-        next[300 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 28; ++i) {
-        sum[i] = Y[25][i] + Q[325 + i];
-    }
-    for (int i = 0; i < 26; ++i) {
-        next[325 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 28; ++i) {
-        sum[i] = Y[26][i] + Q[351 + i];
-    }
-    for (int i = 0; i < 27; ++i) {
-        next[351 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 28; ++i) {
-        sum[i] = Y[27][i] + Q[378 + i];
-    }
-    for (int i = 0; i < 28; ++i) {
-        next[378 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 32; ++i) {
-        sum[i] = Y[28][i] + Q[406 + i];
-    }
-    for (int i = 0; i < 29; ++i) {
-        next[406 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 32; ++i) {
-        sum[i] = Y[29][i] + Q[435 + i];
-    }
-    for (int i = 0; i < 30; ++i) {
-        next[435 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 32; ++i) {
-        sum[i] = Y[30][i] + Q[465 + i];
-    }
-    for (int i = 0; i < 31; ++i) {
-        next[465 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 32; ++i) {
-        sum[i] = Y[31][i] + Q[496 + i];
-    }
-    for (int i = 0; i < 32; ++i) {
-        next[496 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 36; ++i) {
-        sum[i] = Y[32][i] + Q[528 + i];
-    }
-    for (int i = 0; i < 33; ++i) {
-        next[528 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 36; ++i) {
-        sum[i] = Y[33][i] + Q[561 + i];
-    }
-    for (int i = 0; i < 34; ++i) {
-        next[561 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 36; ++i) {
-        sum[i] = Y[34][i] + Q[595 + i];
-    }
-    for (int i = 0; i < 35; ++i) {
-        next[595 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 36; ++i) {
-        sum[i] = Y[35][i] + Q[630 + i];
-    }
-    for (int i = 0; i < 36; ++i) {
-        next[630 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 40; ++i) {
-        sum[i] = Y[36][i] + Q[666 + i];
-    }
-    for (int i = 0; i < 37; ++i) {
-        next[666 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 40; ++i) {
-        sum[i] = Y[37][i] + Q[703 + i];
-    }
-    for (int i = 0; i < 38; ++i) {
-        next[703 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 40; ++i) {
-        sum[i] = Y[38][i] + Q[741 + i];
-    }
-    for (int i = 0; i < 39; ++i) {
-        next[741 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 40; ++i) {
-        sum[i] = Y[39][i] + Q[780 + i];
-    }
-    for (int i = 0; i < 40; ++i) {
-        next[780 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 44; ++i) {
-        sum[i] = Y[40][i] + Q[820 + i];
-    }
-    for (int i = 0; i < 41; ++i) {
-        next[820 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 44; ++i) {
-        sum[i] = Y[41][i] + Q[861 + i];
-    }
-    for (int i = 0; i < 42; ++i) {
-        next[861 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 44; ++i) {
-        sum[i] = Y[42][i] + Q[903 + i];
-    }
-    for (int i = 0; i < 43; ++i) {
-        next[903 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 44; ++i) {
-        sum[i] = Y[43][i] + Q[946 + i];
-    }
-    for (int i = 0; i < 44; ++i) {
-        next[946 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 48; ++i) {
-        sum[i] = Y[44][i] + Q[990 + i];
-    }
-    for (int i = 0; i < 45; ++i) {
-        next[990 + i] = sum[i];
-    }
-    BS_ROLLED
-    for (int i = 0; i < 44; ++i) {
-        sum[i] = Y[45][i] + Q[1035 + i];
-    }
-    BS_ROLLED
-    for (int i = 44; i < 46; ++i) {
-        sum[i] = Y[45][i] + Q[1035 + i];
-    }
-    for (int i = 0; i < 46; ++i) {
-        next[1035 + i] = sum[i];
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[0], &X[0][0], 0, 12, 0, 16);
+        add_run(s, &Phi[0], &X[0][0], 25, 43, 0, 16);
+        spread(&Y[0][0], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[0], &X[0][16], 0, 12, 0, 16);
+        add_run(s, &Phi[0], &X[0][16], 25, 43, 0, 16);
+        spread(&Y[16][0], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[0], &X[0][32], 0, 12, 0, 16);
+        add_run(s, &Phi[0], &X[0][32], 25, 43, 0, 16);
+        spread(&Y[32][0], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[50], &X[0][0], 0, 12, 0, 16);
+        add_run(s, &Phi[50], &X[0][0], 25, 43, 0, 16);
+        spread(&Y[0][1], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[50], &X[0][16], 0, 12, 0, 16);
+        add_run(s, &Phi[50], &X[0][16], 25, 43, 0, 16);
+        spread(&Y[16][1], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[50], &X[0][32], 0, 12, 0, 16);
+        add_run(s, &Phi[50], &X[0][32], 25, 43, 0, 16);
+        spread(&Y[32][1], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[100], &X[0][0], 0, 12, 0, 16);
+        add_run(s, &Phi[100], &X[0][0], 25, 43, 0, 16);
+        spread(&Y[0][2], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[100], &X[0][16], 0, 12, 0, 16);
+        add_run(s, &Phi[100], &X[0][16], 25, 43, 0, 16);
+        spread(&Y[16][2], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[100], &X[0][32], 0, 12, 0, 16);
+        add_run(s, &Phi[100], &X[0][32], 25, 43, 0, 16);
+        spread(&Y[32][2], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[150], &X[0][0], 0, 12, 0, 16);
+        add_run(s, &Phi[150], &X[0][0], 25, 40, 0, 16);
+        add_run(s, &Phi[150], &X[0][0], 43, 46, 0, 16);
+        spread(&Y[0][3], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[150], &X[0][16], 0, 12, 0, 16);
+        add_run(s, &Phi[150], &X[0][16], 25, 40, 0, 16);
+        add_run(s, &Phi[150], &X[0][16], 43, 46, 0, 16);
+        spread(&Y[16][3], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[150], &X[0][32], 0, 12, 0, 16);
+        add_run(s, &Phi[150], &X[0][32], 25, 40, 0, 16);
+        add_run(s, &Phi[150], &X[0][32], 43, 46, 0, 16);
+        spread(&Y[32][3], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[200], &X[0][0], 0, 12, 0, 16);
+        add_run(s, &Phi[200], &X[0][0], 25, 40, 0, 16);
+        add_run(s, &Phi[200], &X[0][0], 43, 46, 0, 16);
+        spread(&Y[0][4], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[200], &X[0][16], 0, 12, 0, 16);
+        add_run(s, &Phi[200], &X[0][16], 25, 40, 0, 16);
+        add_run(s, &Phi[200], &X[0][16], 43, 46, 0, 16);
+        spread(&Y[16][4], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[200], &X[0][32], 0, 12, 0, 16);
+        add_run(s, &Phi[200], &X[0][32], 25, 40, 0, 16);
+        add_run(s, &Phi[200], &X[0][32], 43, 46, 0, 16);
+        spread(&Y[32][4], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[250], &X[0][0], 0, 12, 0, 16);
+        add_run(s, &Phi[250], &X[0][0], 25, 40, 0, 16);
+        add_run(s, &Phi[250], &X[0][0], 43, 46, 0, 16);
+        spread(&Y[0][5], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[250], &X[0][16], 0, 12, 0, 16);
+        add_run(s, &Phi[250], &X[0][16], 25, 40, 0, 16);
+        add_run(s, &Phi[250], &X[0][16], 43, 46, 0, 16);
+        spread(&Y[16][5], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[250], &X[0][32], 0, 12, 0, 16);
+        add_run(s, &Phi[250], &X[0][32], 25, 40, 0, 16);
+        add_run(s, &Phi[250], &X[0][32], 43, 46, 0, 16);
+        spread(&Y[32][5], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[300], &X[0][0], 6, 7, 0, 16);
+        add_run(s, &Phi[300], &X[0][0], 40, 41, 0, 16);
+        spread(&Y[0][6], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[300], &X[0][16], 6, 7, 0, 16);
+        add_run(s, &Phi[300], &X[0][16], 40, 41, 0, 16);
+        spread(&Y[16][6], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[300], &X[0][32], 6, 7, 0, 16);
+        add_run(s, &Phi[300], &X[0][32], 40, 41, 0, 16);
+        spread(&Y[32][6], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[350], &X[0][0], 7, 8, 0, 16);
+        add_run(s, &Phi[350], &X[0][0], 41, 42, 0, 16);
+        spread(&Y[0][7], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[350], &X[0][16], 7, 8, 0, 16);
+        add_run(s, &Phi[350], &X[0][16], 41, 42, 0, 16);
+        spread(&Y[16][7], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[350], &X[0][32], 7, 8, 0, 16);
+        add_run(s, &Phi[350], &X[0][32], 41, 42, 0, 16);
+        spread(&Y[32][7], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[400], &X[0][0], 8, 9, 0, 16);
+        add_run(s, &Phi[400], &X[0][0], 42, 43, 0, 16);
+        spread(&Y[0][8], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[400], &X[0][16], 8, 9, 0, 16);
+        add_run(s, &Phi[400], &X[0][16], 42, 43, 0, 16);
+        spread(&Y[16][8], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[400], &X[0][32], 8, 9, 0, 16);
+        add_run(s, &Phi[400], &X[0][32], 42, 43, 0, 16);
+        spread(&Y[32][8], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[450], &X[0][0], 9, 10, 0, 16);
+        add_run(s, &Phi[450], &X[0][0], 43, 44, 0, 16);
+        spread(&Y[0][9], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[450], &X[0][16], 9, 10, 0, 16);
+        add_run(s, &Phi[450], &X[0][16], 43, 44, 0, 16);
+        spread(&Y[16][9], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[450], &X[0][32], 9, 10, 0, 16);
+        add_run(s, &Phi[450], &X[0][32], 43, 44, 0, 16);
+        spread(&Y[32][9], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[500], &X[0][0], 10, 11, 0, 16);
+        add_run(s, &Phi[500], &X[0][0], 44, 45, 0, 16);
+        spread(&Y[0][10], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[500], &X[0][16], 10, 11, 0, 16);
+        add_run(s, &Phi[500], &X[0][16], 44, 45, 0, 16);
+        spread(&Y[16][10], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[500], &X[0][32], 10, 11, 0, 16);
+        add_run(s, &Phi[500], &X[0][32], 44, 45, 0, 16);
+        spread(&Y[32][10], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[550], &X[0][0], 11, 12, 0, 16);
+        add_run(s, &Phi[550], &X[0][0], 45, 46, 0, 16);
+        spread(&Y[0][11], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[550], &X[0][16], 11, 12, 0, 16);
+        add_run(s, &Phi[550], &X[0][16], 45, 46, 0, 16);
+        spread(&Y[16][11], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[550], &X[0][32], 11, 12, 0, 16);
+        add_run(s, &Phi[550], &X[0][32], 45, 46, 0, 16);
+        spread(&Y[32][11], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[600], &X[0][0], 12, 13, 0, 16);
+        spread(&Y[0][12], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[600], &X[0][16], 12, 13, 0, 16);
+        spread(&Y[16][12], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[600], &X[0][32], 12, 13, 0, 16);
+        spread(&Y[32][12], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[650], &X[0][0], 13, 14, 0, 16);
+        spread(&Y[0][13], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[650], &X[0][16], 13, 14, 0, 16);
+        spread(&Y[16][13], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[650], &X[0][32], 13, 14, 0, 16);
+        spread(&Y[32][13], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[700], &X[0][0], 14, 15, 0, 16);
+        spread(&Y[0][14], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[700], &X[0][16], 14, 15, 0, 16);
+        spread(&Y[16][14], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[700], &X[0][32], 14, 15, 0, 16);
+        spread(&Y[32][14], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[750], &X[0][0], 15, 16, 0, 16);
+        spread(&Y[0][15], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[750], &X[0][16], 15, 16, 0, 16);
+        spread(&Y[16][15], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[750], &X[0][32], 15, 16, 0, 16);
+        spread(&Y[32][15], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[800], &X[0][0], 16, 17, 0, 16);
+        spread(&Y[0][16], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[800], &X[0][16], 16, 17, 0, 16);
+        spread(&Y[16][16], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[800], &X[0][32], 16, 17, 0, 16);
+        spread(&Y[32][16], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[850], &X[0][0], 17, 18, 0, 16);
+        spread(&Y[0][17], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[850], &X[0][16], 17, 18, 0, 16);
+        spread(&Y[16][17], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[850], &X[0][32], 17, 18, 0, 16);
+        spread(&Y[32][17], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[900], &X[0][0], 18, 19, 0, 16);
+        spread(&Y[0][18], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[900], &X[0][16], 18, 19, 0, 16);
+        spread(&Y[16][18], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[900], &X[0][32], 18, 19, 0, 16);
+        spread(&Y[32][18], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[950], &X[0][0], 19, 20, 0, 16);
+        add_run(s, &Phi[950], &X[0][0], 22, 23, 0, 16);
+        spread(&Y[0][19], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[950], &X[0][16], 19, 20, 0, 16);
+        add_run(s, &Phi[950], &X[0][16], 22, 23, 0, 16);
+        spread(&Y[16][19], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[950], &X[0][32], 19, 20, 0, 16);
+        add_run(s, &Phi[950], &X[0][32], 22, 23, 0, 16);
+        spread(&Y[32][19], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1000], &X[0][0], 20, 21, 0, 16);
+        add_run(s, &Phi[1000], &X[0][0], 23, 24, 0, 16);
+        spread(&Y[0][20], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1000], &X[0][16], 20, 21, 0, 16);
+        add_run(s, &Phi[1000], &X[0][16], 23, 24, 0, 16);
+        spread(&Y[16][20], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1000], &X[0][32], 20, 21, 0, 16);
+        add_run(s, &Phi[1000], &X[0][32], 23, 24, 0, 16);
+        spread(&Y[32][20], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1050], &X[0][0], 21, 22, 0, 16);
+        add_run(s, &Phi[1050], &X[0][0], 24, 25, 0, 16);
+        spread(&Y[0][21], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1050], &X[0][16], 21, 22, 0, 16);
+        add_run(s, &Phi[1050], &X[0][16], 24, 25, 0, 16);
+        spread(&Y[16][21], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1050], &X[0][32], 21, 22, 0, 16);
+        add_run(s, &Phi[1050], &X[0][32], 24, 25, 0, 16);
+        spread(&Y[32][21], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1100], &X[0][0], 19, 20, 0, 16);
+        add_run(s, &Phi[1100], &X[0][0], 22, 23, 0, 16);
+        spread(&Y[0][22], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1100], &X[0][16], 19, 20, 0, 16);
+        add_run(s, &Phi[1100], &X[0][16], 22, 23, 0, 16);
+        spread(&Y[16][22], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1100], &X[0][32], 19, 20, 0, 16);
+        add_run(s, &Phi[1100], &X[0][32], 22, 23, 0, 16);
+        spread(&Y[32][22], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1150], &X[0][0], 20, 21, 0, 16);
+        add_run(s, &Phi[1150], &X[0][0], 23, 24, 0, 16);
+        spread(&Y[0][23], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1150], &X[0][16], 20, 21, 0, 16);
+        add_run(s, &Phi[1150], &X[0][16], 23, 24, 0, 16);
+        spread(&Y[16][23], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1150], &X[0][32], 20, 21, 0, 16);
+        add_run(s, &Phi[1150], &X[0][32], 23, 24, 0, 16);
+        spread(&Y[32][23], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1200], &X[0][0], 21, 22, 0, 16);
+        add_run(s, &Phi[1200], &X[0][0], 24, 25, 0, 16);
+        spread(&Y[0][24], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1200], &X[0][16], 21, 22, 0, 16);
+        add_run(s, &Phi[1200], &X[0][16], 24, 25, 0, 16);
+        spread(&Y[16][24], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1200], &X[0][32], 21, 22, 0, 16);
+        add_run(s, &Phi[1200], &X[0][32], 24, 25, 0, 16);
+        spread(&Y[32][24], WIDE, s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[0], &Y[0][0], 0, 12, 0, 1);
+        add_run(s, &Phi[0], &Y[0][0], 25, 43, 0, 1);
+        add(s, &Q[0], 1);
+        store(&next[0], s, 1);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[50], &Y[0][0], 0, 12, 0, 2);
+        add_run(s, &Phi[50], &Y[0][0], 25, 43, 0, 2);
+        add(s, &Q[1], 2);
+        store(&next[1], s, 2);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[100], &Y[0][0], 0, 12, 0, 3);
+        add_run(s, &Phi[100], &Y[0][0], 25, 43, 0, 3);
+        add(s, &Q[3], 3);
+        store(&next[3], s, 3);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[150], &Y[0][0], 0, 12, 0, 4);
+        add_run(s, &Phi[150], &Y[0][0], 25, 40, 0, 4);
+        add_run(s, &Phi[150], &Y[0][0], 43, 46, 0, 4);
+        add(s, &Q[6], 4);
+        store(&next[6], s, 4);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[200], &Y[0][0], 0, 12, 0, 5);
+        add_run(s, &Phi[200], &Y[0][0], 25, 40, 0, 5);
+        add_run(s, &Phi[200], &Y[0][0], 43, 46, 0, 5);
+        add(s, &Q[10], 5);
+        store(&next[10], s, 5);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[250], &Y[0][0], 0, 12, 0, 6);
+        add_run(s, &Phi[250], &Y[0][0], 25, 40, 0, 6);
+        add_run(s, &Phi[250], &Y[0][0], 43, 46, 0, 6);
+        add(s, &Q[15], 6);
+        store(&next[15], s, 6);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[300], &Y[0][0], 6, 7, 0, 7);
+        add_run(s, &Phi[300], &Y[0][0], 40, 41, 0, 7);
+        add(s, &Q[21], 7);
+        store(&next[21], s, 7);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[350], &Y[0][0], 7, 8, 0, 8);
+        add_run(s, &Phi[350], &Y[0][0], 41, 42, 0, 8);
+        add(s, &Q[28], 8);
+        store(&next[28], s, 8);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[400], &Y[0][0], 8, 9, 0, 9);
+        add_run(s, &Phi[400], &Y[0][0], 42, 43, 0, 9);
+        add(s, &Q[36], 9);
+        store(&next[36], s, 9);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[450], &Y[0][0], 9, 10, 0, 10);
+        add_run(s, &Phi[450], &Y[0][0], 43, 44, 0, 10);
+        add(s, &Q[45], 10);
+        store(&next[45], s, 10);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[500], &Y[0][0], 10, 11, 0, 11);
+        add_run(s, &Phi[500], &Y[0][0], 44, 45, 0, 11);
+        add(s, &Q[55], 11);
+        store(&next[55], s, 11);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[550], &Y[0][0], 11, 12, 0, 12);
+        add_run(s, &Phi[550], &Y[0][0], 45, 46, 0, 12);
+        add(s, &Q[66], 12);
+        store(&next[66], s, 12);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[600], &Y[0][0], 12, 13, 0, 13);
+        add(s, &Q[78], 13);
+        store(&next[78], s, 13);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[650], &Y[0][0], 13, 14, 0, 14);
+        add(s, &Q[91], 14);
+        store(&next[91], s, 14);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[700], &Y[0][0], 14, 15, 0, 15);
+        add(s, &Q[105], 15);
+        store(&next[105], s, 15);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[750], &Y[0][0], 15, 16, 0, 16);
+        add(s, &Q[120], 16);
+        store(&next[120], s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[800], &Y[0][0], 16, 17, 0, 16);
+        add(s, &Q[136], 16);
+        store(&next[136], s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[800], &Y[0][16], 16, 17, 0, 1);
+        add(s, &Q[152], 1);
+        store(&next[152], s, 1);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[850], &Y[0][0], 17, 18, 0, 16);
+        add(s, &Q[153], 16);
+        store(&next[153], s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[850], &Y[0][16], 17, 18, 0, 2);
+        add(s, &Q[169], 2);
+        store(&next[169], s, 2);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[900], &Y[0][0], 18, 19, 0, 16);
+        add(s, &Q[171], 16);
+        store(&next[171], s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[900], &Y[0][16], 18, 19, 0, 3);
+        add(s, &Q[187], 3);
+        store(&next[187], s, 3);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[950], &Y[0][0], 19, 20, 0, 16);
+        add_run(s, &Phi[950], &Y[0][0], 22, 23, 0, 16);
+        add(s, &Q[190], 16);
+        store(&next[190], s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[950], &Y[0][16], 19, 20, 0, 4);
+        add_run(s, &Phi[950], &Y[0][16], 22, 23, 0, 4);
+        add(s, &Q[206], 4);
+        store(&next[206], s, 4);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1000], &Y[0][0], 20, 21, 0, 16);
+        add_run(s, &Phi[1000], &Y[0][0], 23, 24, 0, 16);
+        add(s, &Q[210], 16);
+        store(&next[210], s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1000], &Y[0][16], 20, 21, 0, 5);
+        add_run(s, &Phi[1000], &Y[0][16], 23, 24, 0, 5);
+        add(s, &Q[226], 5);
+        store(&next[226], s, 5);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1050], &Y[0][0], 21, 22, 0, 16);
+        add_run(s, &Phi[1050], &Y[0][0], 24, 25, 0, 16);
+        add(s, &Q[231], 16);
+        store(&next[231], s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1050], &Y[0][16], 21, 22, 0, 6);
+        add_run(s, &Phi[1050], &Y[0][16], 24, 25, 0, 6);
+        add(s, &Q[247], 6);
+        store(&next[247], s, 6);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1100], &Y[0][0], 19, 20, 0, 16);
+        add_run(s, &Phi[1100], &Y[0][0], 22, 23, 0, 16);
+        add(s, &Q[253], 16);
+        store(&next[253], s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1100], &Y[0][16], 19, 20, 0, 7);
+        add_run(s, &Phi[1100], &Y[0][16], 22, 23, 0, 7);
+        add(s, &Q[269], 7);
+        store(&next[269], s, 7);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1150], &Y[0][0], 20, 21, 0, 16);
+        add_run(s, &Phi[1150], &Y[0][0], 23, 24, 0, 16);
+        add(s, &Q[276], 16);
+        store(&next[276], s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1150], &Y[0][16], 20, 21, 0, 8);
+        add_run(s, &Phi[1150], &Y[0][16], 23, 24, 0, 8);
+        add(s, &Q[292], 8);
+        store(&next[292], s, 8);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1200], &Y[0][0], 21, 22, 0, 16);
+        add_run(s, &Phi[1200], &Y[0][0], 24, 25, 0, 16);
+        add(s, &Q[300], 16);
+        store(&next[300], s, 16);
+    }
+    {
+        vector s[VECTORS] = { { BS_REAL(0.0) } };
+        add_run(s, &Phi[1200], &Y[0][16], 21, 22, 0, 9);
+        add_run(s, &Phi[1200], &Y[0][16], 24, 25, 0, 9);
+        add(s, &Q[316], 9);
+        store(&next[316], s, 9);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[25][0], 16);
+        add(s, &Q[325], 16);
+        store(&next[325], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[25][16], 10);
+        add(s, &Q[341], 10);
+        store(&next[341], s, 10);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[26][0], 16);
+        add(s, &Q[351], 16);
+        store(&next[351], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[26][16], 11);
+        add(s, &Q[367], 11);
+        store(&next[367], s, 11);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[27][0], 16);
+        add(s, &Q[378], 16);
+        store(&next[378], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[27][16], 12);
+        add(s, &Q[394], 12);
+        store(&next[394], s, 12);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[28][0], 16);
+        add(s, &Q[406], 16);
+        store(&next[406], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[28][16], 13);
+        add(s, &Q[422], 13);
+        store(&next[422], s, 13);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[29][0], 16);
+        add(s, &Q[435], 16);
+        store(&next[435], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[29][16], 14);
+        add(s, &Q[451], 14);
+        store(&next[451], s, 14);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[30][0], 16);
+        add(s, &Q[465], 16);
+        store(&next[465], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[30][16], 15);
+        add(s, &Q[481], 15);
+        store(&next[481], s, 15);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[31][0], 16);
+        add(s, &Q[496], 16);
+        store(&next[496], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[31][16], 16);
+        add(s, &Q[512], 16);
+        store(&next[512], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[32][0], 16);
+        add(s, &Q[528], 16);
+        store(&next[528], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[32][16], 16);
+        add(s, &Q[544], 16);
+        store(&next[544], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[32][32], 1);
+        add(s, &Q[560], 1);
+        store(&next[560], s, 1);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[33][0], 16);
+        add(s, &Q[561], 16);
+        store(&next[561], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[33][16], 16);
+        add(s, &Q[577], 16);
+        store(&next[577], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[33][32], 2);
+        add(s, &Q[593], 2);
+        store(&next[593], s, 2);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[34][0], 16);
+        add(s, &Q[595], 16);
+        store(&next[595], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[34][16], 16);
+        add(s, &Q[611], 16);
+        store(&next[611], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[34][32], 3);
+        add(s, &Q[627], 3);
+        store(&next[627], s, 3);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[35][0], 16);
+        add(s, &Q[630], 16);
+        store(&next[630], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[35][16], 16);
+        add(s, &Q[646], 16);
+        store(&next[646], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[35][32], 4);
+        add(s, &Q[662], 4);
+        store(&next[662], s, 4);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[36][0], 16);
+        add(s, &Q[666], 16);
+        store(&next[666], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[36][16], 16);
+        add(s, &Q[682], 16);
+        store(&next[682], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[36][32], 5);
+        add(s, &Q[698], 5);
+        store(&next[698], s, 5);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[37][0], 16);
+        add(s, &Q[703], 16);
+        store(&next[703], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[37][16], 16);
+        add(s, &Q[719], 16);
+        store(&next[719], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[37][32], 6);
+        add(s, &Q[735], 6);
+        store(&next[735], s, 6);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[38][0], 16);
+        add(s, &Q[741], 16);
+        store(&next[741], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[38][16], 16);
+        add(s, &Q[757], 16);
+        store(&next[757], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[38][32], 7);
+        add(s, &Q[773], 7);
+        store(&next[773], s, 7);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[39][0], 16);
+        add(s, &Q[780], 16);
+        store(&next[780], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[39][16], 16);
+        add(s, &Q[796], 16);
+        store(&next[796], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[39][32], 8);
+        add(s, &Q[812], 8);
+        store(&next[812], s, 8);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[40][0], 16);
+        add(s, &Q[820], 16);
+        store(&next[820], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[40][16], 16);
+        add(s, &Q[836], 16);
+        store(&next[836], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[40][32], 9);
+        add(s, &Q[852], 9);
+        store(&next[852], s, 9);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[41][0], 16);
+        add(s, &Q[861], 16);
+        store(&next[861], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[41][16], 16);
+        add(s, &Q[877], 16);
+        store(&next[877], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[41][32], 10);
+        add(s, &Q[893], 10);
+        store(&next[893], s, 10);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[42][0], 16);
+        add(s, &Q[903], 16);
+        store(&next[903], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[42][16], 16);
+        add(s, &Q[919], 16);
+        store(&next[919], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[42][32], 11);
+        add(s, &Q[935], 11);
+        store(&next[935], s, 11);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[43][0], 16);
+        add(s, &Q[946], 16);
+        store(&next[946], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[43][16], 16);
+        add(s, &Q[962], 16);
+        store(&next[962], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[43][32], 12);
+        add(s, &Q[978], 12);
+        store(&next[978], s, 12);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[44][0], 16);
+        add(s, &Q[990], 16);
+        store(&next[990], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[44][16], 16);
+        add(s, &Q[1006], 16);
+        store(&next[1006], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[44][32], 13);
+        add(s, &Q[1022], 13);
+        store(&next[1022], s, 13);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[45][0], 16);
+        add(s, &Q[1035], 16);
+        store(&next[1035], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[45][16], 16);
+        add(s, &Q[1051], 16);
+        store(&next[1051], s, 16);
+    }
+    {
+        vector s[VECTORS];
+        take(s, &Y[45][32], 14);
+        add(s, &Q[1067], 14);
+        store(&next[1067], s, 14);
     }
 }
 #else
@@ -1991,6 +2502,779 @@ void vas_ud_predict(const bs_real UD[VAS_N_PACKED],
         }
     }
     (void)factorize(next, weight, M);
+    /* V = [the factor of Q, Phi U] over the states that move. */
+#ifdef BORESIGHT_ROWS
+    {
+        ALIGNED bs_real U[N][WIDE] = {
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[1], UD[3], UD[6], UD[10], UD[15], UD[21],
+              UD[28], UD[36], UD[45], UD[55], UD[66], UD[78], UD[91], UD[105], UD[120], UD[136],
+              UD[153], UD[171], UD[190], UD[210], UD[231], UD[253], UD[276], UD[300], UD[325],
+              UD[351], UD[378], UD[406], UD[435], UD[465], UD[496], UD[528], UD[561], UD[595],
+              UD[630], UD[666], UD[703], UD[741], UD[780], UD[820], UD[861], UD[903], UD[946],
+              UD[990], UD[1035] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[4], UD[7], UD[11], UD[16],
+              UD[22], UD[29], UD[37], UD[46], UD[56], UD[67], UD[79], UD[92], UD[106], UD[121],
+              UD[137], UD[154], UD[172], UD[191], UD[211], UD[232], UD[254], UD[277], UD[301],
+              UD[326], UD[352], UD[379], UD[407], UD[436], UD[466], UD[497], UD[529], UD[562],
+              UD[596], UD[631], UD[667], UD[704], UD[742], UD[781], UD[821], UD[862], UD[904],
+              UD[947], UD[991], UD[1036] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[8], UD[12],
+              UD[17], UD[23], UD[30], UD[38], UD[47], UD[57], UD[68], UD[80], UD[93], UD[107],
+              UD[122], UD[138], UD[155], UD[173], UD[192], UD[212], UD[233], UD[255], UD[278],
+              UD[302], UD[327], UD[353], UD[380], UD[408], UD[437], UD[467], UD[498], UD[530],
+              UD[563], UD[597], UD[632], UD[668], UD[705], UD[743], UD[782], UD[822], UD[863],
+              UD[905], UD[948], UD[992], UD[1037] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0),
+              UD[13], UD[18], UD[24], UD[31], UD[39], UD[48], UD[58], UD[69], UD[81], UD[94],
+              UD[108], UD[123], UD[139], UD[156], UD[174], UD[193], UD[213], UD[234], UD[256],
+              UD[279], UD[303], UD[328], UD[354], UD[381], UD[409], UD[438], UD[468], UD[499],
+              UD[531], UD[564], UD[598], UD[633], UD[669], UD[706], UD[744], UD[783], UD[823],
+              UD[864], UD[906], UD[949], UD[993], UD[1038] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(1.0), UD[19], UD[25], UD[32], UD[40], UD[49], UD[59], UD[70], UD[82], UD[95],
+              UD[109], UD[124], UD[140], UD[157], UD[175], UD[194], UD[214], UD[235], UD[257],
+              UD[280], UD[304], UD[329], UD[355], UD[382], UD[410], UD[439], UD[469], UD[500],
+              UD[532], UD[565], UD[599], UD[634], UD[670], UD[707], UD[745], UD[784], UD[824],
+              UD[865], UD[907], UD[950], UD[994], UD[1039] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(1.0), UD[26], UD[33], UD[41], UD[50], UD[60], UD[71], UD[83],
+              UD[96], UD[110], UD[125], UD[141], UD[158], UD[176], UD[195], UD[215], UD[236],
+              UD[258], UD[281], UD[305], UD[330], UD[356], UD[383], UD[411], UD[440], UD[470],
+              UD[501], UD[533], UD[566], UD[600], UD[635], UD[671], UD[708], UD[746], UD[785],
+              UD[825], UD[866], UD[908], UD[951], UD[995], UD[1040] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[34], UD[42], UD[51], UD[61], UD[72],
+              UD[84], UD[97], UD[111], UD[126], UD[142], UD[159], UD[177], UD[196], UD[216],
+              UD[237], UD[259], UD[282], UD[306], UD[331], UD[357], UD[384], UD[412], UD[441],
+              UD[471], UD[502], UD[534], UD[567], UD[601], UD[636], UD[672], UD[709], UD[747],
+              UD[786], UD[826], UD[867], UD[909], UD[952], UD[996], UD[1041] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[43], UD[52], UD[62],
+              UD[73], UD[85], UD[98], UD[112], UD[127], UD[143], UD[160], UD[178], UD[197], UD[217],
+              UD[238], UD[260], UD[283], UD[307], UD[332], UD[358], UD[385], UD[413], UD[442],
+              UD[472], UD[503], UD[535], UD[568], UD[602], UD[637], UD[673], UD[710], UD[748],
+              UD[787], UD[827], UD[868], UD[910], UD[953], UD[997], UD[1042] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[53], UD[63],
+              UD[74], UD[86], UD[99], UD[113], UD[128], UD[144], UD[161], UD[179], UD[198], UD[218],
+              UD[239], UD[261], UD[284], UD[308], UD[333], UD[359], UD[386], UD[414], UD[443],
+              UD[473], UD[504], UD[536], UD[569], UD[603], UD[638], UD[674], UD[711], UD[749],
+              UD[788], UD[828], UD[869], UD[911], UD[954], UD[998], UD[1043] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0),
+              UD[64], UD[75], UD[87], UD[100], UD[114], UD[129], UD[145], UD[162], UD[180], UD[199],
+              UD[219], UD[240], UD[262], UD[285], UD[309], UD[334], UD[360], UD[387], UD[415],
+              UD[444], UD[474], UD[505], UD[537], UD[570], UD[604], UD[639], UD[675], UD[712],
+              UD[750], UD[789], UD[829], UD[870], UD[912], UD[955], UD[999], UD[1044] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(1.0), UD[76], UD[88], UD[101], UD[115], UD[130], UD[146], UD[163], UD[181],
+              UD[200], UD[220], UD[241], UD[263], UD[286], UD[310], UD[335], UD[361], UD[388],
+              UD[416], UD[445], UD[475], UD[506], UD[538], UD[571], UD[605], UD[640], UD[676],
+              UD[713], UD[751], UD[790], UD[830], UD[871], UD[913], UD[956], UD[1000], UD[1045] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(1.0), UD[89], UD[102], UD[116], UD[131], UD[147], UD[164],
+              UD[182], UD[201], UD[221], UD[242], UD[264], UD[287], UD[311], UD[336], UD[362],
+              UD[389], UD[417], UD[446], UD[476], UD[507], UD[539], UD[572], UD[606], UD[641],
+              UD[677], UD[714], UD[752], UD[791], UD[831], UD[872], UD[914], UD[957], UD[1001],
+              UD[1046] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[103], UD[117], UD[132], UD[148], UD[165],
+              UD[183], UD[202], UD[222], UD[243], UD[265], UD[288], UD[312], UD[337], UD[363],
+              UD[390], UD[418], UD[447], UD[477], UD[508], UD[540], UD[573], UD[607], UD[642],
+              UD[678], UD[715], UD[753], UD[792], UD[832], UD[873], UD[915], UD[958], UD[1002],
+              UD[1047] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[118], UD[133], UD[149],
+              UD[166], UD[184], UD[203], UD[223], UD[244], UD[266], UD[289], UD[313], UD[338],
+              UD[364], UD[391], UD[419], UD[448], UD[478], UD[509], UD[541], UD[574], UD[608],
+              UD[643], UD[679], UD[716], UD[754], UD[793], UD[833], UD[874], UD[916], UD[959],
+              UD[1003], UD[1048] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[134],
+              UD[150], UD[167], UD[185], UD[204], UD[224], UD[245], UD[267], UD[290], UD[314],
+              UD[339], UD[365], UD[392], UD[420], UD[449], UD[479], UD[510], UD[542], UD[575],
+              UD[609], UD[644], UD[680], UD[717], UD[755], UD[794], UD[834], UD[875], UD[917],
+              UD[960], UD[1004], UD[1049] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0),
+              UD[151], UD[168], UD[186], UD[205], UD[225], UD[246], UD[268], UD[291], UD[315],
+              UD[340], UD[366], UD[393], UD[421], UD[450], UD[480], UD[511], UD[543], UD[576],
+              UD[610], UD[645], UD[681], UD[718], UD[756], UD[795], UD[835], UD[876], UD[918],
+              UD[961], UD[1005], UD[1050] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(1.0), UD[169], UD[187], UD[206], UD[226], UD[247], UD[269], UD[292], UD[316],
+              UD[341], UD[367], UD[394], UD[422], UD[451], UD[481], UD[512], UD[544], UD[577],
+              UD[611], UD[646], UD[682], UD[719], UD[757], UD[796], UD[836], UD[877], UD[919],
+              UD[962], UD[1006], UD[1051] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(1.0), UD[188], UD[207], UD[227], UD[248], UD[270], UD[293],
+              UD[317], UD[342], UD[368], UD[395], UD[423], UD[452], UD[482], UD[513], UD[545],
+              UD[578], UD[612], UD[647], UD[683], UD[720], UD[758], UD[797], UD[837], UD[878],
+              UD[920], UD[963], UD[1007], UD[1052] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[208], UD[228], UD[249], UD[271], UD[294],
+              UD[318], UD[343], UD[369], UD[396], UD[424], UD[453], UD[483], UD[514], UD[546],
+              UD[579], UD[613], UD[648], UD[684], UD[721], UD[759], UD[798], UD[838], UD[879],
+              UD[921], UD[964], UD[1008], UD[1053] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[229], UD[250], UD[272],
+              UD[295], UD[319], UD[344], UD[370], UD[397], UD[425], UD[454], UD[484], UD[515],
+              UD[547], UD[580], UD[614], UD[649], UD[685], UD[722], UD[760], UD[799], UD[839],
+              UD[880], UD[922], UD[965], UD[1009], UD[1054] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[251],
+              UD[273], UD[296], UD[320], UD[345], UD[371], UD[398], UD[426], UD[455], UD[485],
+              UD[516], UD[548], UD[581], UD[615], UD[650], UD[686], UD[723], UD[761], UD[800],
+              UD[840], UD[881], UD[923], UD[966], UD[1010], UD[1055] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0),
+              UD[274], UD[297], UD[321], UD[346], UD[372], UD[399], UD[427], UD[456], UD[486],
+              UD[517], UD[549], UD[582], UD[616], UD[651], UD[687], UD[724], UD[762], UD[801],
+              UD[841], UD[882], UD[924], UD[967], UD[1011], UD[1056] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(1.0), UD[298], UD[322], UD[347], UD[373], UD[400], UD[428], UD[457], UD[487],
+              UD[518], UD[550], UD[583], UD[617], UD[652], UD[688], UD[725], UD[763], UD[802],
+              UD[842], UD[883], UD[925], UD[968], UD[1012], UD[1057] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(1.0), UD[323], UD[348], UD[374], UD[401], UD[429], UD[458],
+              UD[488], UD[519], UD[551], UD[584], UD[618], UD[653], UD[689], UD[726], UD[764],
+              UD[803], UD[843], UD[884], UD[926], UD[969], UD[1013], UD[1058] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[349], UD[375], UD[402], UD[430], UD[459],
+              UD[489], UD[520], UD[552], UD[585], UD[619], UD[654], UD[690], UD[727], UD[765],
+              UD[804], UD[844], UD[885], UD[927], UD[970], UD[1014], UD[1059] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[376], UD[403], UD[431],
+              UD[460], UD[490], UD[521], UD[553], UD[586], UD[620], UD[655], UD[691], UD[728],
+              UD[766], UD[805], UD[845], UD[886], UD[928], UD[971], UD[1015], UD[1060] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[404],
+              UD[432], UD[461], UD[491], UD[522], UD[554], UD[587], UD[621], UD[656], UD[692],
+              UD[729], UD[767], UD[806], UD[846], UD[887], UD[929], UD[972], UD[1016], UD[1061] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0),
+              UD[433], UD[462], UD[492], UD[523], UD[555], UD[588], UD[622], UD[657], UD[693],
+              UD[730], UD[768], UD[807], UD[847], UD[888], UD[930], UD[973], UD[1017], UD[1062] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(1.0), UD[463], UD[493], UD[524], UD[556], UD[589], UD[623], UD[658], UD[694],
+              UD[731], UD[769], UD[808], UD[848], UD[889], UD[931], UD[974], UD[1018], UD[1063] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(1.0), UD[494], UD[525], UD[557], UD[590], UD[624], UD[659],
+              UD[695], UD[732], UD[770], UD[809], UD[849], UD[890], UD[932], UD[975], UD[1019],
+              UD[1064] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[526], UD[558], UD[591], UD[625], UD[660],
+              UD[696], UD[733], UD[771], UD[810], UD[850], UD[891], UD[933], UD[976], UD[1020],
+              UD[1065] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[559], UD[592], UD[626],
+              UD[661], UD[697], UD[734], UD[772], UD[811], UD[851], UD[892], UD[934], UD[977],
+              UD[1021], UD[1066] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[593],
+              UD[627], UD[662], UD[698], UD[735], UD[773], UD[812], UD[852], UD[893], UD[935],
+              UD[978], UD[1022], UD[1067] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0),
+              UD[628], UD[663], UD[699], UD[736], UD[774], UD[813], UD[853], UD[894], UD[936],
+              UD[979], UD[1023], UD[1068] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(1.0), UD[664], UD[700], UD[737], UD[775], UD[814], UD[854], UD[895], UD[937],
+              UD[980], UD[1024], UD[1069] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(1.0), UD[701], UD[738], UD[776], UD[815], UD[855], UD[896],
+              UD[938], UD[981], UD[1025], UD[1070] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[739], UD[777], UD[816], UD[856], UD[897],
+              UD[939], UD[982], UD[1026], UD[1071] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[778], UD[817], UD[857],
+              UD[898], UD[940], UD[983], UD[1027], UD[1072] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[818],
+              UD[858], UD[899], UD[941], UD[984], UD[1028], UD[1073] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0),
+              UD[859], UD[900], UD[942], UD[985], UD[1029], UD[1074] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(1.0), UD[901], UD[943], UD[986], UD[1030], UD[1075] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(1.0), UD[944], UD[987], UD[1031], UD[1076] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[988], UD[1032], UD[1077] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[1033], UD[1078] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0), UD[1079] },
+            { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+              BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(1.0) }
+        };
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[0], &U[0][0], 0, 12, 2, 16);
+            add_run(s, &Phi[0], &U[0][0], 25, 43, 27, 16);
+            store(&V[(0 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[0], &U[0][16], 0, 12, 0, 16);
+            add_run(s, &Phi[0], &U[0][16], 25, 43, 11, 16);
+            store(&V[(0 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[0], &U[0][32], 0, 12, 0, 16);
+            add_run(s, &Phi[0], &U[0][32], 25, 43, 0, 16);
+            store(&V[(0 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[50], &U[0][0], 0, 12, 2, 16);
+            add_run(s, &Phi[50], &U[0][0], 25, 43, 27, 16);
+            store(&V[(1 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[50], &U[0][16], 0, 12, 0, 16);
+            add_run(s, &Phi[50], &U[0][16], 25, 43, 11, 16);
+            store(&V[(1 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[50], &U[0][32], 0, 12, 0, 16);
+            add_run(s, &Phi[50], &U[0][32], 25, 43, 0, 16);
+            store(&V[(1 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[100], &U[0][0], 0, 12, 2, 16);
+            add_run(s, &Phi[100], &U[0][0], 25, 43, 27, 16);
+            store(&V[(2 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[100], &U[0][16], 0, 12, 0, 16);
+            add_run(s, &Phi[100], &U[0][16], 25, 43, 11, 16);
+            store(&V[(2 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[100], &U[0][32], 0, 12, 0, 16);
+            add_run(s, &Phi[100], &U[0][32], 25, 43, 0, 16);
+            store(&V[(2 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[150], &U[0][0], 0, 12, 2, 16);
+            add_run(s, &Phi[150], &U[0][0], 25, 40, 27, 16);
+            add_run(s, &Phi[150], &U[0][0], 43, 46, 45, 16);
+            store(&V[(3 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[150], &U[0][16], 0, 12, 0, 16);
+            add_run(s, &Phi[150], &U[0][16], 25, 40, 11, 16);
+            add_run(s, &Phi[150], &U[0][16], 43, 46, 29, 16);
+            store(&V[(3 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[150], &U[0][32], 0, 12, 0, 16);
+            add_run(s, &Phi[150], &U[0][32], 25, 40, 0, 16);
+            add_run(s, &Phi[150], &U[0][32], 43, 46, 13, 16);
+            store(&V[(3 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[200], &U[0][0], 0, 12, 2, 16);
+            add_run(s, &Phi[200], &U[0][0], 25, 40, 27, 16);
+            add_run(s, &Phi[200], &U[0][0], 43, 46, 45, 16);
+            store(&V[(4 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[200], &U[0][16], 0, 12, 0, 16);
+            add_run(s, &Phi[200], &U[0][16], 25, 40, 11, 16);
+            add_run(s, &Phi[200], &U[0][16], 43, 46, 29, 16);
+            store(&V[(4 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[200], &U[0][32], 0, 12, 0, 16);
+            add_run(s, &Phi[200], &U[0][32], 25, 40, 0, 16);
+            add_run(s, &Phi[200], &U[0][32], 43, 46, 13, 16);
+            store(&V[(4 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[250], &U[0][0], 0, 12, 2, 16);
+            add_run(s, &Phi[250], &U[0][0], 25, 40, 27, 16);
+            add_run(s, &Phi[250], &U[0][0], 43, 46, 45, 16);
+            store(&V[(5 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[250], &U[0][16], 0, 12, 0, 16);
+            add_run(s, &Phi[250], &U[0][16], 25, 40, 11, 16);
+            add_run(s, &Phi[250], &U[0][16], 43, 46, 29, 16);
+            store(&V[(5 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[250], &U[0][32], 0, 12, 0, 16);
+            add_run(s, &Phi[250], &U[0][32], 25, 40, 0, 16);
+            add_run(s, &Phi[250], &U[0][32], 43, 46, 13, 16);
+            store(&V[(5 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[300], &U[0][0], 6, 7, 8, 16);
+            add_run(s, &Phi[300], &U[0][0], 40, 41, 42, 16);
+            store(&V[(6 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[300], &U[0][16], 6, 7, 0, 16);
+            add_run(s, &Phi[300], &U[0][16], 40, 41, 26, 16);
+            store(&V[(6 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[300], &U[0][32], 6, 7, 0, 16);
+            add_run(s, &Phi[300], &U[0][32], 40, 41, 10, 16);
+            store(&V[(6 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[350], &U[0][0], 7, 8, 9, 16);
+            add_run(s, &Phi[350], &U[0][0], 41, 42, 43, 16);
+            store(&V[(7 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[350], &U[0][16], 7, 8, 0, 16);
+            add_run(s, &Phi[350], &U[0][16], 41, 42, 27, 16);
+            store(&V[(7 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[350], &U[0][32], 7, 8, 0, 16);
+            add_run(s, &Phi[350], &U[0][32], 41, 42, 11, 16);
+            store(&V[(7 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[400], &U[0][0], 8, 9, 10, 16);
+            add_run(s, &Phi[400], &U[0][0], 42, 43, 44, 16);
+            store(&V[(8 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[400], &U[0][16], 8, 9, 0, 16);
+            add_run(s, &Phi[400], &U[0][16], 42, 43, 28, 16);
+            store(&V[(8 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[400], &U[0][32], 8, 9, 0, 16);
+            add_run(s, &Phi[400], &U[0][32], 42, 43, 12, 16);
+            store(&V[(8 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[450], &U[0][0], 9, 10, 11, 16);
+            add_run(s, &Phi[450], &U[0][0], 43, 44, 45, 16);
+            store(&V[(9 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[450], &U[0][16], 9, 10, 0, 16);
+            add_run(s, &Phi[450], &U[0][16], 43, 44, 29, 16);
+            store(&V[(9 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[450], &U[0][32], 9, 10, 0, 16);
+            add_run(s, &Phi[450], &U[0][32], 43, 44, 13, 16);
+            store(&V[(9 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[500], &U[0][0], 10, 11, 12, 16);
+            add_run(s, &Phi[500], &U[0][0], 44, 45, 46, 16);
+            store(&V[(10 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[500], &U[0][16], 10, 11, 0, 16);
+            add_run(s, &Phi[500], &U[0][16], 44, 45, 30, 16);
+            store(&V[(10 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[500], &U[0][32], 10, 11, 0, 16);
+            add_run(s, &Phi[500], &U[0][32], 44, 45, 14, 16);
+            store(&V[(10 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[550], &U[0][0], 11, 12, 13, 16);
+            add_run(s, &Phi[550], &U[0][0], 45, 46, 47, 16);
+            store(&V[(11 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[550], &U[0][16], 11, 12, 0, 16);
+            add_run(s, &Phi[550], &U[0][16], 45, 46, 31, 16);
+            store(&V[(11 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[550], &U[0][32], 11, 12, 0, 16);
+            add_run(s, &Phi[550], &U[0][32], 45, 46, 15, 16);
+            store(&V[(11 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[600], &U[0][0], 12, 13, 14, 16);
+            store(&V[(12 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[600], &U[0][16], 12, 13, 0, 16);
+            store(&V[(12 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[600], &U[0][32], 12, 13, 0, 16);
+            store(&V[(12 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[650], &U[0][0], 13, 14, 15, 16);
+            store(&V[(13 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[650], &U[0][16], 13, 14, 0, 16);
+            store(&V[(13 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[650], &U[0][32], 13, 14, 0, 16);
+            store(&V[(13 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[700], &U[0][0], 14, 15, 16, 16);
+            store(&V[(14 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[700], &U[0][16], 14, 15, 0, 16);
+            store(&V[(14 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[700], &U[0][32], 14, 15, 0, 16);
+            store(&V[(14 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[750], &U[0][0], 15, 16, 17, 16);
+            store(&V[(15 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[750], &U[0][16], 15, 16, 1, 16);
+            store(&V[(15 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[750], &U[0][32], 15, 16, 0, 16);
+            store(&V[(15 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[800], &U[0][0], 16, 17, 18, 16);
+            store(&V[(16 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[800], &U[0][16], 16, 17, 2, 16);
+            store(&V[(16 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[800], &U[0][32], 16, 17, 0, 16);
+            store(&V[(16 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[850], &U[0][0], 17, 18, 19, 16);
+            store(&V[(17 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[850], &U[0][16], 17, 18, 3, 16);
+            store(&V[(17 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[850], &U[0][32], 17, 18, 0, 16);
+            store(&V[(17 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[900], &U[0][0], 18, 19, 20, 16);
+            store(&V[(18 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[900], &U[0][16], 18, 19, 4, 16);
+            store(&V[(18 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[900], &U[0][32], 18, 19, 0, 16);
+            store(&V[(18 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[950], &U[0][0], 19, 20, 21, 16);
+            add_run(s, &Phi[950], &U[0][0], 22, 23, 24, 16);
+            store(&V[(19 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[950], &U[0][16], 19, 20, 5, 16);
+            add_run(s, &Phi[950], &U[0][16], 22, 23, 8, 16);
+            store(&V[(19 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[950], &U[0][32], 19, 20, 0, 16);
+            add_run(s, &Phi[950], &U[0][32], 22, 23, 0, 16);
+            store(&V[(19 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[1000], &U[0][0], 20, 21, 22, 16);
+            add_run(s, &Phi[1000], &U[0][0], 23, 24, 25, 16);
+            store(&V[(20 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[1000], &U[0][16], 20, 21, 6, 16);
+            add_run(s, &Phi[1000], &U[0][16], 23, 24, 9, 16);
+            store(&V[(20 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[1000], &U[0][32], 20, 21, 0, 16);
+            add_run(s, &Phi[1000], &U[0][32], 23, 24, 0, 16);
+            store(&V[(20 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[1050], &U[0][0], 21, 22, 23, 16);
+            add_run(s, &Phi[1050], &U[0][0], 24, 25, 26, 16);
+            store(&V[(21 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[1050], &U[0][16], 21, 22, 7, 16);
+            add_run(s, &Phi[1050], &U[0][16], 24, 25, 10, 16);
+            store(&V[(21 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[1050], &U[0][32], 21, 22, 0, 16);
+            add_run(s, &Phi[1050], &U[0][32], 24, 25, 0, 16);
+            store(&V[(21 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[1100], &U[0][0], 19, 20, 21, 16);
+            add_run(s, &Phi[1100], &U[0][0], 22, 23, 24, 16);
+            store(&V[(22 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[1100], &U[0][16], 19, 20, 5, 16);
+            add_run(s, &Phi[1100], &U[0][16], 22, 23, 8, 16);
+            store(&V[(22 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[1100], &U[0][32], 19, 20, 0, 16);
+            add_run(s, &Phi[1100], &U[0][32], 22, 23, 0, 16);
+            store(&V[(22 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[1150], &U[0][0], 20, 21, 22, 16);
+            add_run(s, &Phi[1150], &U[0][0], 23, 24, 25, 16);
+            store(&V[(23 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[1150], &U[0][16], 20, 21, 6, 16);
+            add_run(s, &Phi[1150], &U[0][16], 23, 24, 9, 16);
+            store(&V[(23 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[1150], &U[0][32], 20, 21, 0, 16);
+            add_run(s, &Phi[1150], &U[0][32], 23, 24, 0, 16);
+            store(&V[(23 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[1200], &U[0][0], 21, 22, 23, 16);
+            add_run(s, &Phi[1200], &U[0][0], 24, 25, 26, 16);
+            store(&V[(24 * WIDTH) + M + N - WIDE], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[1200], &U[0][16], 21, 22, 7, 16);
+            add_run(s, &Phi[1200], &U[0][16], 24, 25, 10, 16);
+            store(&V[(24 * WIDTH) + M + N - WIDE + 16], s, 16);
+        }
+        {
+            vector s[VECTORS] = { { BS_REAL(0.0) } };
+            add_run(s, &Phi[1200], &U[0][32], 21, 22, 0, 16);
+            add_run(s, &Phi[1200], &U[0][32], 24, 25, 0, 16);
+            store(&V[(24 * WIDTH) + M + N - WIDE + 32], s, 16);
+        }
+    }
+#else
     clear(X, N * ROW); /* columns that fill the last block */
     for (int j = 0; j < N; ++j) {
         for (int i = 0; i < j; ++i) {
@@ -1999,8 +3283,8 @@ void vas_ud_predict(const bs_real UD[VAS_N_PACKED],
         }
         X[j * (ROW + 1)] = BS_REAL(1.0);
     }
-    /* V = [the factor of Q, Phi U] over the states that move. */
     product(Phi, X, M, N, true, &V[M], WIDTH);
+#endif
     for (int j = 0; j < M; ++j) {
         for (int i = 0; i < j; ++i) {
             V[(i * WIDTH) + j] = next[column(j) + i];
@@ -2080,6 +3364,14 @@ void vas_ud_predict(const bs_real UD[VAS_N_PACKED],
         } else {
             first = BS_REAL(0.0);
         }
+#ifdef BORESIGHT_ROWS
+        for (int i = j - 1; i >= 0; --i) {
+            bs_real *const w = &V[i * WIDTH];
+            const bs_real u0 = lose(w, gains[i], by - j, heavy, weights[0] * w[j], j + 1, M + N);
+            const bs_real g0 = first * w[M + j];
+            gains[i] = g0 + (((u0 + heavy[M + i]) - (g0 * beyond)) * inverse);
+        }
+#else
         gains[j] = BS_REAL(0.0); /* the rows from j on are done: what a block makes of them counts
                                   * no more */
         gains[j + 1] = BS_REAL(0.0);
@@ -2113,6 +3405,7 @@ void vas_ud_predict(const bs_real UD[VAS_N_PACKED],
             const bs_real g2 = first * w[(2 * WIDTH) + M];
             gain[2] = g2 + (((u2 + others[2]) - (g2 * beyond)) * inverse);
         }
+#endif
         for (int i = 0; i < j; ++i) {
             u[i] = gains[i];
         }
@@ -2120,31 +3413,245 @@ void vas_ud_predict(const bs_real UD[VAS_N_PACKED],
     }
 }
 
+/* Notes what a row says, and whether it is used. */
+BS_INSIDE bs_status judge(bs_row *row, bs_real nu, bs_real S)
+{
+    row->nu = nu;
+    row->S = S;
+    if (!(is_finite(nu) && is_finite(S) && (S >= LEAST))) {
+        row->used = 0;
+        return BS_NOT_POSITIVE;
+    }
+    if ((row->gate > BS_REAL(0.0)) && ((nu * nu) > ((row->gate * row->gate) * S))) {
+        row->used = 0;
+    }
+    return BS_OK;
+}
+
+#ifdef BORESIGHT_ROWS
+/* Numbers of P from where they stand. */
+BS_INSIDE void gather(vector *s, const bs_real *P, const unsigned short *at)
+{
+    BS_UNROLLED
+    for (int v = 0; v < ALL; ++v) {
+        const unsigned short *const here = &at[v * LANES];
+#if LANES > 2
+        s[v] = (vector){ P[here[0]], P[here[1]], P[here[2]], P[here[3]] };
+#else
+        s[v] = (vector){ P[here[0]], P[here[1]] };
+#endif
+    }
+}
+
+/* Of column j of P some rows: p = (p - K g[j]) - b K[j]. */
+BS_INSIDE void lower(bs_real *p,
+                     const bs_real *K,
+                     const bs_real *b,
+                     bs_real g_j,
+                     bs_real K_j,
+                     int rows)
+{
+    int i = 0;
+    BS_UNROLLED
+    for (; (i + LANES) <= rows; i += LANES) {
+        anywhere *const to = (anywhere *)&p[i];
+        *to = (*to - (*(const vector *)&K[i] * g_j)) - (*(const vector *)&b[i] * K_j);
+    }
+#if LANES > 2
+    if ((i + 2) <= rows) {
+        pair *const to = (pair *)&p[i];
+        *to = (*to - (*(const pair *)&K[i] * g_j)) - (*(const pair *)&b[i] * K_j);
+        i += 2;
+    }
+#endif
+    if (i < rows) {
+        p[i] = (p[i] - (K[i] * g_j)) - (b[i] * K_j);
+    }
+}
+
+/* All of P as the loops below take it: 16 rows of K and b stay in registers while the columns go
+ * by. */
+APART void lower_all(bs_real *restrict P,
+                     const bs_real *restrict g,
+                     const bs_real *restrict K,
+                     const bs_real *restrict b)
+{
+    lower(&P[0], K, b, g[0], K[0], 1);
+    lower(&P[1], K, b, g[1], K[1], 2);
+    lower(&P[3], K, b, g[2], K[2], 3);
+    lower(&P[6], K, b, g[3], K[3], 4);
+    lower(&P[10], K, b, g[4], K[4], 5);
+    lower(&P[15], K, b, g[5], K[5], 6);
+    lower(&P[21], K, b, g[6], K[6], 7);
+    lower(&P[28], K, b, g[7], K[7], 8);
+    lower(&P[36], K, b, g[8], K[8], 9);
+    lower(&P[45], K, b, g[9], K[9], 10);
+    lower(&P[55], K, b, g[10], K[10], 11);
+    lower(&P[66], K, b, g[11], K[11], 12);
+    lower(&P[78], K, b, g[12], K[12], 13);
+    lower(&P[91], K, b, g[13], K[13], 14);
+    lower(&P[105], K, b, g[14], K[14], 15);
+    lower(&P[120], K, b, g[15], K[15], 16);
+    BS_ROLLED
+    for (int j = 16; j < N; ++j) {
+        lower(&P[column(j)], K, b, g[j], K[j], 16);
+    }
+    lower(&P[152], &K[16], &b[16], g[16], K[16], 1);
+    lower(&P[169], &K[16], &b[16], g[17], K[17], 2);
+    lower(&P[187], &K[16], &b[16], g[18], K[18], 3);
+    lower(&P[206], &K[16], &b[16], g[19], K[19], 4);
+    lower(&P[226], &K[16], &b[16], g[20], K[20], 5);
+    lower(&P[247], &K[16], &b[16], g[21], K[21], 6);
+    lower(&P[269], &K[16], &b[16], g[22], K[22], 7);
+    lower(&P[292], &K[16], &b[16], g[23], K[23], 8);
+    lower(&P[316], &K[16], &b[16], g[24], K[24], 9);
+    lower(&P[341], &K[16], &b[16], g[25], K[25], 10);
+    lower(&P[367], &K[16], &b[16], g[26], K[26], 11);
+    lower(&P[394], &K[16], &b[16], g[27], K[27], 12);
+    lower(&P[422], &K[16], &b[16], g[28], K[28], 13);
+    lower(&P[451], &K[16], &b[16], g[29], K[29], 14);
+    lower(&P[481], &K[16], &b[16], g[30], K[30], 15);
+    lower(&P[512], &K[16], &b[16], g[31], K[31], 16);
+    BS_ROLLED
+    for (int j = 32; j < N; ++j) {
+        lower(&P[column(j) + 16], &K[16], &b[16], g[j], K[j], 16);
+    }
+    lower(&P[560], &K[32], &b[32], g[32], K[32], 1);
+    lower(&P[593], &K[32], &b[32], g[33], K[33], 2);
+    lower(&P[627], &K[32], &b[32], g[34], K[34], 3);
+    lower(&P[662], &K[32], &b[32], g[35], K[35], 4);
+    lower(&P[698], &K[32], &b[32], g[36], K[36], 5);
+    lower(&P[735], &K[32], &b[32], g[37], K[37], 6);
+    lower(&P[773], &K[32], &b[32], g[38], K[38], 7);
+    lower(&P[812], &K[32], &b[32], g[39], K[39], 8);
+    lower(&P[852], &K[32], &b[32], g[40], K[40], 9);
+    lower(&P[893], &K[32], &b[32], g[41], K[41], 10);
+    lower(&P[935], &K[32], &b[32], g[42], K[42], 11);
+    lower(&P[978], &K[32], &b[32], g[43], K[43], 12);
+    lower(&P[1022], &K[32], &b[32], g[44], K[44], 13);
+    lower(&P[1067], &K[32], &b[32], g[45], K[45], 14);
+}
+
+/* x and P by the K in s. */
+BS_INSIDE void correct(bs_real *P,
+                       bs_real *x,
+                       const bs_row *row,
+                       const bs_real *g,
+                       const bs_real *b,
+                       vector *s)
+{
+    ALIGNED bs_real K[WIDE];
+    put(K, s, WIDE);
+    BS_UNROLLED
+    for (int v = 0; v < ALL; ++v) {
+        s[v] *= row->nu;
+    }
+    add(s, x, 16);
+    store(x, s, 16);
+    add(&s[16 / LANES], &x[16], 16);
+    store(&x[16], &s[16 / LANES], 16);
+    add(&s[32 / LANES], &x[32], 14);
+    store(&x[32], &s[32 / LANES], 14);
+    lower_all(P, g, K, b);
+    for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
+        row->gain[i] = K[i];
+    }
+}
+
+/* A row of several non-zeros, or none. */
+APART bs_status update_by_many(bs_real *P, bs_real *x, bs_row *row)
+{
+    ALIGNED bs_real g[WIDE]; /* P h */
+    ALIGNED bs_real b[WIDE]; /* A h - R K */
+    vector s[ALL] = { { BS_REAL(0.0) } };
+    vector line[ALL];
+    bs_real nu = row->z;
+    bs_real S = row->R;
+    bs_status status;
+    BS_ROLLED
+    for (int p = 0; p < row->count; ++p) {
+        const bs_real h = row->h[p];
+        nu -= h * x[row->at[p]];
+        gather(line, P, whole[row->at[p]]);
+        BS_UNROLLED
+        for (int v = 0; v < ALL; ++v) {
+            s[v] += h * line[v];
+        }
+    }
+    put(g, s, WIDE);
+    for (int p = 0; p < row->count; ++p) {
+        S += row->h[p] * g[row->at[p]];
+    }
+    status = judge(row, nu, S);
+    if ((status == BS_OK) && (row->used != 0)) {
+        const bs_real inverse = BS_REAL(1.0) / S;
+        vector sum[ALL] = { { BS_REAL(0.0) } };
+        BS_UNROLLED
+        for (int v = 0; v < ALL; ++v) {
+            s[v] *= inverse;
+        }
+        BS_ROLLED
+        for (int p = 0; p < row->count; ++p) {
+            const bs_real h = row->h[p];
+            const bs_real of_g = g[row->at[p]];
+            gather(line, P, whole[row->at[p]]);
+            BS_UNROLLED
+            for (int v = 0; v < ALL; ++v) {
+                sum[v] += h * (line[v] - (s[v] * of_g));
+            }
+        }
+        BS_UNROLLED
+        for (int v = 0; v < ALL; ++v) {
+            sum[v] -= row->R * s[v];
+        }
+        put(b, sum, WIDE);
+        correct(P, x, row, g, b, s);
+    }
+    return status;
+}
+
+bs_status vas_joseph_update(bs_real P[VAS_N_PACKED], bs_real x[VAS_N_STATES], bs_row *row)
+{
+    if (row->count == 1) { /* as most have: S by itself first, for the division takes long; a sum
+                            * begins with 0, or -0 stays what it is */
+        const int k = (int)row->at[0];
+        const bs_real h = row->h[0];
+        const bs_real of_g = BS_REAL(0.0) + (h * P[column(k) + k]);
+        const bs_real nu = row->z - (h * x[k]);
+        const bs_real S = row->R + (h * of_g);
+        const bs_status status = judge(row, nu, S);
+        if ((status == BS_OK) && (row->used != 0)) {
+            const bs_real inverse = BS_REAL(1.0) / S;
+            ALIGNED bs_real g[WIDE]; /* P h */
+            ALIGNED bs_real b[WIDE]; /* A h - R K, of the rounded A = P - K g' */
+            vector s[ALL];
+            vector line[ALL];
+            gather(line, P, whole[k]);
+            BS_UNROLLED
+            for (int v = 0; v < ALL; ++v) {
+                s[v] = BS_REAL(0.0) + (h * line[v]);
+            }
+            put(g, s, WIDE);
+            BS_UNROLLED
+            for (int v = 0; v < ALL; ++v) {
+                s[v] *= inverse;
+                line[v] = (BS_REAL(0.0) + (h * (line[v] - (s[v] * of_g)))) - (row->R * s[v]);
+            }
+            put(b, line, WIDE);
+            correct(P, x, row, g, b, s);
+        }
+        return status;
+    }
+    return update_by_many(P, x, row);
+}
+#else
 bs_status vas_joseph_update(bs_real P[VAS_N_PACKED], bs_real x[VAS_N_STATES], bs_row *row)
 {
     bs_real nu = row->z;
     bs_real S = row->R;
-#ifdef BORESIGHT_ROWS
-    bs_real g[WIDE]; /* P h */
-    bs_real K[WIDE];
-    bs_real lines[N][WIDE]; /* of P, where h is not zero */
-    for (int i = 0; i < WIDE; ++i) {
-        g[i] = zeros[i];
-    }
-    for (int p = 0; p < row->count; ++p) {
-        const unsigned short *const at = whole[row->at[p]];
-        const bs_real h = row->h[p];
-        nu -= h * x[row->at[p]];
-        for (int i = 0; i < WIDE; ++i) {
-            lines[p][i] = P[at[i]];
-        }
-        for (int i = 0; i < WIDE; ++i) {
-            g[i] += h * lines[p][i];
-        }
-    }
-#else
     bs_real g[N]; /* P h */
     bs_real K[N];
+    bs_status status;
     clear(g, N);
     for (int p = 0; p < row->count; ++p) {
         const int k = (int)row->at[p];
@@ -2157,327 +3664,12 @@ bs_status vas_joseph_update(bs_real P[VAS_N_PACKED], bs_real x[VAS_N_STATES], bs
             g[i] += h * P[column(i) + k];
         }
     }
-#endif
     for (int p = 0; p < row->count; ++p) {
         S += row->h[p] * g[row->at[p]];
     }
-    row->nu = nu;
-    row->S = S;
-    if (!(is_finite(nu) && is_finite(S) && (S >= LEAST))) {
-        row->used = 0;
-        return BS_NOT_POSITIVE;
-    }
-    if ((row->gate > BS_REAL(0.0)) && ((nu * nu) > ((row->gate * row->gate) * S))) {
-        row->used = 0;
-    }
-    if (row->used != 0) {
+    status = judge(row, nu, S);
+    if ((status == BS_OK) && (row->used != 0)) {
         const bs_real inverse = BS_REAL(1.0) / S;
-#ifdef BORESIGHT_ROWS
-        const bs_real R = row->R;
-        bs_real b[WIDE]; /* as below */
-        if (row->count == 1) { /* as most are: in one pass */
-            const bs_real h = row->h[0];
-            const bs_real of_g = g[row->at[0]];
-            for (int i = 0; i < WIDE; ++i) {
-                const bs_real gain = g[i] * inverse;
-                K[i] = gain;
-                b[i] = (BS_REAL(0.0) + (h * (lines[0][i] - (gain * of_g)))) - (R * gain);
-            }
-        } else {
-            for (int i = 0; i < WIDE; ++i) {
-                K[i] = g[i] * inverse;
-                b[i] = zeros[i];
-            }
-            for (int p = 0; p < row->count; ++p) {
-                const bs_real h = row->h[p];
-                const bs_real of_g = g[row->at[p]];
-                for (int i = 0; i < WIDE; ++i) {
-                    b[i] += h * (lines[p][i] - (K[i] * of_g));
-                }
-            }
-            for (int i = 0; i < WIDE; ++i) {
-                b[i] -= R * K[i];
-            }
-        }
-        for (int i = 0; i < 44; ++i) {
-            x[i] += K[i] * nu;
-        }
-        for (int i = 44; i < 46; ++i) {
-            x[i] += K[i] * nu;
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 1; ++i) {
-            P[0 + i] = (P[0 + i] - (K[i] * g[0])) - (b[i] * K[0]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 2; ++i) {
-            P[1 + i] = (P[1 + i] - (K[i] * g[1])) - (b[i] * K[1]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 2; ++i) {
-            P[3 + i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
-        }
-        BS_BY_FOUR
-        for (int i = 2; i < 3; ++i) {
-            P[3 + i] = (P[3 + i] - (K[i] * g[2])) - (b[i] * K[2]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 4; ++i) {
-            P[6 + i] = (P[6 + i] - (K[i] * g[3])) - (b[i] * K[3]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 4; ++i) {
-            P[10 + i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
-        }
-        BS_BY_FOUR
-        for (int i = 4; i < 5; ++i) {
-            P[10 + i] = (P[10 + i] - (K[i] * g[4])) - (b[i] * K[4]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 6; ++i) {
-            P[15 + i] = (P[15 + i] - (K[i] * g[5])) - (b[i] * K[5]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 6; ++i) {
-            P[21 + i] = (P[21 + i] - (K[i] * g[6])) - (b[i] * K[6]);
-        }
-        BS_BY_FOUR
-        for (int i = 6; i < 7; ++i) {
-            P[21 + i] = (P[21 + i] - (K[i] * g[6])) - (b[i] * K[6]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 8; ++i) {
-            P[28 + i] = (P[28 + i] - (K[i] * g[7])) - (b[i] * K[7]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 8; ++i) {
-            P[36 + i] = (P[36 + i] - (K[i] * g[8])) - (b[i] * K[8]);
-        }
-        BS_BY_FOUR
-        for (int i = 8; i < 9; ++i) {
-            P[36 + i] = (P[36 + i] - (K[i] * g[8])) - (b[i] * K[8]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 10; ++i) {
-            P[45 + i] = (P[45 + i] - (K[i] * g[9])) - (b[i] * K[9]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 10; ++i) {
-            P[55 + i] = (P[55 + i] - (K[i] * g[10])) - (b[i] * K[10]);
-        }
-        BS_BY_FOUR
-        for (int i = 10; i < 11; ++i) {
-            P[55 + i] = (P[55 + i] - (K[i] * g[10])) - (b[i] * K[10]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 12; ++i) {
-            P[66 + i] = (P[66 + i] - (K[i] * g[11])) - (b[i] * K[11]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 12; ++i) {
-            P[78 + i] = (P[78 + i] - (K[i] * g[12])) - (b[i] * K[12]);
-        }
-        BS_BY_FOUR
-        for (int i = 12; i < 13; ++i) {
-            P[78 + i] = (P[78 + i] - (K[i] * g[12])) - (b[i] * K[12]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 14; ++i) {
-            P[91 + i] = (P[91 + i] - (K[i] * g[13])) - (b[i] * K[13]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 14; ++i) {
-            P[105 + i] = (P[105 + i] - (K[i] * g[14])) - (b[i] * K[14]);
-        }
-        BS_BY_FOUR
-        for (int i = 14; i < 15; ++i) {
-            P[105 + i] = (P[105 + i] - (K[i] * g[14])) - (b[i] * K[14]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 16; ++i) {
-            P[120 + i] = (P[120 + i] - (K[i] * g[15])) - (b[i] * K[15]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 16; ++i) {
-            P[136 + i] = (P[136 + i] - (K[i] * g[16])) - (b[i] * K[16]);
-        }
-        BS_BY_FOUR
-        for (int i = 16; i < 17; ++i) {
-            P[136 + i] = (P[136 + i] - (K[i] * g[16])) - (b[i] * K[16]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 18; ++i) {
-            P[153 + i] = (P[153 + i] - (K[i] * g[17])) - (b[i] * K[17]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 18; ++i) {
-            P[171 + i] = (P[171 + i] - (K[i] * g[18])) - (b[i] * K[18]);
-        }
-        BS_BY_FOUR
-        for (int i = 18; i < 19; ++i) {
-            P[171 + i] = (P[171 + i] - (K[i] * g[18])) - (b[i] * K[18]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 20; ++i) {
-            P[190 + i] = (P[190 + i] - (K[i] * g[19])) - (b[i] * K[19]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 20; ++i) {
-            P[210 + i] = (P[210 + i] - (K[i] * g[20])) - (b[i] * K[20]);
-        }
-        BS_BY_FOUR
-        for (int i = 20; i < 21; ++i) {
-            P[210 + i] = (P[210 + i] - (K[i] * g[20])) - (b[i] * K[20]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 22; ++i) {
-            P[231 + i] = (P[231 + i] - (K[i] * g[21])) - (b[i] * K[21]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 22; ++i) {
-            P[253 + i] = (P[253 + i] - (K[i] * g[22])) - (b[i] * K[22]);
-        }
-        BS_BY_FOUR
-        for (int i = 22; i < 23; ++i) {
-            P[253 + i] = (P[253 + i] - (K[i] * g[22])) - (b[i] * K[22]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 24; ++i) {
-            P[276 + i] = (P[276 + i] - (K[i] * g[23])) - (b[i] * K[23]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 24; ++i) {
-            P[300 + i] = (P[300 + i] - (K[i] * g[24])) - (b[i] * K[24]);
-        }
-        BS_BY_FOUR
-        for (int i = 24; i < 25; ++i) {
-            P[300 + i] = (P[300 + i] - (K[i] * g[24])) - (b[i] * K[24]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 26; ++i) {
-            P[325 + i] = (P[325 + i] - (K[i] * g[25])) - (b[i] * K[25]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 26; ++i) {
-            P[351 + i] = (P[351 + i] - (K[i] * g[26])) - (b[i] * K[26]);
-        }
-        BS_BY_FOUR
-        for (int i = 26; i < 27; ++i) {
-            P[351 + i] = (P[351 + i] - (K[i] * g[26])) - (b[i] * K[26]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 28; ++i) {
-            P[378 + i] = (P[378 + i] - (K[i] * g[27])) - (b[i] * K[27]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 28; ++i) {
-            P[406 + i] = (P[406 + i] - (K[i] * g[28])) - (b[i] * K[28]);
-        }
-        BS_BY_FOUR
-        for (int i = 28; i < 29; ++i) {
-            P[406 + i] = (P[406 + i] - (K[i] * g[28])) - (b[i] * K[28]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 30; ++i) {
-            P[435 + i] = (P[435 + i] - (K[i] * g[29])) - (b[i] * K[29]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 30; ++i) {
-            P[465 + i] = (P[465 + i] - (K[i] * g[30])) - (b[i] * K[30]);
-        }
-        BS_BY_FOUR
-        for (int i = 30; i < 31; ++i) {
-            P[465 + i] = (P[465 + i] - (K[i] * g[30])) - (b[i] * K[30]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 32; ++i) {
-            P[496 + i] = (P[496 + i] - (K[i] * g[31])) - (b[i] * K[31]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 32; ++i) {
-            P[528 + i] = (P[528 + i] - (K[i] * g[32])) - (b[i] * K[32]);
-        }
-        BS_BY_FOUR
-        for (int i = 32; i < 33; ++i) {
-            P[528 + i] = (P[528 + i] - (K[i] * g[32])) - (b[i] * K[32]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 34; ++i) {
-            P[561 + i] = (P[561 + i] - (K[i] * g[33])) - (b[i] * K[33]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 34; ++i) {
-            P[595 + i] = (P[595 + i] - (K[i] * g[34])) - (b[i] * K[34]);
-        }
-        BS_BY_FOUR
-        for (int i = 34; i < 35; ++i) {
-            P[595 + i] = (P[595 + i] - (K[i] * g[34])) - (b[i] * K[34]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 36; ++i) {
-            P[630 + i] = (P[630 + i] - (K[i] * g[35])) - (b[i] * K[35]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 36; ++i) {
-            P[666 + i] = (P[666 + i] - (K[i] * g[36])) - (b[i] * K[36]);
-        }
-        BS_BY_FOUR
-        for (int i = 36; i < 37; ++i) {
-            P[666 + i] = (P[666 + i] - (K[i] * g[36])) - (b[i] * K[36]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 38; ++i) {
-            P[703 + i] = (P[703 + i] - (K[i] * g[37])) - (b[i] * K[37]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 38; ++i) {
-            P[741 + i] = (P[741 + i] - (K[i] * g[38])) - (b[i] * K[38]);
-        }
-        BS_BY_FOUR
-        for (int i = 38; i < 39; ++i) {
-            P[741 + i] = (P[741 + i] - (K[i] * g[38])) - (b[i] * K[38]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 40; ++i) {
-            P[780 + i] = (P[780 + i] - (K[i] * g[39])) - (b[i] * K[39]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 40; ++i) {
-            P[820 + i] = (P[820 + i] - (K[i] * g[40])) - (b[i] * K[40]);
-        }
-        BS_BY_FOUR
-        for (int i = 40; i < 41; ++i) {
-            P[820 + i] = (P[820 + i] - (K[i] * g[40])) - (b[i] * K[40]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 42; ++i) {
-            P[861 + i] = (P[861 + i] - (K[i] * g[41])) - (b[i] * K[41]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 42; ++i) {
-            P[903 + i] = (P[903 + i] - (K[i] * g[42])) - (b[i] * K[42]);
-        }
-        BS_BY_FOUR
-        for (int i = 42; i < 43; ++i) {
-            P[903 + i] = (P[903 + i] - (K[i] * g[42])) - (b[i] * K[42]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 44; ++i) {
-            P[946 + i] = (P[946 + i] - (K[i] * g[43])) - (b[i] * K[43]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 44; ++i) {
-            P[990 + i] = (P[990 + i] - (K[i] * g[44])) - (b[i] * K[44]);
-        }
-        BS_BY_FOUR
-        for (int i = 44; i < 45; ++i) {
-            P[990 + i] = (P[990 + i] - (K[i] * g[44])) - (b[i] * K[44]);
-        }
-        BS_BY_FOUR
-        for (int i = 0; i < 46; ++i) {
-            P[1035 + i] = (P[1035 + i] - (K[i] * g[45])) - (b[i] * K[45]);
-        }
-#else
         bs_real b[N]; /* A h - R K, of the rounded A = P - K g' */
         for (int i = 0; i < N; ++i) {
             K[i] = g[i] * inverse;
@@ -2498,13 +3690,13 @@ bs_status vas_joseph_update(bs_real P[VAS_N_PACKED], bs_real x[VAS_N_STATES], bs
                 p[i] = (p[i] - (K[i] * g[j])) - (b[i] * K[j]);
             }
         }
-#endif
         for (int i = 0; (i < N) && (row->gain != NULL); ++i) {
             row->gain[i] = K[i];
         }
     }
-    return BS_OK;
+    return status;
 }
+#endif
 
 bs_status vas_ud_update(bs_real UD[VAS_N_PACKED], bs_real x[VAS_N_STATES], bs_row *row)
 {
@@ -2512,6 +3704,7 @@ bs_status vas_ud_update(bs_real UD[VAS_N_PACKED], bs_real x[VAS_N_STATES], bs_ro
     bs_real b[N]; /* what becomes the gain */
     bs_real nu = row->z;
     bs_real S = row->R;
+    bs_status status;
     clear(f, N);
     for (int p = 0; p < row->count; ++p) {
         const int k = (int)row->at[p];
@@ -2525,16 +3718,8 @@ bs_status vas_ud_update(bs_real UD[VAS_N_PACKED], bs_real x[VAS_N_STATES], bs_ro
     for (int j = 0; j < N; ++j) {
         S += UD[column(j) + j] * (f[j] * f[j]);
     }
-    row->nu = nu;
-    row->S = S;
-    if (!(is_finite(nu) && is_finite(S) && (S >= LEAST))) {
-        row->used = 0;
-        return BS_NOT_POSITIVE;
-    }
-    if ((row->gate > BS_REAL(0.0)) && ((nu * nu) > ((row->gate * row->gate) * S))) {
-        row->used = 0;
-    }
-    if (row->used != 0) {
+    status = judge(row, nu, S);
+    if ((status == BS_OK) && (row->used != 0)) {
         bs_real alpha = row->R; /* grows to S */
         for (int j = 0; j < N; ++j) {
             bs_real *const u = &UD[column(j)];
@@ -2557,7 +3742,7 @@ bs_status vas_ud_update(bs_real UD[VAS_N_PACKED], bs_real x[VAS_N_STATES], bs_ro
             row->gain[j] = b[j] / alpha;
         }
     }
-    return BS_OK;
+    return status;
 }
 
 void vas_joseph_add(bs_real P[VAS_N_PACKED], bs_real c, bs_real v[VAS_N_STATES])

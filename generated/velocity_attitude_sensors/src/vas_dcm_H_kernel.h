@@ -300,16 +300,16 @@ static void vas_dcm_H_kernel_2(const bs_real position[3],
     H_nz[23] = t256; /* d, d_bend_z */
 }
 
-static void vas_dcm_H_kernel(const bs_real position[3],
-                             const bs_real v_n[3],
-                             const bs_real q_b2n_wxyz[4],
-                             const bs_real q_b2m_wxyz[4],
-                             const bs_real omega_ib_b[3],
-                             const bs_real flexure[3],
-                             const bs_real flexure_rate[3],
-                             const bs_real gyro_scale[3],
-                             const bs_real gyro_axes[6],
-                             bs_real H_nz[24])
+BS_INSIDE void vas_dcm_H_kernel(const bs_real position[3],
+                                const bs_real v_n[3],
+                                const bs_real q_b2n_wxyz[4],
+                                const bs_real q_b2m_wxyz[4],
+                                const bs_real omega_ib_b[3],
+                                const bs_real flexure[3],
+                                const bs_real flexure_rate[3],
+                                const bs_real gyro_scale[3],
+                                const bs_real gyro_axes[6],
+                                bs_real H_nz[24])
 {
     vas_dcm_H_shared shared;
     vas_dcm_H_kernel_1(q_b2n_wxyz, q_b2m_wxyz, flexure, &shared);

@@ -7,12 +7,12 @@
 #include "vas_euler_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status vas_euler_H_checked(const vas_nav *nav,
-                                     const vas_imu *imu,
-                                     const vas_master *master,
-                                     const vas_bending *bending,
-                                     const vas_triads *triads,
-                                     bs_real H_nz[24])
+BS_INSIDE bs_status vas_euler_H_checked(const vas_nav *nav,
+                                        const vas_imu *imu,
+                                        const vas_master *master,
+                                        const vas_bending *bending,
+                                        const vas_triads *triads,
+                                        bs_real H_nz[24])
 {
     static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802),
                                              BS_REAL(-6.283185307179586), BS_REAL(-500.0) };

@@ -8,16 +8,16 @@
 #include "boresight.h"
 #include "vas_math.h"
 
-static void vas_euler_H_kernel(const bs_real position[3],
-                               const bs_real v_n[3],
-                               const bs_real q_b2n_wxyz[4],
-                               const bs_real q_b2m_wxyz[4],
-                               const bs_real omega_ib_b[3],
-                               const bs_real euler_m[3],
-                               const bs_real flexure_rate[3],
-                               const bs_real gyro_scale[3],
-                               const bs_real gyro_axes[6],
-                               bs_real H_nz[24])
+BS_INSIDE void vas_euler_H_kernel(const bs_real position[3],
+                                  const bs_real v_n[3],
+                                  const bs_real q_b2n_wxyz[4],
+                                  const bs_real q_b2m_wxyz[4],
+                                  const bs_real omega_ib_b[3],
+                                  const bs_real euler_m[3],
+                                  const bs_real flexure_rate[3],
+                                  const bs_real gyro_scale[3],
+                                  const bs_real gyro_axes[6],
+                                  bs_real H_nz[24])
 {
     bs_real sin_pitch_m;
     bs_real cos_pitch_m;

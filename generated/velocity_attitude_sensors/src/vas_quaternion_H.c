@@ -7,13 +7,13 @@
 #include "vas_quaternion_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status vas_quaternion_H_checked(const bs_real x[VAS_N_STATES],
-                                          const vas_nav *nav,
-                                          const vas_imu *imu,
-                                          const vas_master *master,
-                                          const vas_bending *bending,
-                                          const vas_triads *triads,
-                                          bs_real H_nz[75])
+BS_INSIDE bs_status vas_quaternion_H_checked(const bs_real x[VAS_N_STATES],
+                                             const vas_nav *nav,
+                                             const vas_imu *imu,
+                                             const vas_master *master,
+                                             const vas_bending *bending,
+                                             const vas_triads *triads,
+                                             bs_real H_nz[75])
 {
     static const bs_real x_low[46] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-100.0),
                                        BS_REAL(-100.0), BS_REAL(-100.0),

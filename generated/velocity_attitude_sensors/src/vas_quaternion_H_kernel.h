@@ -1975,19 +1975,19 @@ static void vas_quaternion_H_kernel_9(const bs_real flexure_rate[3],
     H_nz[74] = t1699; /* d, dkg_zy */
 }
 
-static void vas_quaternion_H_kernel(const bs_real x[46],
-                                    const bs_real position[3],
-                                    const bs_real v_n[3],
-                                    const bs_real q_b2n_wxyz[4],
-                                    const bs_real q_b2m_wxyz[4],
-                                    const bs_real omega_ib_b[3],
-                                    const bs_real q_m2n_wxyz[4],
-                                    const bs_real lag[1],
-                                    const bs_real flexure[3],
-                                    const bs_real flexure_rate[3],
-                                    const bs_real gyro_scale[3],
-                                    const bs_real gyro_axes[6],
-                                    bs_real H_nz[75])
+BS_INSIDE void vas_quaternion_H_kernel(const bs_real x[46],
+                                       const bs_real position[3],
+                                       const bs_real v_n[3],
+                                       const bs_real q_b2n_wxyz[4],
+                                       const bs_real q_b2m_wxyz[4],
+                                       const bs_real omega_ib_b[3],
+                                       const bs_real q_m2n_wxyz[4],
+                                       const bs_real lag[1],
+                                       const bs_real flexure[3],
+                                       const bs_real flexure_rate[3],
+                                       const bs_real gyro_scale[3],
+                                       const bs_real gyro_axes[6],
+                                       bs_real H_nz[75])
 {
     vas_quaternion_H_shared shared;
     vas_quaternion_H_kernel_1(x, position, v_n, q_b2n_wxyz, q_b2m_wxyz, flexure, &shared);

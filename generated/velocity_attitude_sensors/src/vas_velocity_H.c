@@ -7,13 +7,13 @@
 #include "vas_velocity_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status vas_velocity_H_checked(const vas_nav *nav,
-                                        const vas_imu *imu,
-                                        const vas_mounting *mounting,
-                                        const vas_master *master,
-                                        const vas_bending *bending,
-                                        const vas_triads *triads,
-                                        bs_real H_nz[78])
+BS_INSIDE bs_status vas_velocity_H_checked(const vas_nav *nav,
+                                           const vas_imu *imu,
+                                           const vas_mounting *mounting,
+                                           const vas_master *master,
+                                           const vas_bending *bending,
+                                           const vas_triads *triads,
+                                           bs_real H_nz[78])
 {
     static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802),
                                              BS_REAL(-6.283185307179586), BS_REAL(-500.0) };

@@ -595,17 +595,17 @@ static void vas_velocity_H_kernel_3(const bs_real v_n[3],
     H_nz[77] = t455; /* d, dkg_zy */
 }
 
-static void vas_velocity_H_kernel(const bs_real position[3],
-                                  const bs_real v_n[3],
-                                  const bs_real q_b2n_wxyz[4],
-                                  const bs_real q_b2m_wxyz[4],
-                                  const bs_real omega_ib_b[3],
-                                  const bs_real lever_b[3],
-                                  const bs_real a_n[3],
-                                  const bs_real flexure_rate[3],
-                                  const bs_real gyro_scale[3],
-                                  const bs_real gyro_axes[6],
-                                  bs_real H_nz[78])
+BS_INSIDE void vas_velocity_H_kernel(const bs_real position[3],
+                                     const bs_real v_n[3],
+                                     const bs_real q_b2n_wxyz[4],
+                                     const bs_real q_b2m_wxyz[4],
+                                     const bs_real omega_ib_b[3],
+                                     const bs_real lever_b[3],
+                                     const bs_real a_n[3],
+                                     const bs_real flexure_rate[3],
+                                     const bs_real gyro_scale[3],
+                                     const bs_real gyro_axes[6],
+                                     bs_real H_nz[78])
 {
     vas_velocity_H_shared shared;
     vas_velocity_H_kernel_1(position, v_n, q_b2n_wxyz, lever_b, &shared);

@@ -63,8 +63,8 @@ bs_status vd_ud_init(const bs_real dense[VD_N_STATES * VD_N_STATES],
                      bs_real UD[VD_N_PACKED],
                      bs_real work[VD_N_WORK]);
 
-/* next = Phi P Phi' + Q.  next must not overlap P; it may be Q.  With BORESIGHT_ROWS the joseph
- * form reads of Phi what a step of this model can make other than 0. */
+/* next = Phi P Phi' + Q.  next must not overlap P; it may be Q.  With BORESIGHT_ROWS it reads of
+ * Phi what a step of this model can make other than 0. */
 void vd_joseph_predict(const bs_real P[VD_N_PACKED],
                        const bs_real Phi[VD_N_PHI],
                        const bs_real Q[VD_N_PACKED],

@@ -6,7 +6,7 @@
 #include "vd_F_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status vd_F_checked(const vd_nav *nav, const vd_imu *imu, bs_real F_nz[18])
+BS_INSIDE bs_status vd_F_checked(const vd_nav *nav, const vd_imu *imu, bs_real F_nz[18])
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586),
                                              BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };

@@ -8,12 +8,12 @@
 #include "boresight.h"
 #include "vd_math.h"
 
-static void vd_Phi_kernel(const bs_real position[3],
-                          const bs_real v_n[3],
-                          const bs_real q_b2n_wxyz[4],
-                          const bs_real f_b[3],
-                          const bs_real dt[1],
-                          bs_real Phi_nz[31])
+BS_INSIDE void vd_Phi_kernel(const bs_real position[3],
+                             const bs_real v_n[3],
+                             const bs_real q_b2n_wxyz[4],
+                             const bs_real f_b[3],
+                             const bs_real dt[1],
+                             bs_real Phi_nz[31])
 {
     bs_real sin_lat;
     bs_real cos_lat;

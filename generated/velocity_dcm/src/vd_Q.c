@@ -7,10 +7,10 @@
 #include "vd_Q_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status vd_Q_checked(const vd_nav *nav,
-                              const vd_imu *imu,
-                              const vd_noise *noise,
-                              bs_real Q_nz[36])
+BS_INSIDE bs_status vd_Q_checked(const vd_nav *nav,
+                                 const vd_imu *imu,
+                                 const vd_noise *noise,
+                                 bs_real Q_nz[36])
 {
     static const bs_real position_low[3] = { BS_REAL(-6.283185307179586),
                                              BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };

@@ -788,14 +788,14 @@ static void vd_Q_kernel_4(const vd_Q_shared *shared, bs_real Q_nz[36])
     Q_nz[35] = t661; /* psi_u, psi_u */
 }
 
-static void vd_Q_kernel(const bs_real position[3],
-                        const bs_real v_n[3],
-                        const bs_real q_b2n_wxyz[4],
-                        const bs_real f_b[3],
-                        const bs_real dt[1],
-                        const bs_real gyro_noise[3],
-                        const bs_real accel_noise[3],
-                        bs_real Q_nz[36])
+BS_INSIDE void vd_Q_kernel(const bs_real position[3],
+                           const bs_real v_n[3],
+                           const bs_real q_b2n_wxyz[4],
+                           const bs_real f_b[3],
+                           const bs_real dt[1],
+                           const bs_real gyro_noise[3],
+                           const bs_real accel_noise[3],
+                           bs_real Q_nz[36])
 {
     vd_Q_shared shared;
     vd_Q_kernel_1(position, v_n, q_b2n_wxyz, f_b, dt, gyro_noise, accel_noise, &shared);

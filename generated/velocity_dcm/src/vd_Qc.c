@@ -6,7 +6,7 @@
 #include "vd_Qc_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status vd_Qc_checked(const vd_nav *nav, const vd_noise *noise, bs_real Qc_nz[18])
+BS_INSIDE bs_status vd_Qc_checked(const vd_nav *nav, const vd_noise *noise, bs_real Qc_nz[18])
 {
     static const bs_real q_b2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
                                                BS_REAL(-1.001) };

@@ -8,7 +8,7 @@
 #include "vd_dcm_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status vd_dcm_H_checked(const vd_master *master, bs_real H_nz[15])
+BS_INSIDE bs_status vd_dcm_H_checked(const vd_master *master, bs_real H_nz[15])
 {
     static const bs_real q_m2n_wxyz_low[4] = { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
                                                BS_REAL(-1.001) };

@@ -8,9 +8,9 @@
 
 #include "boresight.h"
 
-static void vd_dcm_H_kernel(const bs_real q_m2n_wxyz[4],
-                            const bs_real omega_nm_n[3],
-                            bs_real H_nz[15])
+BS_INSIDE void vd_dcm_H_kernel(const bs_real q_m2n_wxyz[4],
+                               const bs_real omega_nm_n[3],
+                               bs_real H_nz[15])
 {
     const bs_real t2 = q_m2n_wxyz[1] * q_m2n_wxyz[1];
     const bs_real t4 = q_m2n_wxyz[2] * q_m2n_wxyz[2];

@@ -8,10 +8,10 @@
 #include "vd_dcm_exact_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status vd_dcm_exact_H_checked(const bs_real x[VD_N_STATES],
-                                        const vd_nav *nav,
-                                        const vd_master *master,
-                                        bs_real H_nz[21])
+BS_INSIDE bs_status vd_dcm_exact_H_checked(const bs_real x[VD_N_STATES],
+                                           const vd_nav *nav,
+                                           const vd_master *master,
+                                           bs_real H_nz[21])
 {
     static const bs_real x_low[10] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0),
                                        BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5),

@@ -1643,12 +1643,12 @@ static void vd_dcm_exact_H_kernel_7(const bs_real x[10],
     H_nz[20] = t1377; /* u, d_tau */
 }
 
-static void vd_dcm_exact_H_kernel(const bs_real x[10],
-                                  const bs_real q_b2n_wxyz[4],
-                                  const bs_real mu[3],
-                                  const bs_real q_m2n_wxyz[4],
-                                  const bs_real omega_nm_n[3],
-                                  bs_real H_nz[21])
+BS_INSIDE void vd_dcm_exact_H_kernel(const bs_real x[10],
+                                     const bs_real q_b2n_wxyz[4],
+                                     const bs_real mu[3],
+                                     const bs_real q_m2n_wxyz[4],
+                                     const bs_real omega_nm_n[3],
+                                     bs_real H_nz[21])
 {
     vd_dcm_exact_H_shared shared;
     vd_dcm_exact_H_kernel_1(x, q_b2n_wxyz, mu, q_m2n_wxyz, omega_nm_n, &shared);

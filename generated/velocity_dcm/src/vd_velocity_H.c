@@ -8,7 +8,7 @@
 #include "vd_velocity_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */
-static bs_status vd_velocity_H_checked(const vd_master *master, bs_real H_nz[6])
+BS_INSIDE bs_status vd_velocity_H_checked(const vd_master *master, bs_real H_nz[6])
 {
     static const bs_real a_n_low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
     static const bs_real a_n_high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };

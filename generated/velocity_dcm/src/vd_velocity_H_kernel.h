@@ -8,7 +8,7 @@
 
 #include "boresight.h"
 
-static void vd_velocity_H_kernel(const bs_real a_n[3], bs_real H_nz[6])
+BS_INSIDE void vd_velocity_H_kernel(const bs_real a_n[3], bs_real H_nz[6])
 {
     const bs_real t2 = -a_n[0];
     const bs_real t4 = -a_n[1];
