@@ -127,16 +127,42 @@ class Unit:
                 array = np.broadcast_to(array, (*runs, array.shape[-1]))
             each[i] = np.require(array, requirements=("C", "A"))
         fields = [Given(array.ctypes.data, array.shape[-1] * (array.ndim > 1), 0) for array in each]
-        width, dll = library.lanes(n)
+        out = (ctypes.c_void_p * len(outputs))(*ends[:-1])
+        return self._lanes(n)(n, (Given * len(fields))(*fields), out, ends[-1]), status
+
+    def walk(self, given: dict[str, np.ndarray], outputs: dict[str, np.ndarray]) -> int:
+        """Call it K times, from inputs (K, ..., size), or (size,) of all, into outputs (K, ..., size).
+
+        Inputs and outputs are read and written where they lie, so that a call can read what the one before has written:
+        they must be in double and contiguous.  Returns how many calls were made before one that refused a run.
+        """
+        sources = [given[name] for name in self.fields]
+        results = [outputs[r["name"]] for r in self.described["results"]]
+        assert all(array.dtype == np.float64 and array.flags.c_contiguous for array in (*sources, *results))
+        at = np.array([(a.ctypes.data, a.shape[-1] * (a.ndim > 1), 0) for a in sources], np.uintp)
+        ends = np.array([out.ctypes.data for out in results], np.uintp)
+        steps = [np.array([a.strides[0] * (a.ndim > 1) for a in each], np.uintp) for each in (sources, results)]
+        n, function = math.prod(results[0].shape[1:-1]), self._lanes(MANY)
+        status = np.empty(n, np.uint8)
+        call = functools.partial(function, n, at.ctypes.data, ends.ctypes.data, status.ctypes.data)
+        for k in range(len(results[0])):
+            if call():
+                return k
+            at[:, 0] += steps[0]
+            ends += steps[1]
+        return len(results[0])
+
+    def _lanes(self, n: int) -> Callable[..., int]:
+        """Its C of so many runs."""
+        width, dll = self.library.lanes(n)
         if width not in self._in_lanes:
             function = self._in_lanes[width] = getattr(dll, self.described["c_name"] + "_lanes")
             function.argtypes, function.restype = [ctypes.c_size_t, *3 * (ctypes.c_void_p,)], ctypes.c_size_t
-        out = (ctypes.c_void_p * len(outputs))(*ends[:-1])
-        return self._in_lanes[width](n, (Given * len(fields))(*fields), out, ends[-1]), status
+        return self._in_lanes[width]
 
-    def bind(self, runs: tuple[int, ...] = ()) -> "Bound":
-        """The function for one run, or these, bound to its own arrays: for loops where a microsecond counts."""
-        return Bound(self, runs)
+    def bind(self) -> "Bound":
+        """The function for one run, bound to its own arrays: for loops where a microsecond counts."""
+        return Bound(self)
 
     def __repr__(self) -> str:
         return f"<{self.described['c_name']}({', '.join(self.fields)})>"
@@ -145,37 +171,26 @@ class Unit:
 class Bound:
     """A function with its pointers taken once.  Write `inputs`, call, read `outputs`.
 
-    inputs: field -> (..., size) view.  outputs: name -> (..., rows) or (..., rows, columns).  Of one run the call
-    returns the number of a `Status`, of several how many were refused.  The caller must look at it: with 0 all is well,
-    and a run that was refused leaves its outputs as they were.
+    inputs: field -> (size,) view.  outputs: name -> (rows,) or (rows, columns).  The call returns the number of a
+    `Status`.  The caller must look at it: with 0 all is well, and what is refused leaves the outputs as they were.
     """
 
-    def __init__(self, unit: Unit, runs: tuple[int, ...] = ()):
+    def __init__(self, unit: Unit):
         library = unit.library
-        self._arrays = {struct: np.zeros((*runs, library.width[struct]), library.real) for struct in unit.structs}
+        self._arrays = {struct: np.zeros(library.width[struct], library.real) for struct in unit.structs}
         self.inputs = {
-            name: self._arrays[struct][..., part]
+            name: self._arrays[struct][part]
             for struct in unit.structs
             for name, part in library.layout[struct].items()
             if name in unit.fields
         }
         self.outputs = {
-            r["name"]: np.zeros((*runs, *(r["shape"][:1] if r["vector"] else r["shape"])), library.real)
+            r["name"]: np.zeros(r["shape"][:1] if r["vector"] else r["shape"], library.real)
             for r in unit.described["results"]
         }
-        n = math.prod(runs)
-        self._status = np.zeros(n, np.uint8)
-        ends = [out.ctypes.data for out in self.outputs.values()]
-        self.call: Callable[[], int]
-        if runs:
-            words: list[int] = []
-            for struct, array in self._arrays.items():
-                words += array.ctypes.data, library.width[struct] if struct == "x" else 1
-            self.call = functools.partial(unit._many, n, *words, *ends, self._status.ctypes.data)
-        else:
-            addresses = [a.ctypes.data for a in self._arrays.values()] + ends
-            self._pointers = (ctypes.c_void_p * len(addresses))(*addresses)
-            self.call = functools.partial(unit._one, ctypes.byref(self._pointers))
+        addresses = [array.ctypes.data for array in (*self._arrays.values(), *self.outputs.values())]
+        self._pointers = (ctypes.c_void_p * len(addresses))(*addresses)
+        self.call: Callable[[], int] = functools.partial(unit._one, ctypes.byref(self._pointers))
 
     def __call__(self) -> int:
         return self.call()

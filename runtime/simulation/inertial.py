@@ -64,34 +64,40 @@ def increments(step: Unit, position: Array, v_n: Array, q_b2n_wxyz: Array, dt: f
     the Trajectory are the ones it makes with them.  Raises BoresightError where no increments of its box do, and on a
     trajectory that leaves it.
     """
-    v_n, q = np.asarray(v_n, float), np.asarray(q_b2n_wxyz, float)
-    runs = v_n.shape[1:-1]
-    p0 = np.broadcast_to(np.asarray(position, float), (*runs, 3))
-    p = np.broadcast_to(p0, (len(v_n), *runs, 3)).copy()
-    dtheta, dv = np.zeros(v_n[1:].shape), np.zeros(v_n[1:].shape)
+    v_n, q = np.ascontiguousarray(v_n, float), np.ascontiguousarray(q_b2n_wxyz, float)
+    runs, count = v_n.shape[1:-1], len(v_n) - 1
+    p = np.empty((count + 1, *runs, 3))
+    p[:] = position
+    gone = p.copy()  # from one sample to the next, and first where it begins
+    dtheta, dv = np.zeros_like(p), np.zeros_like(p)  # first those before the first ones, which are as these
     to_body = np.swapaxes(matrix_from_quaternion(q[:-1]), -1, -2)
-    turn, push, gone = np.empty_like(dtheta), np.empty_like(dtheta), np.empty_like(dtheta)
+    fastest = max(1.0, np.abs(v_n).max())
     at_a_time = max(1, TOGETHER // math.prod(runs))
     for _ in range(ROUNDS):
-        fields = intervals(dtheta, dv)
-        for k in range(0, len(dtheta), at_a_time):
-            part = slice(k, k + at_a_time)
+        dtheta[0], dv[0], away = dtheta[1], dv[1], 0.0
+        # the last ones first: each is found by what the one before was at the beginning of the round
+        for begin in reversed(range(0, count, at_a_time)):
+            end = min(begin + at_a_time, count)
+            now, then = slice(begin, end), slice(begin + 1, end + 1)
             made = step(
-                position=p[:-1][part], v_n=v_n[:-1][part], q_b2n_wxyz=q[:-1][part],
-                **{name: values[part] for name, values in fields.items()}, **unbiased(step), dt=dt,
+                position=p[now], v_n=v_n[now], q_b2n_wxyz=q[now], dtheta_ib_b=dtheta[then], dv_b=dv[then],
+                dtheta_before=dtheta[now], dv_before=dv[now], **unbiased(step), dt=dt,
             )  # fmt: skip
             # C_made = exp(-[e x]) C_wanted: the body has to turn by e more, here in its own axes
-            turn[part] = rotated(to_body[part], attitude_error(made["q_b2n_wxyz"], q[1:][part]))
-            push[part] = rotated(to_body[part], v_n[1:][part] - made["v_n"])
-            gone[part] = made["position"] - p[:-1][part]
+            turn = rotated(to_body[now], attitude_error(made["q_b2n_wxyz"], q[then]))
+            push = rotated(to_body[now], v_n[then] - made["v_n"])
+            dtheta[then] += turn
+            dv[then] += push
+            np.subtract(made["position"], p[now], out=gone[then])
+            away = max(away, np.abs(turn).max(), np.abs(push).max() / fastest)
         # one position after the other, as the integrator adds them up
-        moved = np.cumsum(np.concatenate([p0[None], gone]), axis=0)
-        away = max(np.abs(turn).max(), np.abs(push).max() / max(1.0, np.abs(v_n).max()), np.abs(moved - p).max() * 1e-3)
-        dtheta, dv, p = dtheta + turn, dv + push, moved
+        moved = np.cumsum(gone, axis=0)
+        away, p = max(away, np.abs(moved - p).max() * 1e-3), moved
         if away < ENOUGH:
             # The last bit of a longitude is 3e-9 m: the positions are those of a run, to the bit.
-            start = {"position": p0, "v_n": v_n[0], "q_b2n_wxyz": q[0]}
-            return dtheta, dv, Trajectory(integrate(step, start, dtheta, dv, dt).position, v_n, q, dt)
+            start = {"position": p[0], "v_n": v_n[0], "q_b2n_wxyz": q[0]}
+            position = integrate(step, start, dtheta[1:], dv[1:], dt).position
+            return dtheta[1:], dv[1:], Trajectory(position, v_n, q, dt)
     raise BoresightError(
         f"no increments make this trajectory: after {ROUNDS} rounds {away:.1e} rad are left; sample it more often than "
         f"every {dt} s"
@@ -103,7 +109,7 @@ def integrate(step: Unit, start: dict[str, Array], dtheta: Array, dv: Array, dt:
 
     first: (dtheta, dv) of the interval before the first one, if it is known.  Raises BoresightError on leaving the box.
     """
-    dtheta, dv = np.asarray(dtheta, float), np.asarray(dv, float)
+    dtheta, dv = np.ascontiguousarray(dtheta, float), np.ascontiguousarray(dv, float)
     shape = dtheta.shape[1:-1]
     out = {
         name: np.empty((len(dtheta) + 1, *shape, size))
@@ -111,18 +117,8 @@ def integrate(step: Unit, start: dict[str, Array], dtheta: Array, dv: Array, dt:
     }
     for name, values in out.items():
         values[0] = start[name]
-    fields, none = intervals(dtheta, dv, first), unbiased(step)
-    bound = step.bind(shape)
-    bound.inputs["dt"][:] = dt
-    for name, values in none.items():
-        bound.inputs[name][:] = values
-    given = [(bound.inputs[name], values) for name, values in (out | fields).items()]
-    made = [(bound.outputs[name], values) for name, values in out.items()]
-    for k in range(len(dtheta)):
-        for view, values in given:
-            view[...] = values[k]
-        if bound():
-            step(**{name: values[k] for name, values in (out | fields).items()}, **none, dt=dt)
-        for view, values in made:
-            values[k + 1] = view
+    given = {**out, **intervals(dtheta, dv, first), **unbiased(step), "dt": np.array([dt], float)}
+    k = step.walk(given, {name: values[1:] for name, values in out.items()})
+    if k < len(dtheta):
+        step(**{name: values[k] if values.ndim > 1 else values for name, values in given.items()} | {"dt": dt})
     return Trajectory(**out, dt=dt)
