@@ -1,6 +1,6 @@
 """What is known of an inertial sensor beforehand, taken off what it delivers."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -20,6 +20,7 @@ class Calibration:
     accel_bias: Any = (0.0, 0.0, 0.0)
     gyro_matrix: Any = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
     accel_matrix: Any = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+    known: bool = field(init=False)  # whether anything is
 
     def __post_init__(self) -> None:
         for name, shape in (("bias", (3,)), ("matrix", (3, 3))):
@@ -34,9 +35,14 @@ class Calibration:
                         f"calibration: {sensor}_matrix makes one axis of two; it must be near the unit matrix"
                     )
                 object.__setattr__(self, f"{sensor}_{name}", value)
+        biased = np.any(self.gyro_bias) or np.any(self.accel_bias)
+        turned = (self.gyro_matrix != np.eye(3)).any() or (self.accel_matrix != np.eye(3)).any()
+        object.__setattr__(self, "known", bool(biased or turned))
 
     def increments(self, dtheta: Any, dv: Any, dt: Any) -> tuple[Array, Array]:
         """The same increments (..., 3) rad and m/s over dt (...) s without what is known; of rates with dt = 1."""
+        if not self.known:
+            return np.asarray(dtheta, float), np.asarray(dv, float)
         seconds = np.asarray(dt, float)[..., None]
         return (
             np.einsum("...ij,...j->...i", self.gyro_matrix, dtheta - self.gyro_bias * seconds),

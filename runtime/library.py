@@ -125,7 +125,9 @@ class Unit:
         for i, array in enumerate(each):
             if array.ndim > 1 and array.shape[:-1] != runs:
                 array = np.broadcast_to(array, (*runs, array.shape[-1]))
-            each[i] = np.require(array, requirements=("C", "A"))
+            if not (array.flags.c_contiguous and array.flags.aligned):
+                array = np.require(array, requirements=("C", "A"))
+            each[i] = array
         fields = [Given(array.ctypes.data, array.shape[-1] * (array.ndim > 1), 0) for array in each]
         out = (ctypes.c_void_p * len(outputs))(*ends[:-1])
         return self._lanes(n)(n, (Given * len(fields))(*fields), out, ends[-1]), status

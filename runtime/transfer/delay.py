@@ -53,30 +53,35 @@ def rate_variances(
     }
 
 
-def uninformed(
-    loop: Filter, measurement: str, R: Array, rows: Array, inputs: dict[str, Any], variances: dict[str, Array],
-    sigmas: float,
-) -> tuple[Array, Array]:  # fmt: skip
-    """(..., n) bool: the delay, where the rates that make up its column are not clearly above their noise; and H.
+def rate_of(measurement: str) -> str:
+    """Of which the delay's column is a linear function: attitude turns with the rate, velocity with the acceleration."""
+    return "a_n" if measurement == "velocity" else "omega_ib_b"
 
-    R, rows: (..., m).  variances: of `rate_variances`.  H: (..., m, n) of the measurement as the filter is.
+
+def by_rate(loop: Filter, measurement: str, inputs: dict[str, Any]) -> Array:
+    """(4, ..., m, n) H of the measurement as the filter is, and with 1e-3 more of its rate about or along each axis."""
+    name = rate_of(measurement)
+    steps = 1e-3 * np.concatenate([np.zeros((1, 3)), np.eye(3)]).reshape((4, *(1 for _ in loop.P.shape[:-2]), 3))
+    H: Array = loop.call(f"{measurement}_H", **{**inputs, name: inputs[name] + steps})
+    return H
+
+
+def uninformed(measurement: str, H: Array, R: Array, rows: Array, variances: dict[str, Array], sigmas: float) -> Array:
+    """(..., n) bool: the delay, where the rates that make up its column are not clearly above their noise.
+
+    H: of `by_rate`.  R, rows: (..., m).  variances: of `rate_variances`.
 
     The noise of such a rate passes for a motion that the residual does not follow: for a delay without error, and so
     for knowledge of it.  What it adds is its variance over R, what the motion adds the rate's square over R; over all
     rows that has to be sigmas^2 times as much.  Noise alone gets there once in 1e10 messages, so that the choice of
     messages does not depend on it.
     """
-
-    # attitude turns with the rate, velocity with the acceleration; the column is linear in them
-    name = "a_n" if measurement == "velocity" else "omega_ib_b"
-    steps = 1e-3 * np.concatenate([np.zeros((1, 3)), np.eye(3)]).reshape((4, *(1 for _ in loop.P.shape[:-2]), 3))
-    H = loop.call(f"{measurement}_H", **{**inputs, name: inputs[name] + steps})
     now, by_axis = H[0, ..., TAU], (H[1:, ..., TAU] - H[0, ..., TAU]) / 1e-3
-    variance = np.einsum("a...m,...a->...m", by_axis**2, variances[name])
+    variance = np.einsum("a...m,...a->...m", by_axis**2, variances[rate_of(measurement)])
     weight = rows * (R.min(-1, keepdims=True) / R)  # by the smallest, so that none overflows
-    out = np.zeros((*now.shape[:-1], loop.P.shape[-1]), bool)
+    out = np.zeros((*now.shape[:-1], H.shape[-1]), bool)
     out[..., TAU] = np.sum(weight * now**2, axis=-1) <= sigmas**2 * np.sum(weight * variance, axis=-1)
-    return out, H[0]
+    return out
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,16 @@ from boresight.runtime import rotation
 from boresight.runtime.array import Array, carried
 from boresight.runtime.calibration import Calibration
 from boresight.runtime.filter import Filter, Innovation
-from boresight.runtime.transfer.delay import CLEAR, Explanation, Stamps, Suspects, cause, rate_variances, uninformed
+from boresight.runtime.transfer.delay import (
+    CLEAR,
+    Explanation,
+    Stamps,
+    Suspects,
+    by_rate,
+    cause,
+    rate_variances,
+    uninformed,
+)
 from boresight.runtime.transfer.gaps import Gaps, of_runs
 from boresight.runtime.transfer.guard import Guard, mixed, outside
 from boresight.runtime.transfer.history import ACCEL_BIAS, DOWN, DV, MOUNT, PHI, TAU, History, moment
@@ -21,7 +30,7 @@ from boresight.runtime.transfer.messages import Heard, Message, Note, Result, Ve
 from boresight.runtime.transfer.position import PositionWatch, moved
 from boresight.runtime.transfer.rules import Rules, Watch
 from boresight.runtime.transfer.score import Score
-from boresight.runtime.transfer.start import SHORTEST, Increments, again
+from boresight.runtime.transfer.start import SHORTEST, Increments, again, straight
 from boresight.runtime.transfer.stretch import Stretch
 from boresight.runtime.units import STANDARD_GRAVITY
 
@@ -439,12 +448,13 @@ class Transfer:
         P_now = P_before + self._tilted(F)
         P = carried(P_now - Q, moving, there)
         rows = rows & (verdict == Verdict.TAKEN)[..., None]
-        repeated = self.watch.repeats(said, rows, expected, self._expected_variance(P, inputs), R)
+        Hs = {name: by_rate(loop, name, inputs) for name, _, field in self._measured() if field in inputs}
+        repeated = self.watch.repeats(said, rows, expected, self._expected_variance(P, Hs, inputs), R)
         verdict[repeated] = Verdict.REPEATED
         faults.append((repeated, "the master repeats its last one while the slave moves"))
         rows = rows & ~repeated[..., None]
         variances = rate_variances(self.history, rules, P, F, inputs, rate_factor, self._lever())
-        innovations = self._update(P, R, rows, inputs, variances)
+        innovations = self._update(P, R, rows, inputs, Hs, variances)
         used = rows.sum(-1)
         # The gate presumes residuals that are linear in the errors: until angles and delay are known it is open.
         sigma = np.sqrt(np.einsum("...ii->...i", P_now))
@@ -468,7 +478,7 @@ class Transfer:
             by_offset = reopen & ~by_delay & ~trial
             if by_offset.any():
                 P = P + self._opening(by_offset, rows, inputs)
-                self._update(P, R, rows, inputs, variances)
+                self._update(P, R, rows, inputs, Hs, variances)
             failed = reopen & trial & ~by_delay
             self.suspects.forget(reopen)
             self.stamps.end(reopen & trial, by_delay)
@@ -594,26 +604,24 @@ class Transfer:
         return ready
 
     def _update(
-        self, P: Array, R: Array, rows: Array, inputs: dict[str, Any], variances: dict[str, Array]
+        self, P: Array, R: Array, rows: Array, inputs: dict[str, Any], Hs: dict[str, Array], variances: dict[str, Array]
     ) -> dict[str, Innovation]:
         """Attitude first: the residual of a large turn depends on x, and that of the velocity does not.
 
-        variances: of the rates in the delay's column, which decide whether a measurement informs the delay.
+        Hs: of `by_rate`.  variances: of the rates in the delay's column, which decide whether a measurement informs the
+        delay.
         """
         self.filter.x, self.filter.P = np.zeros(P.shape[:-1]), P
-        C_b2m, C_b2n = (rotation.matrix_from_quaternion(q) for q in (self.nav["q_b2m_wxyz"], inputs["q_b2n_wxyz"]))
+        C_b2m, C_b2n = rotation.matrix_from_quaternion(np.array([self.nav["q_b2m_wxyz"], inputs["q_b2n_wxyz"]]))
         heading = np.zeros(P.shape[:-1])  # of the mounting, which alone keeps it where the slave's attitude is opened
         heading[..., MOUNT] = (C_b2m @ C_b2n[..., DOWN, :, None])[..., 0]
         if self.score is not None:
             self.score.begin()
         out = {}
-        for name, part, field in (
-            (self.matching[1], slice(3, 6), self._attitude_field()),
-            (self.matching[0], slice(0, 3), "v_m_n"),
-        ):
+        for name, part, field in self._measured():
             if field in inputs:
-                R_part, there = R[..., part], rows[..., part]
-                kept, H = uninformed(self.filter, name, R_part, there, inputs, variances, self.rules.delay_sigmas)
+                R_part, there, H = R[..., part], rows[..., part], Hs[name][0]
+                kept = uninformed(name, Hs[name], R_part, there, variances, self.rules.delay_sigmas)
                 if self.score is not None:
                     nu = self.filter.call(f"{name}_z", **inputs) - np.einsum("...ij,...j->...i", H, self.filter.x)
                     self.score.take(nu, H, self.filter.P, R_part, there)
@@ -624,6 +632,11 @@ class Transfer:
                 self._keep_heading(heading, x, P, H, R_part, there, kept)
         return out
 
+    def _measured(self) -> tuple[tuple[str, slice, str], ...]:
+        """Measurements in their order, the rows of each, and the field that the message says it by."""
+        attitude, velocity = slice(3, 6), slice(0, 3)
+        return (self.matching[1], attitude, self._attitude_field()), (self.matching[0], velocity, "v_m_n")
+
     def _attitude_field(self) -> str:
         return "euler_m" if self.matching[1].startswith("euler") else "q_m2n_wxyz"
 
@@ -632,9 +645,12 @@ class Transfer:
         names = getattr(self.filter.model, "states", ())
         return [i for i, name in enumerate(names) if name.startswith(("phi", "dmu"))] or [0, 1, 2]
 
-    def _expected_variance(self, P: Array, inputs: dict[str, Any]) -> Array:
+    def _expected_variance(self, P: Array, Hs: dict[str, Array], inputs: dict[str, Any]) -> Array:
         """(..., 6) of the velocity and the attitude (about the axes n) that are expected of the master."""
-        H = np.concatenate([self.filter.call(f"{name}_H", **inputs) for name in ("velocity", "dcm")], axis=-2)
+        H = np.concatenate(
+            [Hs[name][0] if name in Hs else self.filter.call(f"{name}_H", **inputs) for name in ("velocity", "dcm")],
+            axis=-2,
+        )
         variance: Array = np.sum((H @ P) * H, axis=-1)
         return variance
 
@@ -712,8 +728,10 @@ class Transfer:
 
         So phi - C_m2n dmu, which alone shows at rest, stays the same sum, whatever noise the corrections bring into C.
         """
-        for name, block in (("q_b2n_wxyz", PHI), ("q_b2m_wxyz", MOUNT)):
-            old, new = (rotation.matrix_from_quaternion(of[name]) for of in (self.nav, nav))
+        C = rotation.matrix_from_quaternion(
+            np.array([[of[name] for of in (self.nav, nav)] for name in ("q_b2n_wxyz", "q_b2m_wxyz")])
+        )
+        for block, (old, new) in zip((PHI, MOUNT), C, strict=True):
             T = np.zeros((*P.shape[:-2], 3, P.shape[-1]))
             T[..., block] = (np.eye(3) + new @ np.swapaxes(old, -1, -2)) / 2
             P = carried(P, block, T)
@@ -780,6 +798,8 @@ class Transfer:
         x += loop.x
         shape = (len(history), *self.runs)
         past = {name: history.recent(name).reshape((*shape, -1)) for name in ("v_n", "q_b2n_wxyz")}
-        corrected = loop.call("feedback", x=x, **past)
+        # what else is corrected has no past
+        rest = {name: straight(loop.model, name) for name in loop.model.feedback.fields if name not in ("x", *past)}
+        corrected = loop.call("feedback", x=x, **rest, **past)
         for name in past:
             history.recent(name)[:] = corrected[name].reshape((len(history), history.runs, -1))

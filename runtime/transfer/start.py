@@ -173,7 +173,7 @@ def estimated(model: Any) -> dict[str, list[int]]:
     """What is estimated besides attitude and velocity: the fields of nav that `feedback` corrects, and their states."""
     n = len(model.states)
     x = np.vstack([np.zeros(n), 1e-3 * np.eye(n)])
-    out = model.feedback(x=x, **{name: _straight(model, name) for name in model.feedback.fields if name != "x"})
+    out = model.feedback(x=x, **{name: straight(model, name) for name in model.feedback.fields if name != "x"})
     return {
         name: [i for i in range(n) if np.any(value[1 + i] != value[0])]
         for name, value in out.items()
@@ -181,7 +181,7 @@ def estimated(model: Any) -> dict[str, list[int]]:
     }
 
 
-def _straight(model: Any, name: str) -> Array:
+def straight(model: Any, name: str) -> Array:
     """Nothing: zeros, or the quaternion that does not turn."""
     size = model.field[name]["size"]
     return np.array([1.0, 0.0, 0.0, 0.0]) if "wxyz" in name else np.zeros(size) if size > 1 else np.array(0.0)
@@ -236,7 +236,7 @@ def _begun(
     _, why = outside(model, {name: np.asarray(value, float) for name, value in start.items()})
     if why:
         raise BoresightError(f"first: of the message {why}")
-    return start | {name: _straight(model, name) for name in fields} | estimates, said
+    return start | {name: straight(model, name) for name in fields} | estimates, said
 
 
 def _flown(
