@@ -36,13 +36,14 @@ class Harmonics:
     def at(self, time: Any) -> Array:
         """(T,) s, or (T, ...) if each run has its own -> (T, ..., D)."""
         time = np.asarray(time, float)
-        if time.ndim == 1 and len(time) > TOGETHER:
-            return np.concatenate([self.at(time[k : k + TOGETHER]) for k in range(0, len(time), TOGETHER)])
         # Re(a w) = Re a Re w - Im a Im w, as one product of real matrices
         amplitude = np.concatenate([self.amplitude.real, -self.amplitude.imag], axis=-1)
         if time.ndim == 1:  # the frequencies may serve many runs: their sines only once
-            angle = self.omega[..., :, None] * time
-            return np.moveaxis(amplitude @ np.concatenate([np.cos(angle), np.sin(angle)], axis=-2), -1, 0)
+            parts = []
+            for k in range(0, max(1, len(time)), TOGETHER):
+                angle = self.omega[..., :, None] * time[k : k + TOGETHER]
+                parts.append(amplitude @ np.concatenate([np.cos(angle), np.sin(angle)], axis=-2))
+            return np.moveaxis(np.concatenate(parts, axis=-1), -1, 0)
         angle = self.omega * time[..., None]
         return (amplitude @ np.concatenate([np.cos(angle), np.sin(angle)], axis=-1)[..., None])[..., 0]
 

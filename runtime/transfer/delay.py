@@ -54,7 +54,7 @@ def rate_variances(
 
 
 def rate_of(measurement: str) -> str:
-    """Of which the delay's column is a linear function: attitude turns with the rate, velocity with the acceleration."""
+    """In which the delay's column is linear: attitude turns with the rate, velocity with the acceleration."""
     return "a_n" if measurement == "velocity" else "omega_ib_b"
 
 
