@@ -347,7 +347,7 @@ class Filter:
         rows = np.broadcast_to(rows, (*runs, z.shape[-1]))
         P, product = np.empty((*runs, n, n)), np.empty((*runs, n, n))  # in place: new memory is slower than the sums
         P[:] = self.P
-        nus, Ss, used = [], [], []
+        nus, Ss, used = (np.empty((*runs, z.shape[-1]), kind) for kind in (float, float, bool))
         for i in range(z.shape[-1]):
             h = H[..., i, :]
             Ph = (P @ h[..., None])[..., 0]
@@ -363,15 +363,12 @@ class Filter:
             P -= np.multiply(K[..., :, None], hP[..., None, :], out=product)
             b = (P @ h[..., None])[..., 0] - R[..., i, None] * K
             P -= np.multiply(b[..., :, None], K[..., None, :], out=product)
-            nus.append(nu)
-            Ss.append(S)
-            used.append(use)
+            nus[..., i], Ss[..., i], used[..., i] = nu, S, use
         P = np.add(P, np.swapaxes(P, -1, -2), out=product)
         P /= 2
-        stack = [np.stack(np.broadcast_arrays(*part), axis=-1) for part in (nus, Ss, used)]
         if kept is not None:
             x, P = left(kept, x, P, self.x, self.P)
-        return x, P, Innovation(*stack)
+        return x, P, Innovation(nus, Ss, used)
 
     def feedback(self) -> None:
         """Correct nav by the estimate and begin again from zero."""

@@ -58,11 +58,15 @@ def rate_of(measurement: str) -> str:
     return "a_n" if measurement == "velocity" else "omega_ib_b"
 
 
-def by_rate(loop: Filter, measurement: str, inputs: dict[str, Any]) -> Array:
-    """(4, ..., m, n) H of the measurement as the filter is, and with 1e-3 more of its rate about or along each axis."""
-    name = rate_of(measurement)
-    steps = 1e-3 * np.concatenate([np.zeros((1, 3)), np.eye(3)]).reshape((4, *(1 for _ in loop.P.shape[:-2]), 3))
-    H: Array = loop.call(f"{measurement}_H", **{**inputs, name: inputs[name] + steps})
+def by_rate(loop: Filter, measurement: str, inputs: dict[str, Any], around: dict[str, Array]) -> Array:
+    """H (4 + K, ..., m, n) of the measurement: as the filter is; with 1e-3 more of the rate about or along each axis; and
+    as it is at the K other times of `around`, whose first one is that of the inputs.
+    """
+    others, name = len(around["lag"]) - 1, rate_of(measurement)
+    steps = 1e-3 * np.concatenate([np.zeros((1, 3)), np.eye(3), np.zeros((others, 3))])
+    at = {n: value.take([0, 0, 0, 0, *range(1, others + 1)], axis=0, mode="clip") for n, value in around.items()}
+    at[name] = at[name] + steps.reshape((len(steps), *(1 for _ in loop.P.shape[:-2]), 3))
+    H: Array = loop.call(f"{measurement}_H", **{**inputs, **at})
     return H
 
 
@@ -76,7 +80,7 @@ def uninformed(measurement: str, H: Array, R: Array, rows: Array, variances: dic
     rows that has to be sigmas^2 times as much.  Noise alone gets there once in 1e10 messages, so that the choice of
     messages does not depend on it.
     """
-    now, by_axis = H[0, ..., TAU], (H[1:, ..., TAU] - H[0, ..., TAU]) / 1e-3
+    now, by_axis = H[0, ..., TAU], (H[1:4, ..., TAU] - H[0, ..., TAU]) / 1e-3
     variance = np.einsum("a...m,...a->...m", by_axis**2, variances[rate_of(measurement)])
     weight = rows * (R.min(-1, keepdims=True) / R)  # by the smallest, so that none overflows
     out = np.zeros((*now.shape[:-1], H.shape[-1]), bool)
@@ -225,6 +229,8 @@ class Stamps:
 
         late: (...,) bool, where a stamp lies in the kept past and only the delay's estimate does not: no clock is set.
         """
+        if not (where.any() or self.count.any()):
+            return
         age = now - stamp
         goes_on = where & (self.count > 0) & (stamp > self.last) & (np.abs(age - self.age) < self.SPREAD_S)
         first = where & ~goes_on

@@ -428,8 +428,9 @@ class Transfer:
         # the gyros' own noise comes with the rate into the lever arm's velocity
         noise = np.max(np.asarray(self.constants["gyro_noise"]), axis=-1)
         R[..., :3] += (np.sum(np.square(self._lever()), axis=-1) * noise**2 * rate_factor)[..., None]
+        Hs = {name: by_rate(loop, name, inputs, around) for name, _, field in self._measured() if field in inputs}
         if curved.any():
-            R += self._curved(curved * variance**2, around, inputs, stamp - self.watch.stamp)
+            R += self._curved(curved * variance**2, Hs, stamp - self.watch.stamp)
 
         # The residual speaks of the error at the message's time: the covariance goes there and comes back.
         # It says nothing of the noise since then, which leaves P for that time; by extrapolation that noise is in it.
@@ -448,7 +449,6 @@ class Transfer:
         P_now = P_before + self._tilted(F)
         P = carried(P_now - Q, moving, there)
         rows = rows & (verdict == Verdict.TAKEN)[..., None]
-        Hs = {name: by_rate(loop, name, inputs) for name, _, field in self._measured() if field in inputs}
         repeated = self.watch.repeats(said, rows, expected, self._expected_variance(P, Hs, inputs), R)
         verdict[repeated] = Verdict.REPEATED
         faults.append((repeated, "the master repeats its last one while the slave moves"))
@@ -762,17 +762,13 @@ class Transfer:
         self.filter.P = self.filter.P + both + np.swapaxes(both, -1, -2)
         self.filter.x = self.filter.x - u * np.sum(w * (self.filter.x - x), axis=-1, keepdims=True)
 
-    def _curved(self, fourth: Array, around: dict[str, Any], inputs: dict[str, Any], since: Array) -> Array:
+    def _curved(self, fourth: Array, Hs: dict[str, Array], since: Array) -> Array:
         """(..., 6) variance of the residuals by the delay's error d in the second order, E[d^4] = 3 sigma^4.
 
         It is one error in all messages of a swing, so that SWING_S of messages weigh as one.  fourth: (...,) sigma^4.
-        around: of `_match`, at the message's time, later and earlier.  since: (...,) s.
+        Hs: of `by_rate`, at two other times, later and earlier.  since: (...,) s.
         """
-        at = inputs | {name: value[-2:] for name, value in around.items()}
-        rows = [
-            self.filter.call(f"{name}_H", **at)[..., TAU] if field in inputs else np.zeros(3)
-            for name, field in zip(self.matching, ("v_m_n", self._attitude_field()), strict=True)
-        ]
+        rows = [Hs[name][-2:, ..., TAU] if name in Hs else np.zeros(3) for name in self.matching]
         later, earlier = np.concatenate([np.broadcast_to(row, (2, *self.runs, 3)) for row in rows], axis=-1)
         messages = np.maximum(1.0, SWING_S / np.fmax(since, 1e-3))
         change = (later - earlier) / (4 * self.rules.half_span_s)

@@ -209,7 +209,8 @@ class Watch:
         """
         stamp = heard.time
         taken, came = verdict <= Verdict.REOPENED, verdict != Verdict.ABSENT
-        for code in Verdict:
+        came_to = [Verdict(code) for code in np.unique(verdict)]
+        for code in came_to:
             self.counts[code] += verdict == code
         saying = {
             Verdict.GATED: "message refused: it does not fit (NIS {nis:.0f} with {used} rows; {worst} fits worst)",
@@ -225,6 +226,8 @@ class Watch:
             Verdict.REPEATED: "message refused: {why}",
         }  # fmt: skip
         for code, text in saying.items():
+            if code not in came_to:
+                continue
             where = (verdict == code) & (self.time - self.told_at[code] >= self.rules.quiet_s)
             if not where.any():
                 continue
