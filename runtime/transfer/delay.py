@@ -59,8 +59,8 @@ def rate_of(measurement: str) -> str:
 
 
 def by_rate(loop: Filter, measurement: str, inputs: dict[str, Any], around: dict[str, Array]) -> Array:
-    """H (4 + K, ..., m, n) of the measurement: as the filter is; with 1e-3 more of the rate about or along each axis; and
-    as it is at the K other times of `around`, whose first one is that of the inputs.
+    """H (4 + K, ..., m, n) of the measurement: as the filter is; with 1e-3 more of the rate about or along each axis;
+    and as it is at the K other times of `around`, whose first one is that of the inputs.
     """
     others, name = len(around["lag"]) - 1, rate_of(measurement)
     steps = 1e-3 * np.concatenate([np.zeros((1, 3)), np.eye(3), np.zeros((others, 3))])

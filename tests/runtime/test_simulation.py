@@ -53,6 +53,19 @@ def test_a_slave_flies_to_the_attitude_of_its_mounting():
     assert np.abs(rotation.attitude_error(flown, q_b[-1])).max() < 1e-12
 
 
+def test_products_of_quaternions_are_products_of_their_matrices():
+    """Of many by many, by one, and of one; of any norm."""
+    rng = np.random.default_rng(3)
+    for left, right in (((5, 1), (7,)), ((6,), ()), ((), ())):
+        p, q, v = rng.normal(size=(*left, 4)), 3 * rng.normal(size=(*right, 4)), rng.normal(size=(*right, 3))
+        turns = ((rotation.product(p, q), rotation.matrix_from_quaternion(q)),
+                 (rotation.turned(p, v), rotation.matrix_from_vector(v)))  # fmt: skip
+        for made, turn in turns:
+            wanted = rotation.matrix_from_quaternion(p) @ turn
+            assert np.abs(rotation.matrix_from_quaternion(made) - wanted).max() < 2e-15
+            assert np.abs(np.linalg.norm(made, axis=-1) - 1).max() < 4e-16
+
+
 def test_attitude_error_is_the_turn_that_removes_the_error():
     q = rotation.quaternion_from_euler(np.array([0.2, -0.4, 2.5]))
     eps = np.array([0.03, -0.02, 0.05])
