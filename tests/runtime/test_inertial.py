@@ -118,6 +118,21 @@ def test_one_run_and_many_are_the_same(strapdown):
     np.testing.assert_array_equal(one.q_b2n_wxyz, many.q_b2n_wxyz[:, 1])
 
 
+@pytest.mark.parametrize("how", [{}, {"lanes": 1}, {"precision": "float"}, {"backend": "casadi"}], ids=str)
+def test_every_library_is_flown_by_its_own_function(how, compiled_once):
+    """In lanes, without them, and where there are none: sample by sample, to the bit."""
+    step, rng = load("strapdown", **how).step, np.random.default_rng(0)
+    dtheta, dv = rng.normal(0, 1e-3, (20, 5, 3)), rng.normal(0, 0.1, (20, 5, 3))
+    nav = {"position": np.array([0.1, 0.7, 10.0]), "v_n": rng.normal(size=(5, 3)), "q_b2n_wxyz": np.eye(4)[0]}
+    made = integrate(step, nav, dtheta, dv, 0.01)
+    none = {name: np.zeros(3) for name in ("gyro_bias", "accel_bias") if name in step.fields}
+    for k, before in enumerate(np.maximum(np.arange(20) - 1, 0)):
+        nav = step(**nav, **none, dtheta_ib_b=dtheta[k], dv_b=dv[k], dtheta_before=dtheta[before], dv_before=dv[before],
+                   dt=0.01)  # fmt: skip
+        for name, value in nav.items():
+            assert np.array_equal(getattr(made, name)[k + 1], value), (name, k)
+
+
 def test_rates_are_what_a_short_step_does(strapdown):
     position, v_n, q = motions(1, 100)
     f_b, omega = np.array([1.0, -2.0, 9.0]), np.array([0.3, -0.2, 0.1])
