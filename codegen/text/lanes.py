@@ -68,28 +68,31 @@ def lanes_view(model: Model, made: list[Unit], views: list[dict[str, Any]], f: d
                 offset += a.size
         return {"loads": loads, "count": to, "place": place, "box": boxes(used, place) if used else None}
 
-    def kernel(name: str, given: dict[str, Any], out: list[str]) -> dict[str, Any]:
-        """Of a unit by its name, `called`."""
+    def kernel(name: str, given: dict[str, Any], out: list[str], now: Collection[str] = ()) -> dict[str, Any]:
+        """Of a unit by its name, `called`.  now: fields that change from sample to sample."""
         unit, seen = by_name[name]
         files[seen["file"]] = None
-        inputs = ["b->x" if a.name == "x" else f"&b->carried[{at[a.name]}]" if a.name in at
+        inputs = ["b->x" if a.name == "x" else f"&now[{at[a.name]}]" if a.name in now
+                  else f"&b->carried[{at[a.name]}]" if a.name in at
                   else f"&in[{given['place'][a.name]}]" for a in unit.args]  # fmt: skip
         return called(unit, seen, inputs, out)
 
-    def change(name: str, call: dict[str, Any]) -> dict[str, Any]:
+    def change(name: str, call: dict[str, Any], sampled: bool) -> dict[str, Any]:
         unit, _ = by_name[name]
         taken = given(call)
         out = [f"&next[{at[r.name]}]" for r in unit.results]
         changed = [a for a in fields if a.name in {r.name for r in unit.results}]
+        now = [a.name for a in changed if sampled]
         return {
-            **taken, "kernel": kernel(name, taken, out), "after": groups([(at[a.name], a.size) for a in changed]),
+            **taken, "kernel": kernel(name, taken, out, now),
+            "after": groups([(at[a.name], a.size) for a in changed]),
             "norms": boxes(changed, at)["norms"],
             "state": any(a.name == "x" for a in unit.args) or None,
         }  # fmt: skip
 
-    for name, unit_name in (("strapdown", "strapdown"), ("correct", "feedback")):
+    for name, unit_name, sampled in (("strapdown", "strapdown", True), ("correct", "feedback", False)):
         if name in calls:
-            view[name] = change(unit_name, calls[name])
+            view[name] = change(unit_name, calls[name], sampled)
     x = [(lo, hi) for v in model.states for lo, hi in zip(v.low, v.high, strict=True)]
     view["x"] = {"low": ", ".join(number(lo) for lo, _ in x), "high": ", ".join(number(hi) for _, hi in x)}
     view["measurements"] = {}
@@ -124,7 +127,8 @@ def called(unit: Unit, seen: dict[str, Any], inputs: list[str], out: list[str]) 
          "high": r.low and ", ".join(map(number, r.high))}
         for r, shown, to in zip(unit.results, seen["results"], out, strict=True) if shown["checked"]
     ]  # fmt: skip
-    return {"call": f"{seen['c_name']}_kernel({', '.join([*inputs, *out])})", "judged": judged}
+    call = f"{seen['c_name']}_kernel({', '.join([*inputs, *out])})"
+    return {"call": call, "elementary": seen["elementary"], "judged": judged}
 
 
 def groups(ranges: list[tuple[int, int]]) -> list[dict[str, int]]:

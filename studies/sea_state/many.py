@@ -128,12 +128,13 @@ def shared(sea: Sea, seed: int, number: int) -> Shared:
 
 def late(true: Shared, delay: Array) -> tuple[Array, Array]:
     """The master's v_n (U + 1, runs, 3) and q_m2n_wxyz (U + 1, runs, 4), each run's as old as its delay (runs,)."""
-    pose = np.zeros((true.master.shape[1], len(delay), 7))
+    pose = np.zeros((true.master.shape[1], 7, len(delay)))
     for i, node in enumerate(true.delays):
         weight = np.ones(len(delay))
         for other in np.delete(true.delays, i):
             weight *= (delay - other) / (node - other)
-        pose += weight[:, None] * true.master[i][:, None]
+        pose += weight * true.master[i][..., None]
+    pose = pose.swapaxes(1, 2)
     return pose[..., :3], normal(pose[..., 3:])
 
 

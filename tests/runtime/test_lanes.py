@@ -15,6 +15,7 @@ from boresight.runtime.manifest import GENERATED, built_in
 from boresight.runtime.status import Status
 
 RUNS = 61  # no multiple of any width
+SAMPLES = 3  # of the strapdown in one call
 MODELS = [
     name
     for name in built_in()
@@ -129,11 +130,11 @@ def begun(library, rng, spoilt):
     return loop
 
 
-def filled(inputs, library, rng, spoilt):
+def filled(inputs, library, rng, spoilt, samples):
     for name in inputs.fields:
         if name not in ("z", "R"):
-            value = np.abs(drawn(library, name, rng, spoilt)) if "noise" in name else drawn(library, name, rng, spoilt)
-            inputs[name] = value
+            value = np.array([drawn(library, name, rng, spoilt) for _ in range(samples or 1)])
+            inputs[name] = (np.abs(value) if "noise" in name else value)[slice(None) if samples else 0]
 
 
 def apart(library, function, rng, spoilt):
@@ -141,7 +142,8 @@ def apart(library, function, rng, spoilt):
     loop = begun(library, rng, spoilt)
     measured = function.startswith("measure_")
     name = function.removeprefix("measure_")
-    epoch = Epoch(loop, int(function == "strapdown"), [name] if measured else [], predict=function == "propagate",
+    samples = SAMPLES if function == "strapdown" else 0
+    epoch = Epoch(loop, samples, [name] if measured else [], predict=function == "propagate",
                   feedback=function == "correct", runs=(RUNS,))  # fmt: skip
     described = loop.described["measurements"][name] if measured else loop.described[function]
     inputs = (
@@ -149,7 +151,7 @@ def apart(library, function, rng, spoilt):
         or epoch.measured.get(name)
         or epoch.predict
     )
-    filled(inputs, library, rng, spoilt)
+    filled(inputs, library, rng, spoilt, samples)
     if measured:
         m = described["m"]
         one = inputs
@@ -177,7 +179,7 @@ def apart(library, function, rng, spoilt):
         if measured:
             loop._consider(rng.random((RUNS, len(library.states))) < 0.01)
     alone = Alone(loop)
-    by_run = Drawn(inputs, described, library, 0 if function == "strapdown" else None)
+    parts = [Drawn(inputs, described, library, k) for k in range(samples) or (None,)]
     said, innovations = [], []
     for run in range(RUNS):
         rest = []
@@ -188,7 +190,8 @@ def apart(library, function, rng, spoilt):
             gates = Gates(rows, *one.gates, one.iterations[0])
             rest = [*([np.array(one["z"][run])] if described["brings_z"] else []), np.array(one["R"][run])]
             rest += [np.frombuffer(gates, dtype=np.uint8), innovation]
-        said.append(alone.call(function, described, by_run, run, *rest))
+        answers = (alone.call(function, described, part, run, *rest) for part in parts)
+        said.append(next(filter(None, answers), Status.OK))  # what is refused at a sample flies none of the later ones
         if measured:
             used = innovation[-1:].view(np.uint32)[0]
             innovations.append(
@@ -236,6 +239,10 @@ def test_every_run_has_the_bits_that_it_has_alone(model, width):
 
 MUTANTS = {  # of the text of em_lanes.c: each spoils one step in lanes, in the last bit or in a rare lane
     "strapdown": ("#define BS_REAL(x) bs_all_of(x)", "#define BS_REAL(x) bs_all_of((x) * (1 + 0x1p-52))"),
+    "strapdown, a bad lane written": (
+        "bs_keep(&b->carried[0], &now[0], good,",
+        "bs_keep(&b->carried[0], &now[0], *rare,",
+    ),
     "propagate, a sum reordered": (
         "s0_0 += a0 * from[0];",
         "s0_0 = (a0 * from[0]) + (s0_0 * (1 + 0x1p-52));",
@@ -258,6 +265,16 @@ def test_one_operation_changed_in_the_lanes_is_seen(name, em_copy):
     spoil(em_copy, "batch/em_lanes.c", *MUTANTS[name])
     library, rng = load(em_copy, lanes=4), np.random.default_rng(5)
     assert any(apart(library, name.split(",")[0], rng, spoilt)[0] for spoilt in (False, *12 * (True,)))
+
+
+def test_an_angle_that_a_kernel_in_lanes_does_not_take_is_flown_by_the_scalar_function(em_copy):
+    limit = "bs_unusual |= ~(bs_magnitude(angle) <= BS_MATH_ANGLE);"
+    wrong = "*sine = bs_choose(bs_magnitude(angle) <= 0.1, *sine, bs_all_of(7.0));"
+    for text, differs in ((f"bs_unusual |= ~(bs_magnitude(angle) <= 0.1); {wrong}", False), (wrong, True)):
+        spoil(em_copy, "batch/boresight_lanes.h", limit, text)
+        limit = text
+        found, _ = apart(load(em_copy, lanes=4), "strapdown", np.random.default_rng(11), False)
+        assert bool(found) == differs
 
 
 def unlike(model, function, width, rng, spoilt):

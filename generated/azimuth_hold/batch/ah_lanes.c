@@ -222,28 +222,42 @@ static bs_bits judged(const bs_lanes *x, const bs_lanes *P)
     return good;
 }
 
-static void strapdown_lanes(block *b, const chosen *runs, const bs_given *given, bs_bits *rare)
+/* One sample after another.  What one leaves in its box the next one finds there.  A lane that
+ * leaves its usual way at any of them stays as it was, and has all of them still to go. */
+static void strapdown_lanes(block *b,
+                            const chosen *runs,
+                            const bs_given *given,
+                            size_t samples,
+                            bs_bits *rare)
 {
     bs_bits good = *rare;
+    bs_lanes now[16];
     bs_lanes next[16];
-    bs_lanes in[13];
-    bs_read(&in[0], &given[0], 6, 1, runs->first, runs->n);
-    bs_read(&in[1], &given[1], 0, 3, runs->first, runs->n);
-    bs_read(&in[4], &given[1], 3, 3, runs->first, runs->n);
-    bs_read(&in[7], &given[1], 6, 3, runs->first, runs->n);
-    bs_read(&in[10], &given[1], 9, 3, runs->first, runs->n);
-    static const double low[13] = { (1e-06), (-0.5), (-0.5), (-0.5), (-100.0), (-100.0), (-100.0),
-                                    (-0.5), (-0.5), (-0.5), (-100.0), (-100.0), (-100.0) };
-    static const double high[13] = { (10.0), (0.5), (0.5), (0.5), (100.0), (100.0), (100.0), (0.5),
-                                     (0.5), (0.5), (100.0), (100.0), (100.0) };
-    good &= bs_inside(in, low, high, 13);
     good &= in_box(b);
-    ah_strapdown_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &b->carried[10],
-                        &b->carried[13], &in[0], &in[1], &in[4], &in[7], &in[10], &next[0],
-                        &next[3], &next[6]);
-    good &= bs_inside(&next[0], &carried_low[0], &carried_high[0], 10);
-    good &= bs_normed(&next[6], (0.998001), (1.0020009999999997), 4);
-    bs_keep(&b->carried[0], &next[0], good, 10);
+    bs_copy(&now[0], &b->carried[0], 10);
+    for (size_t k = 0U; k < samples; ++k) {
+        const bs_given sample[2] = { bs_sample(&given[0], k), bs_sample(&given[1], k) };
+        bs_lanes in[13];
+        bs_read(&in[0], &sample[0], 6, 1, runs->first, runs->n);
+        bs_read(&in[1], &sample[1], 0, 3, runs->first, runs->n);
+        bs_read(&in[4], &sample[1], 3, 3, runs->first, runs->n);
+        bs_read(&in[7], &sample[1], 6, 3, runs->first, runs->n);
+        bs_read(&in[10], &sample[1], 9, 3, runs->first, runs->n);
+        static const double low[13] = { (1e-06), (-0.5), (-0.5), (-0.5), (-100.0), (-100.0),
+                                        (-100.0), (-0.5), (-0.5), (-0.5), (-100.0), (-100.0),
+                                        (-100.0) };
+        static const double high[13] = { (10.0), (0.5), (0.5), (0.5), (100.0), (100.0), (100.0),
+                                         (0.5), (0.5), (0.5), (100.0), (100.0), (100.0) };
+        good &= bs_inside(in, low, high, 13);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
+        ah_strapdown_kernel(&now[0], &now[3], &now[6], &b->carried[10], &b->carried[13], &in[0],
+                            &in[1], &in[4], &in[7], &in[10], &next[0], &next[3], &next[6]);
+        good &= ~bs_unusual;
+        good &= bs_inside(&next[0], &carried_low[0], &carried_high[0], 10);
+        good &= bs_normed(&next[6], (0.998001), (1.0020009999999997), 4);
+        bs_copy(&now[0], &next[0], 10);
+    }
+    bs_keep(&b->carried[0], &now[0], good, 10);
     *rare &= ~good;
 }
 
@@ -266,8 +280,10 @@ static void correct_lanes(block *b, const chosen *runs, const bs_given *given, b
     for (int i = 0; i < AH_N_STATES; ++i) {
         good &= b->P[diagonal(i)] >= 0.0;
     }
+    bs_unusual = (bs_bits)bs_all_of(0.0);
     ah_feedback_kernel(b->x, &b->carried[0], &b->carried[3], &b->carried[6], &b->carried[10],
                        &b->carried[13], &next[0], &next[3], &next[6], &next[10], &next[13]);
+    good &= ~bs_unusual;
     good &= bs_inside(&next[0], &carried_low[0], &carried_high[0], 16);
     good &= bs_normed(&next[6], (0.998001), (1.0020009999999997), 4);
     bs_keep(&b->carried[0], &next[0], good, 16);
@@ -1251,7 +1267,9 @@ static void propagate_lanes(block *b, const chosen *runs, const bs_given *given,
                                      (10.0), (10.0), (0.1), (0.1), (0.1), (10.0), (10.0), (10.0) };
     good &= bs_inside(in, low, high, 16);
     good &= in_box(b);
+    bs_unusual = (bs_bits)bs_all_of(0.0);
     ah_F_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &in[0], s->F);
+    good &= ~bs_unusual;
     ah_Qc_kernel(&b->carried[6], &in[4], &in[7], &in[10], &in[13], s->Qc);
     discretize(s, &in[3]);
     for (int i = 0; i < 3; ++i) {
@@ -1597,8 +1615,12 @@ static void measure_zaru_lanes(block *b,
     }
     good &= bs_inside(in, low, high, 3);
     good &= in_box(b);
+    bs_unusual = (bs_bits)bs_all_of(0.0);
     ah_zaru_z_kernel(&b->carried[0], &b->carried[6], &in[0], z);
+    good &= ~bs_unusual;
+    bs_unusual = (bs_bits)bs_all_of(0.0);
     ah_zaru_H_kernel(&b->carried[0], &b->carried[6], H);
+    good &= ~bs_unusual;
     t.good = good;
     begin_taking(b, runs, H, start, at, 3, z, 0U, taking, &t);
     take_row(b, runs->s, 0, 0, &H[0], &at[0], 5, z, R, taking->gates, &t);
@@ -1614,25 +1636,29 @@ static __attribute__((noinline)) void strapdown_alone(block *b,
                      size_t run,
                      int lane,
                      const bs_given *given,
+                     size_t samples,
                      unsigned char *status)
 {
     ah_filter filter;
-    bs_status said;
+    bs_status said = BS_OK;
     out_of(b, lane, &filter);
-    said = ah_filter_strapdown(&filter, bs_of(&given[0], run), bs_of(&given[1], run));
+    for (size_t k = 0U; (k < samples) && (said == BS_OK); ++k) {
+        const bs_given sample[2] = { bs_sample(&given[0], k), bs_sample(&given[1], k) };
+        said = ah_filter_strapdown(&filter, bs_of(&sample[0], run), bs_of(&sample[1], run));
+    }
     into(b, lane, &filter);
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
 
-static void strapdown_block(block *b, const chosen *runs, const bs_given *given)
+static void strapdown_block(block *b, const chosen *runs, const bs_given *given, size_t samples)
 {
     bs_bits rare = bs_going(runs->status, runs->first, runs->n);
-    strapdown_lanes(b, runs, given, &rare);
+    strapdown_lanes(b, runs, given, samples, &rare);
     if (!bs_everywhere(~rare)) {
         for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
             if (rare[lane] != 0) {
                 const size_t run = runs->first + (size_t)lane;
-                strapdown_alone(b, run, lane, given, &runs->status[run]);
+                strapdown_alone(b, run, lane, given, samples, &runs->status[run]);
             }
         }
     }
@@ -1865,7 +1891,7 @@ size_t ah_lanes_strapdown(size_t n, block *b, const bs_given *given, unsigned ch
     scratch room;
     chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
-        strapdown_block(&b[runs.first / BORESIGHT_LANES], &runs, given);
+        strapdown_block(&b[runs.first / BORESIGHT_LANES], &runs, given, 1U);
     }
     return refused(n, status);
 }
@@ -1928,13 +1954,8 @@ size_t ah_lanes_epoch(size_t n, block *b, const bs_epoch *epoch, unsigned char *
     }
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         block *const one = &b[runs.first / BORESIGHT_LANES];
-        for (size_t s = 0U; s < epoch->samples; ++s) {
-            bs_given given[2];
-            for (int i = 0; i < 2; ++i) {
-                given[i] = epoch->strapdown[i];
-                given[i].at += (ptrdiff_t)s * given[i].step;
-            }
-            strapdown_block(one, &runs, given);
+        if (epoch->samples > 0U) {
+            strapdown_block(one, &runs, epoch->strapdown, epoch->samples);
         }
         if (epoch->propagate != NULL) {
             propagate_block(one, &runs, epoch->propagate);

@@ -74,7 +74,9 @@ size_t ah_F_lanes(size_t n, const bs_given *given, double *const *out, unsigned 
         bs_read(&in[10], &given[3], 0, 3, first, n);
         good = bs_inside(in, low, high, 13);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         ah_F_kernel(&in[0], &in[3], &in[6], &in[10], F_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -135,7 +137,9 @@ size_t ah_Phi_lanes(size_t n, const bs_given *given, double *const *out, unsigne
         bs_read(&in[13], &given[4], 0, 1, first, n);
         good = bs_inside(in, low, high, 14);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         ah_Phi_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], Phi_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -264,8 +268,10 @@ size_t ah_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned 
         bs_read(&in[23], &given[8], 0, 3, first, n);
         good = bs_inside(in, low, high, 26);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         ah_Q_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[14], &in[17], &in[20], &in[23],
                     Q_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -402,7 +408,9 @@ size_t ah_zaru_z_lanes(size_t n, const bs_given *given, double *const *out, unsi
         bs_read(&in[7], &given[2], 0, 3, first, n);
         good = bs_inside(in, low, high, 10);
         good &= bs_normed(&in[3], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         ah_zaru_z_kernel(&in[0], &in[3], &in[7], z_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -446,7 +454,9 @@ size_t ah_zaru_H_lanes(size_t n, const bs_given *given, double *const *out, unsi
         bs_read(&in[3], &given[1], 0, 4, first, n);
         good = bs_inside(in, low, high, 7);
         good &= bs_normed(&in[3], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         ah_zaru_H_kernel(&in[0], &in[3], H_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -508,8 +518,10 @@ size_t ah_strapdown_lanes(size_t n,
         bs_read(&in[26], &given[9], 0, 3, first, n);
         good = bs_inside(in, low, high, 29);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         ah_strapdown_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[16], &in[17], &in[20],
                             &in[23], &in[26], position_nz, v_n_nz, q_b2n_wxyz_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -598,8 +610,10 @@ size_t ah_feedback_lanes(size_t n, const bs_given *given, double *const *out, un
         bs_read(&in[28], &given[5], 0, 3, first, n);
         good = bs_inside(in, low, high, 31);
         good &= bs_normed(&in[21], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         ah_feedback_kernel(&in[0], &in[15], &in[18], &in[21], &in[25], &in[28], position_nz, v_n_nz,
                            q_b2n_wxyz_nz, gyro_bias_nz, accel_bias_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {

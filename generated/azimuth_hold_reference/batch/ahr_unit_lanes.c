@@ -75,7 +75,9 @@ size_t ahr_F_lanes(size_t n, const bs_given *given, double *const *out, unsigned
         bs_read(&in[10], &given[3], 0, 3, first, n);
         good = bs_inside(in, low, high, 13);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         ahr_F_kernel(&in[0], &in[3], &in[6], &in[10], F_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -136,7 +138,9 @@ size_t ahr_Phi_lanes(size_t n, const bs_given *given, double *const *out, unsign
         bs_read(&in[13], &given[4], 0, 1, first, n);
         good = bs_inside(in, low, high, 14);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         ahr_Phi_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], Phi_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -265,8 +269,10 @@ size_t ahr_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned
         bs_read(&in[23], &given[8], 0, 3, first, n);
         good = bs_inside(in, low, high, 26);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         ahr_Q_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[14], &in[17], &in[20], &in[23],
                      Q_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -357,7 +363,9 @@ size_t ahr_zaru_z_lanes(size_t n, const bs_given *given, double *const *out, uns
         bs_read(&in[7], &given[2], 0, 3, first, n);
         good = bs_inside(in, low, high, 10);
         good &= bs_normed(&in[3], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         ahr_zaru_z_kernel(&in[0], &in[3], &in[7], z_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -401,7 +409,9 @@ size_t ahr_zaru_H_lanes(size_t n, const bs_given *given, double *const *out, uns
         bs_read(&in[3], &given[1], 0, 4, first, n);
         good = bs_inside(in, low, high, 7);
         good &= bs_normed(&in[3], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         ahr_zaru_H_kernel(&in[0], &in[3], H_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -511,8 +521,10 @@ size_t ahr_strapdown_lanes(size_t n,
         bs_read(&in[26], &given[9], 0, 3, first, n);
         good = bs_inside(in, low, high, 29);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         ahr_strapdown_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[16], &in[17], &in[20],
                              &in[23], &in[26], position_nz, v_n_nz, q_b2n_wxyz_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -606,9 +618,11 @@ size_t ahr_feedback_lanes(size_t n,
         bs_read(&in[32], &given[6], 0, 1, first, n);
         good = bs_inside(in, low, high, 33);
         good &= bs_normed(&in[22], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         ahr_feedback_kernel(&in[0], &in[16], &in[19], &in[22], &in[26], &in[29], &in[32],
                             position_nz, v_n_nz, q_b2n_wxyz_nz, gyro_bias_nz, accel_bias_nz,
                             reference_error_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {

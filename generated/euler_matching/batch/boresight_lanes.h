@@ -48,6 +48,14 @@ static inline const void *bs_of(const bs_given *given, size_t run)
     return &given->at[run * given->stride];
 }
 
+/* The same for sample s. */
+static inline bs_given bs_sample(const bs_given *given, size_t s)
+{
+    bs_given sample = *given;
+    sample.at += (ptrdiff_t)s * given->step;
+    return sample;
+}
+
 /* How a measurement is taken, and where its innovation goes: nu, S and used have a number for each
  * row of each run. */
 typedef struct {
@@ -117,38 +125,14 @@ BS_INLINE bs_lanes bs_magnitude(bs_lanes x)
     return (bs_lanes)((bs_bits)x & 0x7FFFFFFFFFFFFFFFLL);
 }
 
-/* ---- What boresight_math.h has for one number, with its bits; where a lane is rare, by that
- * itself. */
+/* ---- What boresight_math.h has for one number, with its bits. */
 #ifdef BORESIGHT_MATH_H
 
-/* Functions of their own, not expected to be called: what the caller computes with then stays in
- * registers. */
-#define BS_RARE static __attribute__((noinline, cold, unused))
-
-BS_RARE void bs_sincos_rare(const bs_lanes *angle,
-                            const bs_bits *usual,
-                            bs_lanes *sine,
-                            bs_lanes *cosine)
-{
-    for (int l = 0; l < BORESIGHT_LANES; ++l) {
-        if ((*usual)[l] == 0) {
-            double one;
-            double other;
-            bs_sincos((*angle)[l], &one, &other);
-            (*sine)[l] = one;
-            (*cosine)[l] = other;
-        }
-    }
-}
-
-BS_RARE void bs_log_rare(const bs_lanes *x, const bs_bits *usual, bs_lanes *log)
-{
-    for (int l = 0; l < BORESIGHT_LANES; ++l) {
-        if ((*usual)[l] == 0) {
-            (*log)[l] = bs_log((*x)[l]);
-        }
-    }
-}
+/* Lanes in which a kernel has met an argument that is not usual, and has computed nothing of use:
+ * who calls it clears this before, and has the scalar function fly them after.  A branch at each
+ * sine would part the kernel into pieces, and the compiler orders the operations of each by itself;
+ * a kernel has no parameter for it. */
+static __thread bs_bits bs_unusual;
 
 BS_INLINE void bs_sincos_lanes(bs_lanes angle, bs_lanes *sine, bs_lanes *cosine)
 {
@@ -184,16 +168,9 @@ BS_INLINE void bs_sincos_lanes(bs_lanes angle, bs_lanes *sine, bs_lanes *cosine)
     const bs_bits odd = -(quadrant & 1);
     const bs_lanes along = bs_choose(odd, c, s);
     const bs_lanes across = bs_choose(odd, s, c);
-    const bs_bits usual = bs_magnitude(angle) <= BS_MATH_ANGLE;
     *sine = (bs_lanes)((bs_bits)along ^ ((quadrant & 2) << 62));
     *cosine = (bs_lanes)((bs_bits)across ^ (((quadrant + 1) & 2) << 62));
-    if (__builtin_expect(!bs_everywhere(usual), 0)) {
-        bs_lanes sines = *sine;
-        bs_lanes cosines = *cosine;
-        bs_sincos_rare(&angle, &usual, &sines, &cosines);
-        *sine = sines;
-        *cosine = cosines;
-    }
+    bs_unusual |= ~(bs_magnitude(angle) <= BS_MATH_ANGLE);
 }
 
 BS_INLINE bs_lanes bs_log_lanes(bs_lanes x)
@@ -218,14 +195,8 @@ BS_INLINE bs_lanes bs_log_lanes(bs_lanes x)
               (z *
                (0.1818356188375313 + (z * (0.1531411087143652 + (z * 0.14795365146499964)))))))))));
     const bs_lanes more = s * (half + (z * polynomial));
-    const bs_bits usual = (x >= 2.2250738585072014e-308) & (x <= 1.7976931348623157e+308);
-    bs_lanes log = (k * BS_MATH_LOG_2_1) - ((half - (more + (k * BS_MATH_LOG_2_2))) - f);
-    if (__builtin_expect(!bs_everywhere(usual), 0)) {
-        bs_lanes logs = log;
-        bs_log_rare(&x, &usual, &logs);
-        log = logs;
-    }
-    return log;
+    bs_unusual |= ~((x >= 2.2250738585072014e-308) & (x <= 1.7976931348623157e+308));
+    return (k * BS_MATH_LOG_2_1) - ((half - (more + (k * BS_MATH_LOG_2_2))) - f);
 }
 
 BS_INLINE bs_lanes bs_sin_lanes(bs_lanes angle)
@@ -371,6 +342,13 @@ BS_INLINE void bs_write(double *to,
         for (int i = 0; i < count; ++i) {
             to[at[i]] = value[i][lane];
         }
+    }
+}
+
+BS_INLINE void bs_copy(bs_lanes *to, const bs_lanes *from, int n)
+{
+    for (int i = 0; i < n; ++i) {
+        to[i] = from[i];
     }
 }
 

@@ -200,22 +200,36 @@ static bs_bits judged(const bs_lanes *x, const bs_lanes *P)
     return good;
 }
 
-static void strapdown_lanes(block *b, const chosen *runs, const bs_given *given, bs_bits *rare)
+/* One sample after another.  What one leaves in its box the next one finds there.  A lane that
+ * leaves its usual way at any of them stays as it was, and has all of them still to go. */
+static void strapdown_lanes(block *b,
+                            const chosen *runs,
+                            const bs_given *given,
+                            size_t samples,
+                            bs_bits *rare)
 {
     bs_bits good = *rare;
+    bs_lanes now[7];
     bs_lanes next[7];
-    bs_lanes in[7];
-    bs_read(&in[0], &given[0], 0, 3, runs->first, runs->n);
-    bs_read(&in[3], &given[0], 3, 3, runs->first, runs->n);
-    bs_read(&in[6], &given[0], 6, 1, runs->first, runs->n);
-    static const double low[7] = { (-0.5), (-0.5), (-0.5), (-0.01), (-0.01), (-0.01), (1e-06) };
-    static const double high[7] = { (0.5), (0.5), (0.5), (0.01), (0.01), (0.01), (10.0) };
-    good &= bs_inside(in, low, high, 7);
     good &= in_box(b);
-    em_strapdown_kernel(&b->carried[0], &in[0], &in[3], &in[6], &next[0]);
-    good &= bs_inside(&next[0], &carried_low[0], &carried_high[0], 4);
-    good &= bs_normed(&next[0], (0.998001), (1.0020009999999997), 4);
-    bs_keep(&b->carried[0], &next[0], good, 4);
+    bs_copy(&now[0], &b->carried[0], 4);
+    for (size_t k = 0U; k < samples; ++k) {
+        const bs_given sample[1] = { bs_sample(&given[0], k) };
+        bs_lanes in[7];
+        bs_read(&in[0], &sample[0], 0, 3, runs->first, runs->n);
+        bs_read(&in[3], &sample[0], 3, 3, runs->first, runs->n);
+        bs_read(&in[6], &sample[0], 6, 1, runs->first, runs->n);
+        static const double low[7] = { (-0.5), (-0.5), (-0.5), (-0.01), (-0.01), (-0.01), (1e-06) };
+        static const double high[7] = { (0.5), (0.5), (0.5), (0.01), (0.01), (0.01), (10.0) };
+        good &= bs_inside(in, low, high, 7);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
+        em_strapdown_kernel(&now[0], &in[0], &in[3], &in[6], &next[0]);
+        good &= ~bs_unusual;
+        good &= bs_inside(&next[0], &carried_low[0], &carried_high[0], 4);
+        good &= bs_normed(&next[0], (0.998001), (1.0020009999999997), 4);
+        bs_copy(&now[0], &next[0], 4);
+    }
+    bs_keep(&b->carried[0], &now[0], good, 4);
     *rare &= ~good;
 }
 
@@ -232,7 +246,9 @@ static void correct_lanes(block *b, const chosen *runs, const bs_given *given, b
     for (int i = 0; i < EM_N_STATES; ++i) {
         good &= b->P[diagonal(i)] >= 0.0;
     }
+    bs_unusual = (bs_bits)bs_all_of(0.0);
     em_feedback_kernel(b->x, &b->carried[0], &b->carried[4], &next[0], &next[4]);
+    good &= ~bs_unusual;
     good &= bs_inside(&next[0], &carried_low[0], &carried_high[0], 7);
     good &= bs_normed(&next[0], (0.998001), (1.0020009999999997), 4);
     bs_keep(&b->carried[0], &next[0], good, 7);
@@ -756,8 +772,12 @@ static void measure_euler_lanes(block *b,
     }
     good &= bs_inside(in, low, high, 6);
     good &= in_box(b);
+    bs_unusual = (bs_bits)bs_all_of(0.0);
     em_euler_z_kernel(&b->carried[4], &in[0], &in[3], z);
+    good &= ~bs_unusual;
+    bs_unusual = (bs_bits)bs_all_of(0.0);
     em_euler_H_kernel(&in[0], &in[3], H);
+    good &= ~bs_unusual;
     t.good = good;
     begin_taking(b, runs, H, start, at, 3, z, 7U, taking, &t);
     take_row(b, runs->s, 0, 0, &H[0], &at[0], 5, z, R, taking->gates, &t);
@@ -773,25 +793,29 @@ static __attribute__((noinline)) void strapdown_alone(block *b,
                      size_t run,
                      int lane,
                      const bs_given *given,
+                     size_t samples,
                      unsigned char *status)
 {
     em_filter filter;
-    bs_status said;
+    bs_status said = BS_OK;
     out_of(b, lane, &filter);
-    said = em_filter_strapdown(&filter, bs_of(&given[0], run));
+    for (size_t k = 0U; (k < samples) && (said == BS_OK); ++k) {
+        const bs_given sample[1] = { bs_sample(&given[0], k) };
+        said = em_filter_strapdown(&filter, bs_of(&sample[0], run));
+    }
     into(b, lane, &filter);
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
 
-static void strapdown_block(block *b, const chosen *runs, const bs_given *given)
+static void strapdown_block(block *b, const chosen *runs, const bs_given *given, size_t samples)
 {
     bs_bits rare = bs_going(runs->status, runs->first, runs->n);
-    strapdown_lanes(b, runs, given, &rare);
+    strapdown_lanes(b, runs, given, samples, &rare);
     if (!bs_everywhere(~rare)) {
         for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
             if (rare[lane] != 0) {
                 const size_t run = runs->first + (size_t)lane;
-                strapdown_alone(b, run, lane, given, &runs->status[run]);
+                strapdown_alone(b, run, lane, given, samples, &runs->status[run]);
             }
         }
     }
@@ -973,7 +997,7 @@ size_t em_lanes_strapdown(size_t n, block *b, const bs_given *given, unsigned ch
     scratch room;
     chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
-        strapdown_block(&b[runs.first / BORESIGHT_LANES], &runs, given);
+        strapdown_block(&b[runs.first / BORESIGHT_LANES], &runs, given, 1U);
     }
     return refused(n, status);
 }
@@ -1036,13 +1060,8 @@ size_t em_lanes_epoch(size_t n, block *b, const bs_epoch *epoch, unsigned char *
     }
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         block *const one = &b[runs.first / BORESIGHT_LANES];
-        for (size_t s = 0U; s < epoch->samples; ++s) {
-            bs_given given[1];
-            for (int i = 0; i < 1; ++i) {
-                given[i] = epoch->strapdown[i];
-                given[i].at += (ptrdiff_t)s * given[i].step;
-            }
-            strapdown_block(one, &runs, given);
+        if (epoch->samples > 0U) {
+            strapdown_block(one, &runs, epoch->strapdown, epoch->samples);
         }
         if (epoch->propagate != NULL) {
             propagate_block(one, &runs, epoch->propagate);

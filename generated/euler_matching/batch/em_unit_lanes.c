@@ -224,7 +224,9 @@ size_t em_euler_z_lanes(size_t n, const bs_given *given, double *const *out, uns
         bs_read(&in[3], &given[1], 0, 3, first, n);
         bs_read(&in[6], &given[2], 0, 3, first, n);
         good = bs_inside(in, low, high, 9);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         em_euler_z_kernel(&in[0], &in[3], &in[6], z_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -268,7 +270,9 @@ size_t em_euler_H_lanes(size_t n, const bs_given *given, double *const *out, uns
         bs_read(&in[0], &given[0], 0, 3, first, n);
         bs_read(&in[3], &given[1], 0, 3, first, n);
         good = bs_inside(in, low, high, 6);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         em_euler_H_kernel(&in[0], &in[3], H_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -315,7 +319,9 @@ size_t em_euler_exact_z_lanes(size_t n,
         bs_read(&in[3], &given[1], 0, 3, first, n);
         bs_read(&in[6], &given[2], 0, 3, first, n);
         good = bs_inside(in, low, high, 9);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         em_euler_exact_z_kernel(&in[0], &in[3], &in[6], z_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -365,7 +371,9 @@ size_t em_euler_exact_h_lanes(size_t n,
         bs_read(&in[6], &given[1], 0, 3, first, n);
         bs_read(&in[9], &given[2], 0, 3, first, n);
         good = bs_inside(in, low, high, 12);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         em_euler_exact_h_kernel(&in[0], &in[6], &in[9], h_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -416,7 +424,9 @@ size_t em_euler_exact_H_lanes(size_t n,
         bs_read(&in[6], &given[1], 0, 3, first, n);
         bs_read(&in[9], &given[2], 0, 3, first, n);
         good = bs_inside(in, low, high, 12);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         em_euler_exact_H_kernel(&in[0], &in[6], &in[9], H_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -462,7 +472,9 @@ size_t em_euler_angles_lanes(size_t n,
         bs_read(&in[0], &given[0], 0, 4, first, n);
         good = bs_inside(in, low, high, 4);
         good &= bs_normed(&in[0], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         em_euler_angles_kernel(&in[0], euler_b_nz);
+        good &= ~bs_unusual;
         {
             static const double least[3] = { (-3.141592653589793), (-1.3962634015954636),
                                              (-3.141592653589793) };
@@ -512,7 +524,9 @@ size_t em_strapdown_lanes(size_t n,
         bs_read(&in[10], &given[3], 0, 1, first, n);
         good = bs_inside(in, low, high, 11);
         good &= bs_normed(&in[0], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         em_strapdown_kernel(&in[0], &in[4], &in[7], &in[10], q_b2n_wxyz_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -560,7 +574,9 @@ size_t em_feedback_lanes(size_t n, const bs_given *given, double *const *out, un
         bs_read(&in[10], &given[2], 0, 3, first, n);
         good = bs_inside(in, low, high, 13);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         em_feedback_kernel(&in[0], &in[6], &in[10], q_b2n_wxyz_nz, mu_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -609,7 +625,9 @@ size_t em_omega_in_n_lanes(size_t n,
         bs_read(&in[1], &given[1], 0, 1, first, n);
         bs_read(&in[2], &given[2], 0, 3, first, n);
         good = bs_inside(in, low, high, 5);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         em_omega_in_n_kernel(&in[0], &in[1], &in[2], omega_in_n_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {

@@ -64,7 +64,9 @@ size_t phi_F_lanes(size_t n, const bs_given *given, double *const *out, unsigned
         bs_read(&in[3], &given[1], 0, 3, first, n);
         bs_read(&in[6], &given[2], 0, 3, first, n);
         good = bs_inside(in, low, high, 9);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         phi_F_kernel(&in[0], &in[3], &in[6], F_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -114,7 +116,9 @@ size_t phi_Phi_lanes(size_t n, const bs_given *given, double *const *out, unsign
         bs_read(&in[6], &given[2], 0, 3, first, n);
         bs_read(&in[9], &given[3], 0, 1, first, n);
         good = bs_inside(in, low, high, 10);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         phi_Phi_kernel(&in[0], &in[3], &in[6], &in[9], Phi_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -211,7 +215,9 @@ size_t phi_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned
         bs_read(&in[17], &given[6], 0, 3, first, n);
         good = bs_inside(in, low, high, 20);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         phi_Q_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[14], &in[17], Q_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -271,7 +277,9 @@ size_t phi_psi_from_phi_lanes(size_t n,
         bs_read(&in[0], &given[0], 0, 3, first, n);
         bs_read(&in[3], &given[1], 0, 3, first, n);
         good = bs_inside(in, low, high, 6);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         phi_psi_from_phi_kernel(&in[0], &in[3], T_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {

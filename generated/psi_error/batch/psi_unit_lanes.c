@@ -63,7 +63,9 @@ size_t psi_F_lanes(size_t n, const bs_given *given, double *const *out, unsigned
         bs_read(&in[3], &given[1], 0, 3, first, n);
         bs_read(&in[6], &given[2], 0, 3, first, n);
         good = bs_inside(in, low, high, 9);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         psi_F_kernel(&in[0], &in[3], &in[6], F_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -112,7 +114,9 @@ size_t psi_Phi_lanes(size_t n, const bs_given *given, double *const *out, unsign
         bs_read(&in[6], &given[2], 0, 3, first, n);
         bs_read(&in[9], &given[3], 0, 1, first, n);
         good = bs_inside(in, low, high, 10);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         psi_Phi_kernel(&in[0], &in[3], &in[6], &in[9], Phi_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -209,7 +213,9 @@ size_t psi_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned
         bs_read(&in[17], &given[6], 0, 3, first, n);
         good = bs_inside(in, low, high, 20);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         psi_Q_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[14], &in[17], Q_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -269,7 +275,9 @@ size_t psi_phi_from_psi_lanes(size_t n,
         bs_read(&in[0], &given[0], 0, 3, first, n);
         bs_read(&in[3], &given[1], 0, 3, first, n);
         good = bs_inside(in, low, high, 6);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         psi_phi_from_psi_kernel(&in[0], &in[3], T_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {

@@ -71,8 +71,10 @@ size_t sd_step_lanes(size_t n, const bs_given *given, double *const *out, unsign
         bs_read(&in[22], &given[7], 0, 1, first, n);
         good = bs_inside(in, low, high, 23);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         sd_step_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[16], &in[19], &in[22],
                        position_nz, v_n_nz, q_b2n_wxyz_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -214,8 +216,10 @@ size_t sd_rates_lanes(size_t n, const bs_given *given, double *const *out, unsig
         bs_read(&in[13], &given[4], 0, 3, first, n);
         good = bs_inside(in, low, high, 16);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         sd_rates_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], position_rate_nz, v_n_rate_nz,
                         q_b2n_rate_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -269,7 +273,9 @@ size_t sd_earth_lanes(size_t n, const bs_given *given, double *const *out, unsig
         bs_read(&in[0], &given[0], 0, 3, first, n);
         bs_read(&in[3], &given[1], 0, 3, first, n);
         good = bs_inside(in, low, high, 6);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         sd_earth_kernel(&in[0], &in[3], omega_ie_n_nz, omega_en_n_nz, gravity_n_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {

@@ -81,7 +81,9 @@ size_t va_F_lanes(size_t n, const bs_given *given, double *const *out, unsigned 
         bs_read(&in[10], &given[3], 0, 3, first, n);
         good = bs_inside(in, low, high, 13);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         va_F_kernel(&in[0], &in[3], &in[6], &in[10], F_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -138,7 +140,9 @@ size_t va_Phi_lanes(size_t n, const bs_given *given, double *const *out, unsigne
         bs_read(&in[13], &given[4], 0, 1, first, n);
         good = bs_inside(in, low, high, 14);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         va_Phi_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], Phi_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -271,8 +275,10 @@ size_t va_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned 
         bs_read(&in[29], &given[10], 0, 1, first, n);
         good = bs_inside(in, low, high, 30);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         va_Q_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[14], &in[17], &in[20], &in[23],
                     &in[26], &in[29], Q_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -352,8 +358,10 @@ size_t va_velocity_z_lanes(size_t n,
         bs_read(&in[22], &given[7], 0, 1, first, n);
         good = bs_inside(in, low, high, 23);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         va_velocity_z_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[16], &in[19], &in[22],
                              z_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -427,7 +435,9 @@ size_t va_velocity_H_lanes(size_t n,
         bs_read(&in[16], &given[5], 0, 3, first, n);
         good = bs_inside(in, low, high, 19);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         va_velocity_H_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[16], H_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -493,7 +503,9 @@ size_t va_dcm_z_lanes(size_t n, const bs_given *given, double *const *out, unsig
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[10], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[17], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         va_dcm_z_kernel(&in[0], &in[3], &in[6], &in[10], &in[14], &in[17], &in[21], z_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -555,7 +567,9 @@ size_t va_dcm_H_lanes(size_t n, const bs_given *given, double *const *out, unsig
         good = bs_inside(in, low, high, 17);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[10], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         va_dcm_H_kernel(&in[0], &in[3], &in[6], &in[10], &in[14], H_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -621,7 +635,9 @@ size_t va_quaternion_z_lanes(size_t n,
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[10], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[17], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         va_quaternion_z_kernel(&in[0], &in[3], &in[6], &in[10], &in[14], &in[17], &in[21], z_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -700,8 +716,10 @@ size_t va_quaternion_h_lanes(size_t n,
         good &= bs_normed(&in[22], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[26], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[33], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         va_quaternion_h_kernel(&in[0], &in[16], &in[19], &in[22], &in[26], &in[30], &in[33],
                                &in[37], h_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -787,8 +805,10 @@ size_t va_quaternion_H_lanes(size_t n,
         good &= bs_normed(&in[22], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[26], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[33], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         va_quaternion_H_kernel(&in[0], &in[16], &in[19], &in[22], &in[26], &in[30], &in[33],
                                &in[37], H_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -858,7 +878,9 @@ size_t va_euler_z_lanes(size_t n, const bs_given *given, double *const *out, uns
         good = bs_inside(in, low, high, 21);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[10], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         va_euler_z_kernel(&in[0], &in[3], &in[6], &in[10], &in[14], &in[17], &in[20], z_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -920,7 +942,9 @@ size_t va_euler_H_lanes(size_t n, const bs_given *given, double *const *out, uns
         bs_read(&in[13], &given[4], 0, 3, first, n);
         good = bs_inside(in, low, high, 16);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         va_euler_H_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], H_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -993,8 +1017,10 @@ size_t va_strapdown_lanes(size_t n,
         bs_read(&in[26], &given[9], 0, 3, first, n);
         good = bs_inside(in, low, high, 29);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         va_strapdown_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[16], &in[17], &in[20],
                             &in[23], &in[26], position_nz, v_n_nz, q_b2n_wxyz_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -1074,8 +1100,10 @@ size_t va_expected_lanes(size_t n, const bs_given *given, double *const *out, un
         good = bs_inside(in, low, high, 20);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[10], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         va_expected_kernel(&in[0], &in[3], &in[6], &in[10], &in[14], &in[17], v_m_n_nz,
                            q_m2n_wxyz_nz, omega_nb_n_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -1155,8 +1183,10 @@ size_t va_feedback_lanes(size_t n, const bs_given *given, double *const *out, un
         good = bs_inside(in, low, high, 34);
         good &= bs_normed(&in[19], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[29], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         va_feedback_kernel(&in[0], &in[16], &in[19], &in[23], &in[26], &in[29], &in[33], v_n_nz,
                            q_b2n_wxyz_nz, gyro_bias_nz, accel_bias_nz, q_b2m_wxyz_nz, tau_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {

@@ -81,7 +81,9 @@ size_t val_F_lanes(size_t n, const bs_given *given, double *const *out, unsigned
         bs_read(&in[10], &given[3], 0, 3, first, n);
         good = bs_inside(in, low, high, 13);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         val_F_kernel(&in[0], &in[3], &in[6], &in[10], F_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -139,7 +141,9 @@ size_t val_Phi_lanes(size_t n, const bs_given *given, double *const *out, unsign
         bs_read(&in[13], &given[4], 0, 1, first, n);
         good = bs_inside(in, low, high, 14);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         val_Phi_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], Phi_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -273,8 +277,10 @@ size_t val_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned
         bs_read(&in[29], &given[10], 0, 1, first, n);
         good = bs_inside(in, low, high, 30);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         val_Q_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[14], &in[17], &in[20], &in[23],
                      &in[26], &in[29], Q_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -349,7 +355,9 @@ size_t val_dcm_z_lanes(size_t n, const bs_given *given, double *const *out, unsi
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[10], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[17], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         val_dcm_z_kernel(&in[0], &in[3], &in[6], &in[10], &in[14], &in[17], &in[21], z_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -411,7 +419,9 @@ size_t val_dcm_H_lanes(size_t n, const bs_given *given, double *const *out, unsi
         good = bs_inside(in, low, high, 17);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[10], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         val_dcm_H_kernel(&in[0], &in[3], &in[6], &in[10], &in[14], H_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -477,7 +487,9 @@ size_t val_quaternion_z_lanes(size_t n,
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[10], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[17], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         val_quaternion_z_kernel(&in[0], &in[3], &in[6], &in[10], &in[14], &in[17], &in[21], z_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -558,8 +570,10 @@ size_t val_quaternion_h_lanes(size_t n,
         good &= bs_normed(&in[25], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[29], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[36], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         val_quaternion_h_kernel(&in[0], &in[19], &in[22], &in[25], &in[29], &in[33], &in[36],
                                 &in[40], h_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -647,8 +661,10 @@ size_t val_quaternion_H_lanes(size_t n,
         good &= bs_normed(&in[25], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[29], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[36], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         val_quaternion_H_kernel(&in[0], &in[19], &in[22], &in[25], &in[29], &in[33], &in[36],
                                 &in[40], H_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -721,7 +737,9 @@ size_t val_euler_z_lanes(size_t n, const bs_given *given, double *const *out, un
         good = bs_inside(in, low, high, 21);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[10], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         val_euler_z_kernel(&in[0], &in[3], &in[6], &in[10], &in[14], &in[17], &in[20], z_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -786,7 +804,9 @@ size_t val_euler_H_lanes(size_t n, const bs_given *given, double *const *out, un
         bs_read(&in[13], &given[4], 0, 3, first, n);
         good = bs_inside(in, low, high, 16);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         val_euler_H_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], H_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -852,8 +872,10 @@ size_t val_velocity_z_lanes(size_t n,
         bs_read(&in[22], &given[7], 0, 1, first, n);
         good = bs_inside(in, low, high, 23);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         val_velocity_z_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[16], &in[19], &in[22],
                               z_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -928,7 +950,9 @@ size_t val_velocity_H_lanes(size_t n,
         bs_read(&in[16], &given[5], 0, 3, first, n);
         good = bs_inside(in, low, high, 19);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         val_velocity_H_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[16], H_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -1006,8 +1030,10 @@ size_t val_strapdown_lanes(size_t n,
         bs_read(&in[26], &given[9], 0, 3, first, n);
         good = bs_inside(in, low, high, 29);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         val_strapdown_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[16], &in[17], &in[20],
                              &in[23], &in[26], position_nz, v_n_nz, q_b2n_wxyz_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -1090,8 +1116,10 @@ size_t val_expected_lanes(size_t n,
         good = bs_inside(in, low, high, 20);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[10], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         val_expected_kernel(&in[0], &in[3], &in[6], &in[10], &in[14], &in[17], v_m_n_nz,
                             q_m2n_wxyz_nz, omega_nb_n_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -1178,9 +1206,11 @@ size_t val_feedback_lanes(size_t n,
         good = bs_inside(in, low, high, 40);
         good &= bs_normed(&in[22], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[32], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         val_feedback_kernel(&in[0], &in[19], &in[22], &in[26], &in[29], &in[32], &in[36], &in[37],
                             v_n_nz, q_b2n_wxyz_nz, gyro_bias_nz, accel_bias_nz, q_b2m_wxyz_nz,
                             tau_nz, lever_b_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {

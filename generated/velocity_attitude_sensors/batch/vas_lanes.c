@@ -509,33 +509,50 @@ static bs_bits judged(const bs_lanes *x, const bs_lanes *P)
     return good;
 }
 
-static void strapdown_lanes(block *b, const chosen *runs, const bs_given *given, bs_bits *rare)
+/* One sample after another.  What one leaves in its box the next one finds there.  A lane that
+ * leaves its usual way at any of them stays as it was, and has all of them still to go. */
+static void strapdown_lanes(block *b,
+                            const chosen *runs,
+                            const bs_given *given,
+                            size_t samples,
+                            bs_bits *rare)
 {
     bs_bits good = *rare;
+    bs_lanes now[66];
     bs_lanes next[66];
-    bs_lanes in[13];
-    bs_read(&in[0], &given[0], 6, 1, runs->first, runs->n);
-    bs_read(&in[1], &given[1], 0, 3, runs->first, runs->n);
-    bs_read(&in[4], &given[1], 3, 3, runs->first, runs->n);
-    bs_read(&in[7], &given[1], 6, 3, runs->first, runs->n);
-    bs_read(&in[10], &given[1], 9, 3, runs->first, runs->n);
-    static const double low[13] = { (1e-06), (-0.5), (-0.5), (-0.5), (-100.0), (-100.0), (-100.0),
-                                    (-0.5), (-0.5), (-0.5), (-100.0), (-100.0), (-100.0) };
-    static const double high[13] = { (10.0), (0.5), (0.5), (0.5), (100.0), (100.0), (100.0), (0.5),
-                                     (0.5), (0.5), (100.0), (100.0), (100.0) };
-    good &= bs_inside(in, low, high, 13);
     good &= in_box(b);
-    vas_strapdown_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &b->carried[10],
-                         &b->carried[13], &in[0], &in[1], &in[4], &in[7], &in[10], &b->carried[24],
-                         &b->carried[27], &b->carried[30], &b->carried[33], &b->carried[39],
-                         &b->carried[42], &b->carried[45], &b->carried[51], &b->carried[54],
-                         &b->carried[57], &b->carried[60], &b->carried[63], &next[0], &next[3],
-                         &next[6], &next[24], &next[27], &next[10], &next[13]);
-    good &= bs_inside(&next[0], &carried_low[0], &carried_high[0], 16);
-    good &= bs_inside(&next[24], &carried_low[24], &carried_high[24], 6);
-    good &= bs_normed(&next[6], (0.998001), (1.0020009999999997), 4);
-    bs_keep(&b->carried[0], &next[0], good, 16);
-    bs_keep(&b->carried[24], &next[24], good, 6);
+    bs_copy(&now[0], &b->carried[0], 16);
+    bs_copy(&now[24], &b->carried[24], 6);
+    for (size_t k = 0U; k < samples; ++k) {
+        const bs_given sample[2] = { bs_sample(&given[0], k), bs_sample(&given[1], k) };
+        bs_lanes in[13];
+        bs_read(&in[0], &sample[0], 6, 1, runs->first, runs->n);
+        bs_read(&in[1], &sample[1], 0, 3, runs->first, runs->n);
+        bs_read(&in[4], &sample[1], 3, 3, runs->first, runs->n);
+        bs_read(&in[7], &sample[1], 6, 3, runs->first, runs->n);
+        bs_read(&in[10], &sample[1], 9, 3, runs->first, runs->n);
+        static const double low[13] = { (1e-06), (-0.5), (-0.5), (-0.5), (-100.0), (-100.0),
+                                        (-100.0), (-0.5), (-0.5), (-0.5), (-100.0), (-100.0),
+                                        (-100.0) };
+        static const double high[13] = { (10.0), (0.5), (0.5), (0.5), (100.0), (100.0), (100.0),
+                                         (0.5), (0.5), (0.5), (100.0), (100.0), (100.0) };
+        good &= bs_inside(in, low, high, 13);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
+        vas_strapdown_kernel(&now[0], &now[3], &now[6], &now[10], &now[13], &in[0], &in[1], &in[4],
+                             &in[7], &in[10], &now[24], &now[27], &b->carried[30], &b->carried[33],
+                             &b->carried[39], &b->carried[42], &b->carried[45], &b->carried[51],
+                             &b->carried[54], &b->carried[57], &b->carried[60], &b->carried[63],
+                             &next[0], &next[3], &next[6], &next[24], &next[27], &next[10],
+                             &next[13]);
+        good &= ~bs_unusual;
+        good &= bs_inside(&next[0], &carried_low[0], &carried_high[0], 16);
+        good &= bs_inside(&next[24], &carried_low[24], &carried_high[24], 6);
+        good &= bs_normed(&next[6], (0.998001), (1.0020009999999997), 4);
+        bs_copy(&now[0], &next[0], 16);
+        bs_copy(&now[24], &next[24], 6);
+    }
+    bs_keep(&b->carried[0], &now[0], good, 16);
+    bs_keep(&b->carried[24], &now[24], good, 6);
     *rare &= ~good;
 }
 
@@ -567,12 +584,14 @@ static void correct_lanes(block *b, const chosen *runs, const bs_given *given, b
     for (int i = 0; i < VAS_N_STATES; ++i) {
         good &= b->P[diagonal(i)] >= 0.0;
     }
+    bs_unusual = (bs_bits)bs_all_of(0.0);
     vas_feedback_kernel(b->x, &b->carried[3], &b->carried[6], &b->carried[10], &b->carried[13],
                         &b->carried[16], &b->carried[20], &b->carried[21], &b->carried[24],
                         &b->carried[27], &b->carried[39], &b->carried[42], &b->carried[45],
                         &b->carried[51], &b->carried[54], &b->carried[57], &next[3], &next[6],
                         &next[10], &next[13], &next[16], &next[20], &next[21], &next[24], &next[27],
                         &next[39], &next[42], &next[45], &next[51], &next[54], &next[57]);
+    good &= ~bs_unusual;
     good &= bs_inside(&next[3], &carried_low[3], &carried_high[3], 27);
     good &= bs_inside(&next[39], &carried_low[39], &carried_high[39], 21);
     good &= bs_normed(&next[6], (0.998001), (1.0020009999999997), 4);
@@ -1722,9 +1741,11 @@ static void propagate_lanes(block *b, const chosen *runs, const bs_given *given,
                                      (0.1), (10.0), (10.0), (10.0), (0.1), (0.1), (0.1), (0.1) };
     good &= bs_inside(in, low, high, 23);
     good &= in_box(b);
+    bs_unusual = (bs_bits)bs_all_of(0.0);
     vas_F_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &in[0], &in[3], &b->carried[30],
                  &b->carried[33], &b->carried[39], &b->carried[42], &b->carried[45],
                  &b->carried[51], &b->carried[60], &b->carried[63], s->F);
+    good &= ~bs_unusual;
     vas_Qc_kernel(&b->carried[6], &in[7], &in[10], &in[13], &in[16], &in[19], &in[22],
                   &b->carried[36], &b->carried[39], &b->carried[42], &b->carried[45],
                   &b->carried[51], s->Qc);
@@ -2001,11 +2022,15 @@ static void measure_dcm_lanes(block *b,
     good &= bs_inside(in, low, high, 8);
     good &= bs_normed(&in[3], (0.998001), (1.0020009999999997), 4);
     good &= in_box(b);
+    bs_unusual = (bs_bits)bs_all_of(0.0);
     vas_dcm_z_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &b->carried[16], &in[0],
                      &in[3], &in[7], &b->carried[24], &b->carried[27], &b->carried[39],
                      &b->carried[45], z);
+    good &= ~bs_unusual;
+    bs_unusual = (bs_bits)bs_all_of(0.0);
     vas_dcm_H_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &b->carried[16], &in[0],
                      &b->carried[24], &b->carried[27], &b->carried[39], &b->carried[45], H);
+    good &= ~bs_unusual;
     t.good = good;
     begin_taking(b, runs, H, start, at, 3, z, 0U, taking, &t);
     take_row(b, runs->s, 0, 0, &H[0], &at[0], 8, z, R, taking->gates, &t);
@@ -2052,11 +2077,15 @@ static void measure_euler_lanes(block *b,
     }
     good &= bs_inside(in, low, high, 7);
     good &= in_box(b);
+    bs_unusual = (bs_bits)bs_all_of(0.0);
     vas_euler_z_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &b->carried[16], &in[0],
                        &in[3], &in[6], &b->carried[24], &b->carried[27], &b->carried[39],
                        &b->carried[45], z);
+    good &= ~bs_unusual;
+    bs_unusual = (bs_bits)bs_all_of(0.0);
     vas_euler_H_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &b->carried[16], &in[0],
                        &in[3], &b->carried[27], &b->carried[39], &b->carried[45], H);
+    good &= ~bs_unusual;
     t.good = good;
     begin_taking(b, runs, H, start, at, 3, z, 7U, taking, &t);
     take_row(b, runs->s, 0, 0, &H[0], &at[0], 9, z, R, taking->gates, &t);
@@ -2108,12 +2137,16 @@ static void measure_velocity_lanes(block *b,
     }
     good &= bs_inside(in, low, high, 10);
     good &= in_box(b);
+    bs_unusual = (bs_bits)bs_all_of(0.0);
     vas_velocity_z_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &b->carried[16], &in[0],
                           &b->carried[21], &in[3], &in[6], &in[9], &b->carried[27], &b->carried[39],
                           &b->carried[45], z);
+    good &= ~bs_unusual;
+    bs_unusual = (bs_bits)bs_all_of(0.0);
     vas_velocity_H_kernel(&b->carried[0], &b->carried[3], &b->carried[6], &b->carried[16], &in[0],
                           &b->carried[21], &in[6], &b->carried[27], &b->carried[39],
                           &b->carried[45], H);
+    good &= ~bs_unusual;
     t.good = good;
     begin_taking(b, runs, H, start, at, 3, z, 0U, taking, &t);
     take_row(b, runs->s, 0, 0, &H[0], &at[0], 26, z, R, taking->gates, &t);
@@ -2129,25 +2162,29 @@ static __attribute__((noinline)) void strapdown_alone(block *b,
                      size_t run,
                      int lane,
                      const bs_given *given,
+                     size_t samples,
                      unsigned char *status)
 {
     vas_filter filter;
-    bs_status said;
+    bs_status said = BS_OK;
     out_of(b, lane, &filter);
-    said = vas_filter_strapdown(&filter, bs_of(&given[0], run), bs_of(&given[1], run));
+    for (size_t k = 0U; (k < samples) && (said == BS_OK); ++k) {
+        const bs_given sample[2] = { bs_sample(&given[0], k), bs_sample(&given[1], k) };
+        said = vas_filter_strapdown(&filter, bs_of(&sample[0], run), bs_of(&sample[1], run));
+    }
     into(b, lane, &filter);
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
 
-static void strapdown_block(block *b, const chosen *runs, const bs_given *given)
+static void strapdown_block(block *b, const chosen *runs, const bs_given *given, size_t samples)
 {
     bs_bits rare = bs_going(runs->status, runs->first, runs->n);
-    strapdown_lanes(b, runs, given, &rare);
+    strapdown_lanes(b, runs, given, samples, &rare);
     if (!bs_everywhere(~rare)) {
         for (int lane = 0; lane < BORESIGHT_LANES; ++lane) {
             if (rare[lane] != 0) {
                 const size_t run = runs->first + (size_t)lane;
-                strapdown_alone(b, run, lane, given, &runs->status[run]);
+                strapdown_alone(b, run, lane, given, samples, &runs->status[run]);
             }
         }
     }
@@ -2427,7 +2464,7 @@ size_t vas_lanes_strapdown(size_t n, block *b, const bs_given *given, unsigned c
     scratch room;
     chosen runs = { 0U, n, status, &room };
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
-        strapdown_block(&b[runs.first / BORESIGHT_LANES], &runs, given);
+        strapdown_block(&b[runs.first / BORESIGHT_LANES], &runs, given, 1U);
     }
     return refused(n, status);
 }
@@ -2490,13 +2527,8 @@ size_t vas_lanes_epoch(size_t n, block *b, const bs_epoch *epoch, unsigned char 
     }
     for (; runs.first < n; runs.first += BORESIGHT_LANES) {
         block *const one = &b[runs.first / BORESIGHT_LANES];
-        for (size_t s = 0U; s < epoch->samples; ++s) {
-            bs_given given[2];
-            for (int i = 0; i < 2; ++i) {
-                given[i] = epoch->strapdown[i];
-                given[i].at += (ptrdiff_t)s * given[i].step;
-            }
-            strapdown_block(one, &runs, given);
+        if (epoch->samples > 0U) {
+            strapdown_block(one, &runs, epoch->strapdown, epoch->samples);
         }
         if (epoch->propagate != NULL) {
             propagate_block(one, &runs, epoch->propagate);

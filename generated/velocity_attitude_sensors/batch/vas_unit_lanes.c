@@ -104,8 +104,10 @@ size_t vas_F_lanes(size_t n, const bs_given *given, double *const *out, unsigned
         bs_read(&in[40], &given[12], 0, 3, first, n);
         good = bs_inside(in, low, high, 43);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vas_F_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[16], &in[19], &in[22], &in[25],
                      &in[28], &in[34], &in[37], &in[40], F_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -226,8 +228,10 @@ size_t vas_Phi_lanes(size_t n, const bs_given *given, double *const *out, unsign
         bs_read(&in[41], &given[13], 0, 3, first, n);
         good = bs_inside(in, low, high, 44);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vas_Phi_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[16], &in[17], &in[20], &in[23],
                        &in[26], &in[29], &in[35], &in[38], &in[41], Phi_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -439,9 +443,11 @@ size_t vas_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned
         bs_read(&in[57], &given[19], 0, 3, first, n);
         good = bs_inside(in, low, high, 60);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vas_Q_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[14], &in[17], &in[20], &in[23],
                      &in[26], &in[29], &in[30], &in[33], &in[36], &in[39], &in[42], &in[45],
                      &in[51], &in[54], &in[57], Q_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -555,8 +561,10 @@ size_t vas_dcm_z_lanes(size_t n, const bs_given *given, double *const *out, unsi
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[10], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[17], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vas_dcm_z_kernel(&in[0], &in[3], &in[6], &in[10], &in[14], &in[17], &in[21], &in[22],
                          &in[25], &in[28], &in[31], z_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -641,8 +649,10 @@ size_t vas_dcm_H_lanes(size_t n, const bs_given *given, double *const *out, unsi
         good = bs_inside(in, low, high, 32);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[10], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vas_dcm_H_kernel(&in[0], &in[3], &in[6], &in[10], &in[14], &in[17], &in[20], &in[23],
                          &in[26], H_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -731,8 +741,10 @@ size_t vas_quaternion_z_lanes(size_t n,
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[10], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[17], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vas_quaternion_z_kernel(&in[0], &in[3], &in[6], &in[10], &in[14], &in[17], &in[21], &in[22],
                                 &in[25], &in[28], &in[31], z_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -843,8 +855,10 @@ size_t vas_quaternion_h_lanes(size_t n,
         good &= bs_normed(&in[52], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[56], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[63], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vas_quaternion_h_kernel(&in[0], &in[46], &in[49], &in[52], &in[56], &in[60], &in[63],
                                 &in[67], &in[68], &in[71], &in[74], &in[77], h_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -966,8 +980,10 @@ size_t vas_quaternion_H_lanes(size_t n,
         good &= bs_normed(&in[52], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[56], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[63], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vas_quaternion_H_kernel(&in[0], &in[46], &in[49], &in[52], &in[56], &in[60], &in[63],
                                 &in[67], &in[68], &in[71], &in[74], &in[77], H_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -1061,8 +1077,10 @@ size_t vas_euler_z_lanes(size_t n, const bs_given *given, double *const *out, un
         good = bs_inside(in, low, high, 36);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[10], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vas_euler_z_kernel(&in[0], &in[3], &in[6], &in[10], &in[14], &in[17], &in[20], &in[21],
                            &in[24], &in[27], &in[30], z_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -1151,8 +1169,10 @@ size_t vas_euler_H_lanes(size_t n, const bs_given *given, double *const *out, un
         good = bs_inside(in, low, high, 32);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[10], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vas_euler_H_kernel(&in[0], &in[3], &in[6], &in[10], &in[14], &in[17], &in[20], &in[23],
                            &in[26], H_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -1242,8 +1262,10 @@ size_t vas_velocity_z_lanes(size_t n,
         good = bs_inside(in, low, high, 39);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[10], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vas_velocity_z_kernel(&in[0], &in[3], &in[6], &in[10], &in[14], &in[17], &in[20], &in[23],
                               &in[26], &in[27], &in[30], &in[33], z_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -1345,8 +1367,10 @@ size_t vas_velocity_H_lanes(size_t n,
         good = bs_inside(in, low, high, 35);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[10], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vas_velocity_H_kernel(&in[0], &in[3], &in[6], &in[10], &in[14], &in[17], &in[20], &in[23],
                               &in[26], &in[29], H_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -1439,8 +1463,10 @@ size_t vas_expected_lanes(size_t n,
         good = bs_inside(in, low, high, 35);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[10], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vas_expected_kernel(&in[0], &in[3], &in[6], &in[10], &in[14], &in[17], &in[20], &in[23],
                             &in[26], &in[29], v_m_n_nz, q_m2n_wxyz_nz, omega_nb_n_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -1562,11 +1588,13 @@ size_t vas_strapdown_lanes(size_t n,
         bs_read(&in[65], &given[21], 0, 3, first, n);
         good = bs_inside(in, low, high, 68);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vas_strapdown_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[16], &in[17], &in[20],
                              &in[23], &in[26], &in[29], &in[32], &in[35], &in[38], &in[41], &in[44],
                              &in[47], &in[53], &in[56], &in[59], &in[62], &in[65], position_nz,
                              v_n_nz, q_b2n_wxyz_nz, flexure_nz, flexure_rate_nz, gyro_bias_nz,
                              accel_bias_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -1741,12 +1769,14 @@ size_t vas_feedback_lanes(size_t n,
         good = bs_inside(in, low, high, 94);
         good &= bs_normed(&in[49], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[59], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vas_feedback_kernel(&in[0], &in[46], &in[49], &in[53], &in[56], &in[59], &in[63], &in[64],
                             &in[67], &in[70], &in[73], &in[76], &in[79], &in[85], &in[88], &in[91],
                             v_n_nz, q_b2n_wxyz_nz, gyro_bias_nz, accel_bias_nz, q_b2m_wxyz_nz,
                             tau_nz, lever_b_nz, flexure_nz, flexure_rate_nz, gyro_scale_nz,
                             accel_scale_nz, gyro_axes_nz, accel_axes_nz, gyro_turn_on_nz,
                             accel_turn_on_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {

@@ -74,7 +74,9 @@ size_t vd_F_lanes(size_t n, const bs_given *given, double *const *out, unsigned 
         bs_read(&in[10], &given[3], 0, 3, first, n);
         good = bs_inside(in, low, high, 13);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vd_F_kernel(&in[0], &in[3], &in[6], &in[10], F_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -127,7 +129,9 @@ size_t vd_Phi_lanes(size_t n, const bs_given *given, double *const *out, unsigne
         bs_read(&in[13], &given[4], 0, 1, first, n);
         good = bs_inside(in, low, high, 14);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vd_Phi_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], Phi_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -230,7 +234,9 @@ size_t vd_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned 
         bs_read(&in[17], &given[6], 0, 3, first, n);
         good = bs_inside(in, low, high, 20);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vd_Q_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[14], &in[17], Q_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -366,7 +372,9 @@ size_t vd_dcm_z_lanes(size_t n, const bs_given *given, double *const *out, unsig
         good = bs_inside(in, low, high, 11);
         good &= bs_normed(&in[0], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[7], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vd_dcm_z_kernel(&in[0], &in[4], &in[7], z_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -455,7 +463,9 @@ size_t vd_dcm_exact_z_lanes(size_t n,
         good = bs_inside(in, low, high, 11);
         good &= bs_normed(&in[0], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[7], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vd_dcm_exact_z_kernel(&in[0], &in[4], &in[7], z_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -511,7 +521,9 @@ size_t vd_dcm_exact_h_lanes(size_t n,
         good = bs_inside(in, low, high, 24);
         good &= bs_normed(&in[10], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[17], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vd_dcm_exact_h_kernel(&in[0], &in[10], &in[14], &in[17], &in[21], h_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -576,7 +588,9 @@ size_t vd_dcm_exact_H_lanes(size_t n,
         good = bs_inside(in, low, high, 24);
         good &= bs_normed(&in[10], (0.998001), (1.0020009999999997), 4);
         good &= bs_normed(&in[17], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vd_dcm_exact_H_kernel(&in[0], &in[10], &in[14], &in[17], &in[21], H_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -644,8 +658,10 @@ size_t vd_strapdown_lanes(size_t n,
         bs_read(&in[20], &given[7], 0, 3, first, n);
         good = bs_inside(in, low, high, 23);
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vd_strapdown_kernel(&in[0], &in[3], &in[6], &in[10], &in[11], &in[14], &in[17], &in[20],
                             position_nz, v_n_nz, q_b2n_wxyz_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
@@ -717,8 +733,10 @@ size_t vd_feedback_lanes(size_t n, const bs_given *given, double *const *out, un
         bs_read(&in[20], &given[4], 0, 1, first, n);
         good = bs_inside(in, low, high, 21);
         good &= bs_normed(&in[13], (0.998001), (1.0020009999999997), 4);
+        bs_unusual = (bs_bits)bs_all_of(0.0);
         vd_feedback_kernel(&in[0], &in[10], &in[13], &in[17], &in[20], v_n_nz, q_b2n_wxyz_nz, mu_nz,
                            tau_nz);
+        good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
