@@ -17,7 +17,7 @@ from boresight.codegen.text.statements import CALLS
 from boresight.derive.papers import PAPERS, paper
 from boresight.evidence.sources import Folder, Source, folders
 
-FUNCTION = re.compile(r"^static void (\w+)\(([^)]*)\)\n\{\n(.*?)\n\}$", re.MULTILINE | re.DOTALL)
+FUNCTION = re.compile(r"^(?:static|BS_INSIDE) void (\w+)\(([^)]*)\)\n\{\n(.*?)\n\}$", re.MULTILINE | re.DOTALL)
 PARAMETER = re.compile(r"(\w+)(?:\[\d+\])?(?:,|$)")
 STATEMENT = re.compile(r"^    (?:const bs_real |shared->)(\w+) = (.*);$")
 DECLARED = re.compile(r"^    bs_real \w+;$")
