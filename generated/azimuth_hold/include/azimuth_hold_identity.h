@@ -20,7 +20,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "5cd6d3a0a572ec07e32ea966f811a93e2ab53aca90ebd2db5d8d79d8195c6e88"
+#define AH_MODEL_HASH "79bc3a2613c64afbb4f453d5a2104ba78eb7ce02ffb2e8fb054ad0042343f56a"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

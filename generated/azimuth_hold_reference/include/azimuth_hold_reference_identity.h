@@ -20,7 +20,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "15ce4eee12012a04983cc8dbe36dfde44bbe97894e7e5271ab06624ea9a86c8b"
+#define AHR_MODEL_HASH "f6d234d344b1c1b34166f9ee283ab6b016e5d0daa501b1b876681fa53e0ef012"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

@@ -20,7 +20,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "291d76ab656f8cd688f71c9949ef90103fca56da908a69dc6d1f07a026a67529"
+#define EM_MODEL_HASH "4745cc4874488e217b240398910468617177a6c80c67b46486a5d0368739433d"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1

@@ -20,7 +20,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "1a565ae22c9cd974d2afa610132f4f635ec65541dee3fa96d429f28abf5a1922"
+#define VAL_MODEL_HASH "f7ad921a09ac2ecb00e62d7280d151926b8700ae5d5cf4fb38557afe84a92b76"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

@@ -20,7 +20,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "9b6145e3d54444eec3de0bdb1bbb0378bad2dd8e3c1a6dbefd2fe575c2716b30"
+#define VAS_MODEL_HASH "1e9b3c601032700ce4b98358d00dd01533b9229304c14b883256d2bf44c65e83"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1

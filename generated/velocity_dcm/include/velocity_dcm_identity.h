@@ -20,7 +20,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "52ecac947b5972641d80730a25277a52803bd7468ef8643f409229231d88dae5"
+#define VD_MODEL_HASH "89704b5851e736f504980742f8993eeb9a0555e2a64c371542edcd31e2bcf267"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1

@@ -1183,11 +1183,8 @@ BS_INSIDE void lower(bs_real *p,
 }
 
 /* All of P as the loops below take it: 16 rows of K and b stay in registers while the columns go
- * by. */
-APART void lower_all(bs_real *restrict P,
-                     const bs_real *restrict g,
-                     const bs_real *restrict K,
-                     const bs_real *restrict b)
+ * by.  It is inside where g, K and b are, so that they are known not to be P. */
+BS_INSIDE void lower_all(bs_real *P, const bs_real *g, const bs_real *K, const bs_real *b)
 {
     lower(&P[0], K, b, g[0], K[0], 1);
     lower(&P[1], K, b, g[1], K[1], 2);
