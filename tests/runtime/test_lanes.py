@@ -96,6 +96,8 @@ def drawn(library, name, rng, spoilt):
     low, high = np.array(field["low"]), np.array(field["high"])
     middle, half = (low + high) / 2, (high - low) / 2
     value = middle + half * rng.uniform(-1, 1, (RUNS, len(low))) * 10.0 ** rng.uniform(-4, -0.1, (RUNS, 1))
+    if name == "dt":  # by decades: over long steps nothing stays in its box
+        value = low * (high / low) ** rng.random((RUNS, 1))
     if field["norm"]:
         value = rng.standard_normal((RUNS, len(low)))
         value[:, 0] += 3
