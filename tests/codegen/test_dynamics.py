@@ -319,6 +319,7 @@ static bool operator<=(bs_real a, bs_real b) { return a.v <= b.v; }
 #define BS_REAL(x) bs_real(x)
 #define BS_SQRT(a) bs_real(sqrt((a).v))
 #define BS_FABS(a) bs_real(fabs((a).v))
+#define BS_INSIDE static
 enum bs_status { BS_OK, BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE, BS_NOT_READY, BS_NOT_POSITIVE, BS_AT_CEILING };
 bs_status bs_check_finite(const bs_real *value, int n);
 """
