@@ -18,7 +18,19 @@ try:
 except ModuleNotFoundError:
     sys.exit("boresight: the command line needs more packages; install them with pip install 'boresight[cli]'")
 
-app = typer.Typer(no_args_is_help=True, rich_markup_mode=None, pretty_exceptions_enable=False)
+
+class Commands(typer.core.TyperGroup):
+    """Ctrl-C is one line on standard error and exit status 130; typer would end without it."""
+
+    def invoke(self, ctx: Any) -> Any:
+        try:
+            return super().invoke(ctx)
+        except KeyboardInterrupt as error:
+            print(f"boresight: interrupted{f'; {error}' if error.args else ''}", file=sys.stderr)
+            raise typer.Exit(130) from None
+
+
+app = typer.Typer(cls=Commands, no_args_is_help=True, rich_markup_mode=None, pretty_exceptions_enable=False)
 
 
 def model_names() -> list[str]:
@@ -563,7 +575,8 @@ def fly(one: Any, scenario: Any, out: Path | None, svg: bool, as_json: bool, see
 @app.command()
 def many(
     out: Annotated[
-        Path | None, typer.Option("-o", "--out", help="Folder that keeps every run; a second call goes on there.")
+        str | None,  # a Path of nothing would be the current folder
+        typer.Option("-o", "--out", metavar="<path>", help="Folder that keeps every run; a second call goes on there."),
     ] = None,
     runs: Annotated[int, typer.Option(help="How many at most.")] = 10_000,
     seed: Annotated[int, typer.Option(help="Of the random numbers; a run's depend on seed and run alone.")] = 0,
@@ -789,9 +802,6 @@ def main(words: list[str] | None = None) -> None:
         print(f"boresight: the output cannot be written ({error.strerror})", file=sys.stderr)
         sys.stdout = open(os.devnull, "w")  # noqa: SIM115
         sys.exit(1)
-    except KeyboardInterrupt as error:
-        print(f"boresight: interrupted{f'; {error}' if error.args else ''}", file=sys.stderr)
-        sys.exit(130)
 
 
 if __name__ == "__main__":

@@ -61,11 +61,21 @@ def check_taking(measurement: str, rows: Any, gate: Any, joint: Any, iterations:
 
 def check_start(model: Any, nav: Mapping[str, Array], P: Array) -> None:
     """The same for what a filter begins with, and for the sizes of nav and P."""
+    check_shape(model, P)
+    check_nav(model, nav, P)
+
+
+def check_shape(model: Any, P: Array) -> None:
+    """Raise BoresightError unless P is (..., n, n)."""
     states = getattr(model, "states", None)
     n = len(states) if states is not None else P.shape[-1] if P.ndim else 0
     if P.shape[-2:] != (n, n):
         named = f" for the states {', '.join(states)}" if states is not None else ""
         raise BoresightError(f"P has shape {P.shape}; it must be (..., {n}, {n}){named}")
+
+
+def check_nav(model: Any, nav: Mapping[str, Array], P: Array) -> None:
+    """Raise BoresightError unless the model has these fields, each (..., size).  P: as of `check_inputs`."""
     check_inputs("nav", model, nav, {}, P)
     fields = getattr(model, "field", None) or {}
     for name, value in nav.items():

@@ -18,7 +18,7 @@ need("cluster")
 
 from distributed import Client, KilledWorker, WorkerPlugin  # noqa: E402
 from distributed.client import FutureCancelledError  # noqa: E402
-from distributed.comm import CommClosedError  # noqa: E402
+from distributed.comm import CommClosedError, resolve_address  # noqa: E402
 
 CONNECT_S = 10
 RETRIES = 10  # of a piece whose worker is gone
@@ -65,6 +65,7 @@ class Model(WorkerPlugin):  # type: ignore[misc]
 def connected(address: str, folder: Path) -> Iterator[tuple[Executor, str, int]]:
     """What submits to the cluster, the model's hash there, and how many pieces to keep under way."""
     try:
+        resolve_address(address)  # a client that fails on the form of its address prints a traceback at the end
         client = Client(address, timeout=CONNECT_S, set_as_default=False)
     except (OSError, ValueError, TypeError) as error:
         raise BoresightError(f"no Dask scheduler answers at {address!r} ({type(error).__name__})") from None

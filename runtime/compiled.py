@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime.arguments import check_inputs, check_taking
+from boresight.runtime.arguments import check_inputs, check_nav, check_shape, check_taking
 from boresight.runtime.array import Array
-from boresight.runtime.filter import Filter, Innovation
+from boresight.runtime.filter import Filter, Innovation, check_symmetric, of_unit_variances
 from boresight.runtime.library import Given, Library
 from boresight.runtime.status import Status
 
@@ -84,9 +84,11 @@ class Held(MutableMapping[str, Array]):
         return value
 
     def __setitem__(self, name: str, value: Any) -> None:
+        value = np.asarray(value, dtype=float)
+        check_nav(self._loop.model, {name: value}, np.empty(0))
         if name not in self._names:
             self._names.append(name)
-        self._loop._take(name, np.asarray(value, dtype=float))
+        self._loop._take(name, value)
 
     def __delitem__(self, name: str) -> None:
         self._loop._lend(name)
@@ -128,8 +130,7 @@ class Prepared:
         self.own = [name for name in loop._carried if name in inputs]
         self._read = [name for name in described["fields"] if name not in loop._carried]
         given, runs = library.arrange(function, {n: self.value(loop, n, inputs) for n in [*self._read, *self.own]})
-        shapes = [runs, loop._runs, *(v.shape[:-1] for v in [*vectors.values(), *measured])]
-        shapes += [v.shape[: -loop._axes(n) or None] for n, v in loop._held.items() if n in loop._part]
+        shapes = [runs, loop._broadcast(), *(v.shape[:-1] for v in [*vectors.values(), *measured])]
         self.runs = np.broadcast_shapes(*shapes)
 
         self._fields: list[tuple[str, Array]] = []
@@ -230,7 +231,11 @@ class CompiledFilter(Filter):
 
     @P.setter
     def P(self, value: Array) -> None:
-        self._take("P", np.asarray(value, dtype=float))
+        value = np.asarray(value, dtype=float)
+        check_shape(self.model, value)
+        with np.errstate(invalid="ignore", over="ignore"):  # the C judges what is not finite
+            check_symmetric("P", of_unit_variances(value))  # of which the C has one triangle
+        self._take("P", value)
 
     @property  # type: ignore[override]
     def x(self) -> Array:
@@ -239,7 +244,10 @@ class CompiledFilter(Filter):
 
     @x.setter
     def x(self, value: Array) -> None:
-        self._take("x", np.asarray(value, dtype=float))
+        value, n = np.asarray(value, dtype=float), len(self._library.states)
+        if value.shape[-1:] != (n,):
+            raise BoresightError(f"x has shape {value.shape}; it must be (..., {n}), as P is (..., {n}, {n})")
+        self._take("x", value)
 
     @property  # type: ignore[override]
     def nav(self) -> Held:
@@ -290,6 +298,16 @@ class CompiledFilter(Filter):
 
     def _leading(self) -> tuple[int, ...]:
         return self._runs
+
+    def _broadcast(self) -> tuple[int, ...]:
+        """The runs of x, P and nav together, as the caller sees them."""
+        held = {name: value.shape[: -self._axes(name) or None] for name, value in self._held.items()
+                if name in self._part}  # fmt: skip
+        try:
+            return np.broadcast_shapes(self._runs, *held.values())
+        except ValueError:
+            listed = ", ".join(f"{name} {runs}" for name, runs in held.items())
+            raise BoresightError(f"the runs of a filter do not go together: {listed}, before {self._runs}") from None
 
     # ------------------------------------------------------------ into the C and back
 

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from boresight import BoresightError
+from boresight import BoresightError, did_you_mean
 from boresight.runtime.array import Array
 from boresight.runtime.compiled import CompiledFilter, Given, Taking
 from boresight.runtime.status import Status
@@ -26,7 +26,27 @@ class Cycle(ctypes.Structure):
     ]  # fmt: skip
 
 
-class Inputs:
+class Fixed:
+    """What has arrays that the C finds by their place: one that is assigned is written into the one that is there."""
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        there = self.__dict__.get(name)
+        if isinstance(there, Inputs | dict):
+            raise BoresightError(f"{name} stays what it is; write its fields, as {name}[FIELD] = value")
+        if isinstance(there, np.ndarray):
+            write(name, there, value)
+        else:
+            super().__setattr__(name, value)
+
+
+def write(name: str, array: Array, value: Any) -> None:
+    try:
+        array[...] = value
+    except ValueError:
+        raise BoresightError(f"{name} has shape {np.shape(value)}; it must fit into {array.shape}") from None
+
+
+class Inputs(Fixed):
     """What one function of the filter is given, in arrays that the C reads: `inputs["dt"][...] = 0.01`.
 
     A field is (..., size), or (...,) if it has one component; a field of the strapdown has an axis of samples in front.
@@ -57,11 +77,14 @@ class Inputs:
         )
 
     def __getitem__(self, name: str) -> Array:
+        if name not in self.fields:
+            guess = did_you_mean(name, self.fields) or f"; it has {', '.join(self.fields) or 'none'}"
+            raise BoresightError(f"an Epoch has no input {name!r} here{guess}")
         return self.fields[name]
 
     def __setitem__(self, name: str, value: Any) -> None:
         """Write into the array, by broadcasting; it stays the same array."""
-        self.fields[name][...] = value
+        write(name, self[name], value)
 
 
 class Measured(Inputs):
@@ -90,7 +113,11 @@ class Measured(Inputs):
         self.taking = Taking(self.rows.ctypes.data, 0 if alike else m, *ends)
 
 
-class Epoch:
+def whole(number: Any) -> bool:
+    return isinstance(number, int | np.integer) and not isinstance(number, bool)
+
+
+class Epoch(Fixed):
     """One call from one epoch to the next, for all runs of a `CompiledFilter`, bound to arrays of its own.
 
     Write `strapdown`, `predict` and `measured[NAME]`, call, look at `status`: the strapdown is called for each sample,
@@ -101,7 +128,7 @@ class Epoch:
     samples: how many there are between two epochs; 0 for none.
     predict, feedback: whether they are part of it.  measurements: their names; one can be left out of a call by
     `rows`, and one that comes seldom is better in an Epoch of its own.
-    runs: the leading axes, by default those of the loop's x and P.
+    runs: the leading axes, by default those of the loop's x, P and nav.
     shared: fields, and z, R or rows, that are alike in all runs, and have no axes of them.
 
     status: (...,) of each run, a `Status`; with AT_CEILING the run went on.
@@ -119,6 +146,8 @@ class Epoch:
         shared: Collection[str] = (),
     ):
         described, fields = loop.described, loop._library.field
+        if isinstance(measurements, str) or len(set(measurements)) < len(measurements):
+            raise BoresightError(f"measurements is {measurements!r}; give a list of names, each once")
         unknown = [name for name in measurements if name not in described["measurements"]]
         if unknown:
             known = ", ".join(described["measurements"])
@@ -129,11 +158,13 @@ class Epoch:
         for what, wanted, function in (("strapdown", samples, "strapdown"), ("feedback", feedback, "correct")):
             if wanted and described[function] is None:
                 raise BoresightError(f"{loop.model.name} has no function {what!r}")
-        if samples < 0:
-            raise BoresightError(f"samples is {samples}; it must be at least 0, and whole")
+        if not whole(samples) or samples < 0:
+            raise BoresightError(f"samples is {samples!r}; it must be at least 0, and whole")
         if loop.considered is not None:
             raise BoresightError("an Epoch corrects every state; fly a filter with considered states by its methods")
-        self.loop, self.runs = loop, loop._leading() if runs is None else runs
+        self.loop, self.runs = loop, loop._broadcast() if runs is None else runs
+        if not isinstance(self.runs, tuple) or not all(whole(n) and n > 0 for n in self.runs):
+            raise BoresightError(f"runs is {self.runs!r}; give the leading axes, as (5,), of one run or more")
         nothing: dict[str, Any] = {"structs": [], "fields": []}
         self.strapdown = Inputs(
             loop, described["strapdown"] if samples else nothing, self.runs, samples or None, shared, {}
@@ -141,6 +172,10 @@ class Epoch:
         self.predict = Inputs(loop, described["propagate"] if predict else nothing, self.runs, None, shared, {})
         self.measured = {name: Measured(loop, name, self.runs, shared) for name in measurements}
         self.status = np.zeros(self.runs, dtype=np.uint8)
+        flown = [described["strapdown"] if samples else nothing, described["propagate"] if predict else nothing,
+                 *(described["measurements"][name] for name in measurements),
+                 described["correct"] if feedback else nothing]  # fmt: skip
+        self._carried = [name for name in loop._carried if any(name in one["fields"] for one in flown)]
         self._changed = [*(["x", "P"] if predict or measurements or feedback else [])]
         self._changed += described["strapdown"]["written"] if samples else []
         self._changed += described["correct"]["written"] if feedback else []
@@ -160,6 +195,7 @@ class Epoch:
         """How many runs a step refused; 0 is all well."""
         loop = self.loop
         if loop._lent or self._memory is not loop._memory:
+            self._check()
             memory = loop._settle(self.runs)
             if self._memory is not memory:
                 asked = ctypes.byref(self._cycle), ctypes.c_void_p.from_param(self.status.ctypes.data)
@@ -168,6 +204,15 @@ class Epoch:
         if loop._held:
             loop._forget(self._changed)
         return refused
+
+    def _check(self) -> None:
+        """Raise BoresightError where the loop's nav lacks a field, or it has other runs."""
+        missing = [name for name in self._carried if name not in self.loop.nav]
+        if missing:
+            raise BoresightError(f"an Epoch of {self.loop.model.name} needs {', '.join(missing)}; give it in nav")
+        theirs, ours = self.loop._broadcast(), self.runs
+        if len(theirs) > len(ours) or any(a not in (1, b) for a, b in zip(theirs[::-1], ours[::-1], strict=False)):
+            raise BoresightError(f"the filter has the runs {theirs}, and the Epoch {ours}; make one of these runs")
 
     def refused(self) -> str:
         """What became of the first run that was refused, in words; nothing where all is well."""

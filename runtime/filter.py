@@ -412,6 +412,21 @@ def left(kept: Array, x: Array, P: Array, x_before: Array, P_before: Array) -> t
     return np.where(kept, x_before, x), np.where(both, P_before, P)
 
 
+def of_unit_variances(P: Array) -> Array:
+    """P scaled to unit variances, so that radians and metres are judged alike."""
+    variance = np.diagonal(P, axis1=-2, axis2=-1)
+    sigma = np.sqrt(np.where(variance > 0, variance, 1.0))
+    scaled: Array = P / (sigma[..., :, None] * sigma[..., None, :])
+    return scaled
+
+
+def check_symmetric(name: str, scaled: Array) -> None:
+    """scaled: `of_unit_variances`."""
+    skew = np.abs(scaled - np.swapaxes(scaled, -1, -2)).max(initial=0.0)
+    if skew > 1e-9:
+        raise BoresightError(f"{name} is not symmetric, by {skew:.1e} of its variances; give (P + P') / 2")
+
+
 def check_covariance(name: str, P: Array, n: int | None = None) -> None:
     """Raise BoresightError unless P is (..., n, n), finite, symmetric, and without a negative eigenvalue."""
     P = np.asarray(P, dtype=float)
@@ -422,12 +437,8 @@ def check_covariance(name: str, P: Array, n: int | None = None) -> None:
     variance = np.diagonal(P, axis1=-2, axis2=-1)
     if (variance < 0).any():
         raise BoresightError(f"{name} has a negative variance, {variance.min():.3g}; a covariance has none")
-    # Scaled to unit variances, so that radians and metres are judged alike.
-    sigma = np.sqrt(np.where(variance > 0, variance, 1.0))
-    scaled = P / (sigma[..., :, None] * sigma[..., None, :])
-    skew = np.abs(scaled - np.swapaxes(scaled, -1, -2)).max(initial=0.0)
-    if skew > 1e-9:
-        raise BoresightError(f"{name} is not symmetric, by {skew:.1e} of its variances; give (P + P') / 2")
+    scaled = of_unit_variances(P)
+    check_symmetric(name, scaled)
     lowest = np.linalg.eigvalsh(scaled).min(initial=0.0)
     if lowest < -1e-9:
         raise BoresightError(f"{name} has a negative eigenvalue, {lowest:.1e} of unit variances; it is no covariance")

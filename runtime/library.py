@@ -136,12 +136,20 @@ class Unit:
         """Call it K times, from inputs (K, ..., size), or (size,) of all, into outputs (K, ..., size).
 
         Inputs and outputs are read and written where they lie, so that a call can read what the one before has written:
-        they must be in double and contiguous.  Returns how many calls were made before one that refused a run.
+        they must be in double and contiguous, and have all these axes.  Returns how many calls were made before one
+        that refused a run.  Raises BoresightError on an array that is not so.
         """
         sources = [given[name] for name in self.fields]
         results = [outputs[r["name"]] for r in self.described["results"]]
-        assert all(array.dtype == np.float64 and array.flags.c_contiguous for array in (*sources, *results))
         count, *runs = results[0].shape[:-1]
+        sizes = [self.library.field[name]["size"] for name in self.fields]
+        for name, array, size in zip(self.fields, sources, sizes, strict=True):
+            alike = array.ndim == 1
+            fits = array.shape[1:] == (*runs, size) and len(array) >= count
+            self._readable(name, array, array.shape == (size,) if alike else fits, (count, *runs, size))
+        for r, array in zip(self.described["results"], results, strict=True):
+            shape = (count, *runs, math.prod(r["shape"]))
+            self._readable(r["name"], array, array.shape == shape, shape)
         n = math.prod(runs)
         if self.library.widest == 1:
             made = self.outputs(n)
@@ -153,7 +161,9 @@ class Unit:
             return count
         at = np.array([(a.ctypes.data, a.shape[-1] * (a.ndim > 1), 0) for a in sources], np.uintp)
         ends = np.array([out.ctypes.data for out in results], np.uintp)
-        steps = [np.array([a.strides[0] * (a.ndim > 1) for a in each], np.uintp) for each in (sources, results)]
+        # not the stride of an array, which may be anything along an axis of one
+        steps = [np.array([a.itemsize * math.prod(a.shape[1:]) * (a.ndim > 1) for a in each], np.uintp)
+                 for each in (sources, results)]  # fmt: skip
         status, function = np.empty(n, np.uint8), self._lanes(MANY)
         call = functools.partial(function, n, at.ctypes.data, ends.ctypes.data, status.ctypes.data)
         for k in range(count):
@@ -162,6 +172,13 @@ class Unit:
             at[:, 0] += steps[0]
             ends += steps[1]
         return count
+
+    def _readable(self, name: str, array: np.ndarray, fits: bool, shape: tuple[int, ...]) -> None:
+        """Raise BoresightError unless the C may go through this array: beyond its end is what is not ours."""
+        if not (fits and array.dtype == np.float64 and array.flags.c_contiguous):
+            raise BoresightError(
+                f"{self.name}: {name} has shape {array.shape}, {array.dtype}; it must be {shape}, contiguous, in double"
+            )
 
     def _lanes(self, n: int) -> Callable[..., int]:
         """Its C of so many runs."""
@@ -344,7 +361,7 @@ def load(model: str | Path, backend: str = "flight", precision: str = "double", 
     for what, given, known in (("backend", backend, BACKENDS), ("precision", precision, tuple(PRECISIONS))):
         if given not in known:
             raise BoresightError(f"no {what} {given!r}; there are {', '.join(known)}")
-    if lanes is not None and lanes not in WIDTHS:
+    if lanes is not None and (type(lanes) is not int or lanes not in WIDTHS):
         raise BoresightError(f"no {lanes!r} lanes; there are {', '.join(map(str, WIDTHS))}")
     if backend == "casadi" and precision == "float":
         raise BoresightError("CasADi's C computes in double; take the backend 'flight' for float")

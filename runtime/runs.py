@@ -21,6 +21,7 @@ from concurrent.futures.process import BrokenProcessPool
 from contextlib import ExitStack, contextmanager
 from dataclasses import asdict
 from functools import lru_cache
+from itertools import chain, islice
 from pathlib import Path
 from typing import Any
 
@@ -63,6 +64,8 @@ def many(
     for name, value, low in (("runs", runs, 1), ("chunk", chunk, 1), ("jobs", jobs, 1), ("seed", seed, 0)):
         if isinstance(value, bool) or not isinstance(value, int | np.integer) or not low <= value < 2**63:
             raise BoresightError(f"many: {name} is {value!r}; it must be a whole number from {low} to 2^63")
+    if directory == "":  # as a Path it would be the current folder
+        raise BoresightError("many: directory is ''; give a folder, '.' for the current one")
     watched = _watched(experiment, goal)
     folder = folder_of(experiment.model)
     store = Store(directory, list(experiment.columns), _identity(experiment, read_manifest(folder), seed))
@@ -72,15 +75,16 @@ def many(
         executor: Executor | None = None
         where, window = str(folder.resolve()), 2 * jobs + 1
         for count in _counts(runs, goal):
-            pieces = list(store.missing(count, chunk))
-            if pieces and executor is None:  # only where there is something to fly
+            pieces = store.missing(count, chunk)
+            first = list(islice(pieces, 1))
+            if first and executor is None:  # only where there is something to fly
                 if dask is not None:
                     from boresight.runtime.cluster import connected
 
                     executor, where, window = stack.enter_context(connected(dask, folder))
                 elif jobs > 1:
                     executor = stack.enter_context(_processes(jobs))
-            flown = _flown(pieces, executor, window, asked, (experiment, where, seed))
+            flown = _flown(chain(first, pieces), executor, window, asked, (experiment, where, seed))
             try:
                 for piece, rows in flown:
                     store.take(piece, rows)

@@ -52,7 +52,9 @@ class Store:
         try:
             there = json.loads(path.read_text())
         except ValueError:
-            raise BoresightError(f"{path} cannot be read; choose another folder") from None
+            there = None
+        if not isinstance(there, dict):
+            raise BoresightError(f"{path} cannot be read; choose another folder")
         differing = [name for name, value in identity.items() if there.get(name) != value]
         if not differing:
             return
@@ -65,7 +67,10 @@ class Store:
         raise BoresightError(f"{folder} holds runs of another {name}{said}; choose another folder")
 
     def _found(self, path: Path) -> None:
-        block = int(path.stem.removeprefix("block-"))
+        number = path.stem.removeprefix("block-")
+        if not number.isdecimal() or path != self._path(int(number)):  # its runs would be there twice
+            raise BoresightError(f"{path} is not one of the files that are written here; move it away")
+        block = int(number)
         rows, there = self._read(path, block)
         self.held += int(there.sum())
         if there.all():
@@ -79,12 +84,17 @@ class Store:
 
         rows, there = np.full((BLOCK, len(self.columns)), np.nan), np.zeros(BLOCK, bool)
         try:
-            table = parquet.read_table(path, partitioning=None)
+            # from memory: a path that is a folder would be read as a data set
+            source = pyarrow.BufferReader(path.read_bytes())
+            table = parquet.read_table(source, page_checksum_verification=True)
             number = table["run"].to_numpy() - block * BLOCK
             values = np.stack([table[name].to_numpy() for name in self.columns], axis=-1)
+            if (number < 0).any() or (number >= BLOCK).any():  # NumPy would count a negative one from the end
+                raise ValueError("it holds runs of another block")
             rows[number], there[number] = values, True
-        except (pyarrow.ArrowException, KeyError, IndexError) as error:
-            reason = str(error).splitlines()[0][:80]
+        # of a damaged file pyarrow raises plain OSError as well
+        except (OSError, LookupError, TypeError, ValueError, pyarrow.ArrowException) as error:
+            reason = getattr(error, "strerror", None) or str(error).partition("\n")[0][:80]
             raise BoresightError(f"{path} cannot be read ({reason}); delete it, and its runs are flown again") from None
         return rows, there
 
@@ -101,11 +111,15 @@ class Store:
         return np.full((BLOCK, len(self.columns)), np.nan), np.zeros(BLOCK, bool)
 
     def missing(self, count: int, chunk: int) -> Iterator[range]:
-        """Runs below `count` that are not there, in pieces of at most `chunk`, none across two blocks."""
+        """Runs below `count` that are not there, in pieces of at most `chunk`, none across two blocks.
+
+        Those that were given may be taken while it goes on.
+        """
+        none = np.zeros(BLOCK, bool)
         for block in range(-(-count // BLOCK)):
             if block in self.whole:
                 continue
-            first, there = block * BLOCK, self.block(block)[1]
+            first, there = block * BLOCK, self.tables[block][1] if block in self.tables else none
             run, end = 0, min(BLOCK, count - first)
             while run < end:
                 if there[run]:
@@ -144,7 +158,9 @@ class Store:
         columns = {"run": block * BLOCK + np.flatnonzero(there)}
         columns |= {name: rows[there, i] for i, name in enumerate(self.columns)}
         sink = pyarrow.BufferOutputStream()
-        parquet.write_table(pyarrow.table(columns), sink, compression="none", use_dictionary=False)
+        parquet.write_table(
+            pyarrow.table(columns), sink, compression="none", use_dictionary=False, write_page_checksum=True
+        )
         try:
             _replace(self._path(block), sink.getvalue().to_pybytes())
         except OSError as error:

@@ -107,18 +107,41 @@ def increments(step: Unit, position: Array, v_n: Array, q_b2n_wxyz: Array, dt: f
 def integrate(step: Unit, start: dict[str, Array], dtheta: Array, dv: Array, dt: float, first=None) -> Trajectory:
     """The integrator over T intervals.  start: position, v_n, q_b2n_wxyz at the first sample, (..., 3 or 4).
 
-    first: (dtheta, dv) of the interval before the first one, if it is known.  Raises BoresightError on leaving the box.
+    dtheta, dv: (T, ..., 3), or (T, 3) where all runs have the same.  first: (dtheta, dv) of the interval before the
+    first one, (..., 3) each, if it is known.  Raises BoresightError on other shapes, and on leaving the box.
     """
-    dtheta, dv = np.ascontiguousarray(dtheta, float), np.ascontiguousarray(dv, float)
-    shape = dtheta.shape[1:-1]
-    out = {
-        name: np.empty((len(dtheta) + 1, *shape, size))
-        for name, size in (("position", 3), ("v_n", 3), ("q_b2n_wxyz", 4))
-    }
-    for name, values in out.items():
-        values[0] = start[name]
-    given = {**out, **intervals(dtheta, dv, first), **unbiased(step), "dt": np.array([dt], float)}
-    k = step.walk(given, {name: values[1:] for name, values in out.items()})
-    if k < len(dtheta):
-        step(**{name: values[k] if values.ndim > 1 else values for name, values in given.items()} | {"dt": dt})
+    given = {"dtheta": np.asarray(dtheta, float), "dv": np.asarray(dv, float)}
+    earlier = None if first is None else (np.asarray(first[0], float), np.asarray(first[1], float))
+    begun = {name: np.asarray(start[name], float) for name in ("position", "v_n", "q_b2n_wxyz")}
+    count = len(np.atleast_1d(given["dtheta"]))
+    for name, values in given.items():
+        if values.ndim < 2 or len(values) != count or values.shape[-1] != 3:
+            raise BoresightError(f"integrate: {name} has shape {values.shape}; it must be (T, ..., 3), one T of both")
+    if np.ndim(dt):
+        raise BoresightError(f"integrate: dt has shape {np.shape(dt)}; give one number for all intervals")
+    shapes = [values.shape[1:-1] for values in given.values()]
+    shapes += [values.shape[:-1] for values in (*begun.values(), *(earlier or ()))]
+    try:
+        runs = np.broadcast_shapes(*shapes)
+        out = {name: np.empty((count + 1, *runs, size)) for name, size in zip(begun, (3, 3, 4), strict=True)}
+        for name, values in out.items():
+            values[0] = begun[name]
+        if earlier is not None:
+            earlier = np.broadcast_to(earlier[0], (*runs, 3)), np.broadcast_to(earlier[1], (*runs, 3))
+    except ValueError:
+        told = {**{name: values.shape for name, values in (given | begun).items()},
+                **({"first": [part.shape for part in earlier]} if earlier else {})}  # fmt: skip
+        listed = ", ".join(f"{name} {shape}" for name, shape in told.items())
+        raise BoresightError(f"integrate: these shapes do not go together: {listed}") from None
+    # the axes of runs that all share stand behind that of the intervals
+    spread = [values.reshape(count, *(1,) * (len(runs) + 2 - values.ndim), *values.shape[1:])
+              for values in given.values()]  # fmt: skip
+    dtheta, dv = (np.ascontiguousarray(np.broadcast_to(values, (count, *runs, 3))) for values in spread)
+    inputs = {**out, **intervals(dtheta, dv, earlier), **unbiased(step), "dt": np.array([dt], float)}
+    k = step.walk(inputs, {name: values[1:] for name, values in out.items()})
+    if k < count:
+        try:
+            step(**{name: values[k] if values.ndim > 1 else values for name, values in inputs.items()} | {"dt": dt})
+        except BoresightError as error:
+            raise BoresightError(f"in interval {k}: {error}") from None
     return Trajectory(**out, dt=dt)

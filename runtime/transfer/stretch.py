@@ -34,7 +34,7 @@ class Stretch:
         for name in loop._carried:
             if name in nav or name in self.constants:
                 loop.nav[name] = nav[name] if name in nav else self.constants[name]
-        loop.P = P
+        loop._take("P", P)  # of a filter, which is symmetric
         now, before = increments[1:], increments[:-1]
         given = {**self.constants, "dtheta_ib_b": now[..., :3], "dv_b": now[..., 3:], "dt": dt,
                  "dtheta_before": before[..., :3], "dv_before": before[..., 3:]}  # fmt: skip

@@ -115,5 +115,82 @@ def test_what_an_epoch_cannot_be_is_named():
     loop.considered = np.ones(15, dtype=bool)
     with pytest.raises(BoresightError, match="considered"):
         Epoch(loop, 1)
-    with pytest.raises(BoresightError, match="no 3 lanes; there are 1, 2, 4, 8"):
-        load("azimuth-hold", lanes=3)
+    for lanes in (3, 8.0, True):
+        with pytest.raises(BoresightError, match=f"no {lanes} lanes; there are 1, 2, 4, 8"):
+            load("azimuth-hold", lanes=lanes)
+
+
+def test_what_is_assigned_to_an_epoch_is_written_where_the_c_reads_it():
+    loop = begun((2,))
+    epoch = Epoch(loop, 0, ["zupt"], predict=False, feedback=False, runs=(2,), shared=["R"])
+    zupt = epoch.measured["zupt"]
+    zupt["R"], places = 1e-4, {name: getattr(zupt, name).ctypes.data for name in ("rows", "gates", "nu", "used")}
+    zupt.rows, zupt.nu, zupt.iterations = [[1, 0, 1], [0, 0, 0]], np.zeros((2, 3)), 1
+    assert epoch() == 0 and zupt.used.tolist() == [[1, 0, 1], [0, 0, 0]] and zupt.nu[0, 0] != 0
+    zupt.rows, zupt.gates = True, np.array([1e-9, 0.0])
+    assert epoch() == 0 and not zupt.used.any()
+    epoch.status = np.full(2, 9)
+    assert epoch() == 0 and not epoch.status.any()
+    assert places == {name: getattr(zupt, name).ctypes.data for name in places}
+    with pytest.raises(BoresightError, match=r"rows has shape \(4,\); it must fit into \(2, 3\)"):
+        zupt.rows = np.ones(4)
+    with pytest.raises(BoresightError, match=r"R has shape \(4,\); it must fit into \(3,\)"):
+        zupt["R"] = np.ones(4)
+    with pytest.raises(BoresightError, match="predict stays what it is"):
+        epoch.predict = {"dt": 0.1}
+    with pytest.raises(BoresightError, match="no input 'RR' here"):
+        zupt["RR"] = 1.0
+
+
+@pytest.mark.parametrize("name", ["position", "v_n", "q_b2n_wxyz", "gyro_bias"])
+def test_an_epoch_flies_no_field_that_nobody_gave(name):
+    whole = begun(())
+    nav = {n: value for n, value in whole.nav.items() if n != name}
+    loop = CompiledFilter(whole.model, nav, np.diag(SIGMA**2))
+    epoch = Epoch(loop, 1, predict=False, feedback=False)
+    epoch.strapdown["dt"] = 0.01
+    with pytest.raises(BoresightError, match=f"needs {name}; give it in nav"):
+        epoch()
+    loop.nav[name] = whole.nav[name]
+    assert epoch() == 0
+
+
+def test_the_runs_of_an_epoch_are_those_of_all_that_the_filter_has():
+    loop = CompiledFilter(load("azimuth-hold"), dict(begun((4,)).nav), np.diag(SIGMA**2))
+    assert Epoch(loop, 1).runs == (4,)
+    with pytest.raises(BoresightError, match=r"runs \(4,\), and the Epoch \(2,\)"):
+        Epoch(loop, 0, predict=False, runs=(2,))()
+    for runs in ((0,), 4, (2.0,)):
+        with pytest.raises(BoresightError, match="give the leading axes"):
+            Epoch(loop, 1, runs=runs)
+    for samples in (2.0, "3", True):
+        with pytest.raises(BoresightError, match="and whole"):
+            Epoch(loop, samples)
+    assert Epoch(loop, np.int64(2), runs=(np.int64(4),)).runs == (4,)
+    for names in ("zupt", ["zupt", "zupt"]):
+        with pytest.raises(BoresightError, match="give a list of names, each once"):
+            Epoch(loop, 0, names)
+    loop.nav["gyro_bias"], loop.nav["v_n"] = np.zeros((4, 3)), np.zeros((3, 3))
+    with pytest.raises(BoresightError, match="do not go together"):
+        Epoch(loop, 1)
+
+
+def test_what_is_assigned_to_a_filter_has_the_shape_that_it_began_with():
+    loop = begun(())
+    loop.predict(dt=0.1, f_b=F_B, **{name: np.full(3, value) for name, value in NOISE.items()})
+    before = loop.P.copy(), loop.x.copy(), loop.nav["v_n"].copy()
+    askew = loop.P.copy()
+    askew[9, 0] += 1e-6 * np.sqrt(askew[9, 9] * askew[0, 0])
+    for value, match in ((np.eye(16), r"P has shape \(16, 16\); it must be \(..., 15, 15\)"),
+                         (np.ones(15), r"P has shape \(15,\)"), (askew, "P is not symmetric, by 1.0e-06")):  # fmt: skip
+        with pytest.raises(BoresightError, match=match):
+            loop.P = value
+    for wrong in (0.0, np.full(1, 1e-3), np.zeros(16)):
+        with pytest.raises(BoresightError, match="x has shape"):
+            loop.x = wrong
+    for wrong in (7.0, np.zeros((4, 1)), np.array([7.0])):
+        with pytest.raises(BoresightError, match=r"v_n has shape .*; its last axis must be 3 long"):
+            loop.nav["v_n"] = wrong
+    with pytest.raises(BoresightError, match="no input 'foo'"):
+        loop.nav["foo"] = 1.0
+    assert all(np.array_equal(a, b) for a, b in zip(before, (loop.P, loop.x, loop.nav["v_n"]), strict=True))

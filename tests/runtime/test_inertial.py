@@ -133,6 +133,46 @@ def test_every_library_is_flown_by_its_own_function(how, compiled_once):
             assert np.array_equal(getattr(made, name)[k + 1], value), (name, k)
 
 
+@pytest.mark.parametrize("how", [{}, {"lanes": 1}, {"precision": "float"}], ids=str)
+def test_what_all_runs_share_is_spread_and_no_other_shape_is_flown(how, compiled_once):
+    step, rng = load("strapdown", **how).step, np.random.default_rng(1)
+    dtheta, dv = rng.normal(0, 1e-3, (6, 5, 3)), rng.normal(0, 0.1, (6, 3))
+    start = {"position": np.array([0.1, 0.7, 10.0]), "v_n": np.zeros(3), "q_b2n_wxyz": np.eye(4)[0]}
+    whole = np.repeat(dv[:, None], 5, axis=1)
+    wanted = integrate(step, start, dtheta, whole, 0.01, (dtheta[0], whole[0]))
+    made = integrate(step, start, dtheta, dv, 0.01, (dtheta[0], dv[0]))
+    assert np.array_equal(made.v_n, wanted.v_n) and np.array_equal(made.q_b2n_wxyz, wanted.q_b2n_wxyz)
+    alike = integrate(step, start | {"v_n": np.zeros((5, 3))}, dtheta[:, 0], dv, 0.01)
+    assert np.array_equal(alike.v_n[:, 3], integrate(step, start, dtheta[:, 0], dv, 0.01).v_n)
+    turned = integrate(step, start, dtheta[:1], whole[:1][::-1], 0.01)  # of one interval, whose stride says nothing
+    assert np.array_equal(turned.v_n[1], integrate(step, start, dtheta[:1], whole[:1], 0.01).v_n[1])
+    for one, other, dt, match in (
+        (dtheta, whole[:-1], 0.01, r"dv has shape \(5, 5, 3\)"), (dtheta, whole[:1], 0.01, r"dv has shape \(1, 5, 3\)"),
+        (dtheta[..., :2], whole, 0.01, "dtheta has shape"), (dtheta[0, 0], dv, 0.01, r"dtheta has shape \(3,\)"),
+        (dtheta, whole[:, :2], 0.01, "do not go together"), (dtheta, whole, np.full(6, 0.01), "dt has shape"),
+        (dtheta, whole, np.nan, "in interval 0: step: dt"),
+    ):  # fmt: skip
+        with pytest.raises(BoresightError, match=match):
+            integrate(step, start, one, other, dt)
+
+
+def test_a_walk_goes_through_no_array_that_is_shorter(strapdown):
+    T, zero = 4, np.zeros(3)
+    out = {
+        "position": np.zeros((T + 1, 2, 3)),
+        "v_n": np.zeros((T + 1, 2, 3)),
+        "q_b2n_wxyz": np.tile(np.eye(4)[0], (T + 1, 2, 1)),
+    }
+    given = {**out, **{name: np.zeros((T, 2, 3)) for name in ("dtheta_ib_b", "dv_b", "dtheta_before", "dv_before")},
+             "dt": np.array([0.01])}  # fmt: skip
+    given |= {name: zero for name in ("gyro_bias", "accel_bias") if name in strapdown.step.fields}
+    ends = {name: values[1:] for name, values in out.items()}
+    assert strapdown.step.walk(given, ends) == T
+    for wrong in (np.zeros((T, 3)), np.zeros((T - 1, 2, 3)), np.zeros((T, 2, 3), np.float32), np.zeros((T, 3, 2)).mT):
+        with pytest.raises(BoresightError, match=r"dv_b has shape .*; it must be \(4, 2, 3\)"):
+            strapdown.step.walk(given | {"dv_b": wrong}, ends)
+
+
 def test_rates_are_what_a_short_step_does(strapdown):
     position, v_n, q = motions(1, 100)
     f_b, omega = np.array([1.0, -2.0, 9.0]), np.array([0.3, -0.2, 0.1])

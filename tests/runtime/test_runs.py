@@ -241,12 +241,134 @@ def test_a_directory_of_something_else_is_refused_in_one_line(tmp_path, change, 
     assert {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()} == before
 
 
-def test_a_file_that_is_cut_off_is_named(tmp_path):
-    r.many(experiment(), runs=30, seed=5, directory=tmp_path)
-    (path,) = (tmp_path / "runs").iterdir()
+def cut_off(path):
     path.write_bytes(path.read_bytes()[:-20])
-    with pytest.raises(BoresightError, match=r"block-000000\.parquet cannot be read .*delete it"):
+
+
+def another_block(path):
+    path.write_bytes(path.with_name("block-000000.parquet").read_bytes())
+
+
+def a_flipped_bit_of_a_value(path):
+    content = bytearray(path.read_bytes())
+    content[len(content) // 2] ^= 1
+    path.write_bytes(content)
+
+
+def a_footer_that_is_no_thrift(path):
+    content = bytearray(path.read_bytes())
+    content[-40:-8] = b"\xff" * 32
+    path.write_bytes(content)
+
+
+def a_link_to_nothing(path):
+    path.unlink()
+    path.symlink_to(path.with_name("nothing"))
+
+
+def a_folder(path):
+    path.unlink()
+    path.mkdir()
+
+
+def words_for_numbers(path):
+    import pandas as pd
+
+    pd.read_parquet(path).assign(a="one").to_parquet(path)
+
+
+DAMAGES = [
+    cut_off,
+    another_block,
+    a_flipped_bit_of_a_value,
+    a_footer_that_is_no_thrift,
+    a_link_to_nothing,
+    a_folder,
+    words_for_numbers,
+]
+
+
+@pytest.mark.parametrize("damage", DAMAGES)
+def test_a_file_that_is_damaged_is_named_and_what_to_do(tmp_path, damage):
+    r.many(experiment(), runs=1500, seed=5, directory=tmp_path)
+    damage(tmp_path / "runs" / "block-000001.parquet")
+    with pytest.raises(
+        BoresightError, match=r"block-000001\.parquet cannot be read \(.+\); delete it, and its"
+    ) as refused:
+        r.many(experiment(), runs=1500, seed=5, directory=tmp_path)
+    assert "\n" not in str(refused.value)
+
+
+def test_a_file_that_was_damaged_is_deleted_and_its_runs_are_flown_again(plainly, tmp_path):
+    r.many(experiment(), runs=3000, seed=5, directory=tmp_path)
+    path = tmp_path / "runs" / "block-000001.parquet"
+    another_block(path)
+    with pytest.raises(BoresightError, match="holds runs of another block"):
+        r.many(experiment(), runs=3000, seed=5, directory=tmp_path)
+    path.unlink()
+    assert r.many(experiment(), runs=3000, seed=5, directory=tmp_path) == plainly
+
+
+def test_no_byte_of_a_file_changes_unseen(tmp_path):
+    """Each byte with a bit flipped: the file is refused, or it gives the same values, of fewer runs at the worst."""
+    r.many(experiment(), runs=20, seed=5, directory=tmp_path)
+    (path,) = (tmp_path / "runs").iterdir()
+    identity = json.loads((tmp_path / "experiment.json").read_text())
+    content = path.read_bytes()
+    rows = store.Store(tmp_path, list(COLUMNS), identity).block(0)[0]
+    refused = 0
+    for place in range(len(content)):
+        path.write_bytes(content[:place] + bytes([content[place] ^ 1 << place % 8]) + content[place + 1 :])
+        try:
+            read, there = store.Store(tmp_path, list(COLUMNS), identity).block(0)
+        except BoresightError as error:
+            assert "block-000000.parquet cannot be read" in str(error) and "\n" not in str(error)
+            refused += 1
+        else:
+            np.testing.assert_array_equal(read[there], rows[there], err_msg=f"byte {place}")
+    assert refused > len(COLUMNS) * 20 * 8  # those of the values at the least
+
+
+def test_files_from_before_there_were_checksums_are_read(plainly, tmp_path):
+    import pyarrow.parquet as parquet
+
+    r.many(experiment(), runs=3000, seed=5, directory=tmp_path)
+    for path in (tmp_path / "runs").iterdir():
+        parquet.write_table(parquet.read_table(path), path, compression="none", use_dictionary=False)
+    flown = []
+    again = r.many(experiment(), runs=3000, seed=5, directory=tmp_path, progress=lambda *now: flown.append(now))
+    assert again == plainly and not flown
+
+
+@pytest.mark.parametrize("name", ["block-foo", "block-1", "block-0000001", "block--00001", "block-000001 (copy)"])
+def test_a_file_whose_name_the_store_does_not_write_is_refused_in_one_line(tmp_path, name):
+    r.many(experiment(), runs=1500, seed=5, directory=tmp_path)
+    path = tmp_path / "runs" / "block-000001.parquet"
+    path.with_name(f"{name}.parquet").write_bytes(path.read_bytes())
+    with pytest.raises(BoresightError, match="is not one of the files that are written here; move it away") as refused:
+        r.many(experiment(), runs=1500, seed=5, directory=tmp_path)
+    assert "\n" not in str(refused.value) and f"{name}.parquet" in str(refused.value)
+
+
+@pytest.mark.parametrize("content", ["[]", "null", "1", "{", "\xff"])
+def test_an_experiment_json_that_is_none_is_refused_in_one_line(tmp_path, content):
+    r.many(experiment(), runs=30, seed=5, directory=tmp_path)
+    (tmp_path / "experiment.json").write_bytes(content.encode("latin-1"))
+    with pytest.raises(BoresightError, match=r"experiment\.json cannot be read; choose another folder"):
         r.many(experiment(), runs=30, seed=5, directory=tmp_path)
+
+
+def test_any_number_of_runs_begins_at_once():
+    """What is missing of 2e10 runs is not listed before the first is flown."""
+
+    class Begun(Exception):
+        pass
+
+    def begun(done, total, text):
+        raise Begun
+
+    with pytest.raises(Begun):
+        r.many(experiment(), runs=20_000_000_000, seed=5, progress=begun)
 
 
 @pytest.mark.parametrize(
@@ -259,16 +381,30 @@ def test_a_file_that_is_cut_off_is_named(tmp_path):
         ({"runs": 1.5}, "runs is 1.5"),
         ({"runs": 10, "goal": r.Goal("phy", 1.0)}, "no column 'phy' .did you mean 'phi'"),
         ({"runs": 10, "goal": r.Goal("phi", 0.0)}, "width above 0"),
+        ({"runs": 10, "directory": ""}, "directory is ''; give a folder"),
         ({"runs": 10, "dask": "tcp://127.0.0.1:9"}, "no Dask scheduler answers"),
     ],
 )
-def test_what_has_no_meaning_is_refused_in_one_line(monkeypatch, asked, says):
+def test_what_has_no_meaning_is_refused_in_one_line(monkeypatch, tmp_path, asked, says):
     pytest.importorskip("distributed")
+    monkeypatch.chdir(tmp_path)
     from boresight.runtime import cluster
 
     monkeypatch.setattr(cluster, "CONNECT_S", 1)
     with pytest.raises(BoresightError, match=says) as refused:
         r.many(experiment(), **asked)
+    assert "\n" not in str(refused.value) and not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("address", ["foo", "", "tcp://", "foo:bar", "http://127.0.0.1:9"])
+def test_what_is_no_address_is_refused_and_no_client_is_made(monkeypatch, address):
+    """A client that fails to begin prints a traceback when Python ends."""
+    pytest.importorskip("distributed")
+    from boresight.runtime import cluster
+
+    monkeypatch.setattr(cluster, "Client", lambda *given, **named: pytest.fail("a client was made"))
+    with pytest.raises(BoresightError, match="no Dask scheduler answers at") as refused:
+        r.many(experiment(), runs=10, dask=address)
     assert "\n" not in str(refused.value)
 
 

@@ -5,9 +5,11 @@ import os
 import signal
 import subprocess
 import sys
+import time
 from dataclasses import replace
 
 import numpy as np
+import pandas as pd
 import pytest
 from conftest import ROOT
 
@@ -172,11 +174,34 @@ def test_the_command_flies_keeps_and_goes_on(capsys, tmp_path):
         (["--grade", "7"], "no sea state 7; there are 1, 2, 3, 4, 5, 6"),
         (["--runs", "0"], "runs is 0"),
         (["--within", "-1"], "width above 0"),
+        (["-o", ""], "directory is ''; give a folder"),
     ],
 )
-def test_what_has_no_meaning_is_refused_in_one_line(capsys, words, says):
+def test_what_has_no_meaning_is_refused_in_one_line(capsys, tmp_path, monkeypatch, words, says):
+    monkeypatch.chdir(tmp_path)
     code, out, err = said(capsys, *words)
     assert code == 1 and not out and err.count("\n") == 1 and says in err
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("jobs", ["1", "2"])
+def test_ctrl_c_says_how_many_runs_are_kept_and_exits_130(tmp_path, jobs):
+    """The command itself: what parses its words has a handler of its own for Ctrl-C."""
+    words = ["many", "--motion", "slope", "--runs", "1000000", "--jobs", jobs, "-o", str(tmp_path)]
+    command = [sys.executable, "-m", "boresight.cli", *words]
+    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        try:
+            deadline = time.monotonic() + 120
+            while not list(tmp_path.glob("runs/block-*.parquet")):
+                assert process.poll() is None and time.monotonic() < deadline
+                time.sleep(0.01)
+            process.send_signal(signal.SIGINT)
+            out, err = process.communicate(timeout=120)
+        finally:
+            process.kill()
+    kept = sum(len(pd.read_parquet(path)) for path in tmp_path.glob("runs/block-*.parquet"))
+    assert err == f"boresight: interrupted; {kept} runs are flown and kept in {tmp_path}\n"
+    assert process.returncode == 130 and not out and kept >= 1024
 
 
 def test_a_goal_that_is_not_reached_exits_1(capsys):
