@@ -1,5 +1,6 @@
 """Final states of many runs, by blocks: files of a directory that are whole or not there."""
 
+import hashlib
 import json
 import os
 from collections.abc import Iterator
@@ -13,6 +14,7 @@ from boresight import BoresightError, need
 from boresight.runtime.array import Array
 
 BLOCK = 1024  # runs of a file; a power of two, so that each is a node of the tree of sums
+SUM = b"sha256"  # in the metadata of a file
 KEPT_S = 30.0  # what is flown waits no longer to be written
 
 
@@ -86,12 +88,15 @@ class Store:
         try:
             # from memory: a path that is a folder would be read as a data set
             source = pyarrow.BufferReader(path.read_bytes())
-            table = parquet.read_table(source, page_checksum_verification=True)
+            table = parquet.read_table(source)
             number = table["run"].to_numpy() - block * BLOCK
             values = np.stack([table[name].to_numpy() for name in self.columns], axis=-1)
             if (number < 0).any() or (number >= BLOCK).any():  # NumPy would count a negative one from the end
                 raise ValueError("it holds runs of another block")
             rows[number], there[number] = values, True
+            said = (table.schema.metadata or {}).get(SUM)  # which an older file has not
+            if said is not None and said != checksum(rows, there):
+                raise ValueError("its numbers are not those that were written")
         # of a damaged file pyarrow raises plain OSError as well
         except (OSError, LookupError, TypeError, ValueError, pyarrow.ArrowException) as error:
             reason = getattr(error, "strerror", None) or str(error).partition("\n")[0][:80]
@@ -158,9 +163,8 @@ class Store:
         columns = {"run": block * BLOCK + np.flatnonzero(there)}
         columns |= {name: rows[there, i] for i, name in enumerate(self.columns)}
         sink = pyarrow.BufferOutputStream()
-        parquet.write_table(
-            pyarrow.table(columns), sink, compression="none", use_dictionary=False, write_page_checksum=True
-        )
+        table = pyarrow.table(columns, metadata={SUM: checksum(rows, there)})
+        parquet.write_table(table, sink, compression="none", use_dictionary=False)
         try:
             _replace(self._path(block), sink.getvalue().to_pybytes())
         except OSError as error:
@@ -169,6 +173,11 @@ class Store:
         if there.all():
             self.whole.add(block)
             del self.tables[block]
+
+
+def checksum(rows: Array, there: Array) -> bytes:
+    """Of the runs of a block that are there."""
+    return hashlib.sha256(there.tobytes() + rows[there].tobytes()).hexdigest().encode()
 
 
 def _replace(path: Path, content: bytes) -> None:
