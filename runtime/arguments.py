@@ -11,6 +11,10 @@ from boresight.runtime.array import Array
 MOST_ITERATIONS = 64  # as BS_MOST_ITERATIONS in boresight_filter.h
 
 
+def whole(number: Any) -> bool:
+    return isinstance(number, int | np.integer) and not isinstance(number, bool)
+
+
 def check_inputs(
     function: str,
     model: Any,
@@ -72,6 +76,12 @@ def check_shape(model: Any, P: Array) -> None:
     if P.shape[-2:] != (n, n):
         named = f" for the states {', '.join(states)}" if states is not None else ""
         raise BoresightError(f"P has shape {P.shape}; it must be (..., {n}, {n}){named}")
+
+
+def check_state(x: Array, n: int) -> None:
+    """Raise BoresightError unless x is (..., n)."""
+    if x.shape[-1:] != (n,):
+        raise BoresightError(f"x has shape {x.shape}; it must be (..., {n}), as P is (..., {n}, {n})")
 
 
 def check_nav(model: Any, nav: Mapping[str, Array], P: Array) -> None:

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime.arguments import check_inputs, check_nav, check_shape, check_taking
+from boresight.runtime.arguments import check_inputs, check_nav, check_shape, check_state, check_taking
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter, Innovation, check_symmetric, of_unit_variances
 from boresight.runtime.library import Given, Library
@@ -244,9 +244,8 @@ class CompiledFilter(Filter):
 
     @x.setter
     def x(self, value: Array) -> None:
-        value, n = np.asarray(value, dtype=float), len(self._library.states)
-        if value.shape[-1:] != (n,):
-            raise BoresightError(f"x has shape {value.shape}; it must be (..., {n}), as P is (..., {n}, {n})")
+        value = np.asarray(value, dtype=float)
+        check_state(value, len(self._library.states))
         self._take("x", value)
 
     @property  # type: ignore[override]

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError, did_you_mean
+from boresight.runtime.arguments import whole
 from boresight.runtime.array import Array
 from boresight.runtime.compiled import CompiledFilter, Given, Taking
 from boresight.runtime.status import Status
@@ -113,10 +114,6 @@ class Measured(Inputs):
         self.taking = Taking(self.rows.ctypes.data, 0 if alike else m, *ends)
 
 
-def whole(number: Any) -> bool:
-    return isinstance(number, int | np.integer) and not isinstance(number, bool)
-
-
 class Epoch(Fixed):
     """One call from one epoch to the next, for all runs of a `CompiledFilter`, bound to arrays of its own.
 
@@ -165,20 +162,18 @@ class Epoch(Fixed):
         self.loop, self.runs = loop, loop._broadcast() if runs is None else runs
         if not isinstance(self.runs, tuple) or not all(whole(n) and n > 0 for n in self.runs):
             raise BoresightError(f"runs is {self.runs!r}; give the leading axes, as (5,), of one run or more")
-        nothing: dict[str, Any] = {"structs": [], "fields": []}
-        self.strapdown = Inputs(
-            loop, described["strapdown"] if samples else nothing, self.runs, samples or None, shared, {}
-        )
-        self.predict = Inputs(loop, described["propagate"] if predict else nothing, self.runs, None, shared, {})
+        nothing: dict[str, Any] = {"structs": [], "fields": [], "written": []}
+        strapdown = described["strapdown"] if samples else nothing
+        propagate = described["propagate"] if predict else nothing
+        correct = described["correct"] if feedback else nothing
+        self.strapdown = Inputs(loop, strapdown, self.runs, samples or None, shared, {})
+        self.predict = Inputs(loop, propagate, self.runs, None, shared, {})
         self.measured = {name: Measured(loop, name, self.runs, shared) for name in measurements}
         self.status = np.zeros(self.runs, dtype=np.uint8)
-        flown = [described["strapdown"] if samples else nothing, described["propagate"] if predict else nothing,
-                 *(described["measurements"][name] for name in measurements),
-                 described["correct"] if feedback else nothing]  # fmt: skip
+        flown = (strapdown, propagate, *(described["measurements"][name] for name in measurements), correct)
         self._carried = [name for name in loop._carried if any(name in one["fields"] for one in flown)]
-        self._changed = [*(["x", "P"] if predict or measurements or feedback else [])]
-        self._changed += described["strapdown"]["written"] if samples else []
-        self._changed += described["correct"]["written"] if feedback else []
+        self._changed = ["x", "P"] if predict or measurements or feedback else []
+        self._changed += strapdown["written"] + correct["written"]
         each = list(self.measured.values())
         self._which = (ctypes.c_int * max(1, len(each)))(*(one.index for one in each))
         self._given = (ctypes.c_void_p * max(1, len(each)))(*(ctypes.addressof(one.given) for one in each))

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError, did_you_mean
-from boresight.runtime.arguments import check_inputs, check_start, check_taking
+from boresight.runtime.arguments import check_inputs, check_start, check_state, check_taking
 from boresight.runtime.array import Array, wrapped
 
 STILL = 0.01  # sigmas by which an estimate may move and need not be linearised again
@@ -76,8 +76,7 @@ class Filter:
     def _start(self, x: Any) -> Array:
         n = self.P.shape[-1]
         x = np.zeros(n) if x is None else np.asarray(x, dtype=float)
-        if x.ndim < 1 or x.shape[-1] != n:
-            raise BoresightError(f"x has shape {x.shape}; it must be (..., {n}), as P is (..., {n}, {n})")
+        check_state(x, n)
         runs = np.broadcast_shapes(self.P.shape[:-2], x.shape[:-1])
         return self.wrapped(np.array(np.broadcast_to(x, (*runs, n))))
 

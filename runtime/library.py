@@ -16,6 +16,7 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime import compiler
+from boresight.runtime.arguments import whole
 from boresight.runtime.compiler import PRECISIONS, in_lanes, open_library, shared_library
 from boresight.runtime.manifest import built_in, folder_of, read_manifest
 from boresight.runtime.status import Status
@@ -142,11 +143,10 @@ class Unit:
         sources = [given[name] for name in self.fields]
         results = [outputs[r["name"]] for r in self.described["results"]]
         count, *runs = results[0].shape[:-1]
-        sizes = [self.library.field[name]["size"] for name in self.fields]
-        for name, array, size in zip(self.fields, sources, sizes, strict=True):
-            alike = array.ndim == 1
-            fits = array.shape[1:] == (*runs, size) and len(array) >= count
-            self._readable(name, array, array.shape == (size,) if alike else fits, (count, *runs, size))
+        for name, array in zip(self.fields, sources, strict=True):
+            size = self.library.field[name]["size"]
+            fits = array.shape == (size,) or (array.shape[1:] == (*runs, size) and len(array) >= count)
+            self._readable(name, array, fits, (count, *runs, size))
         for r, array in zip(self.described["results"], results, strict=True):
             shape = (count, *runs, math.prod(r["shape"]))
             self._readable(r["name"], array, array.shape == shape, shape)
@@ -361,7 +361,7 @@ def load(model: str | Path, backend: str = "flight", precision: str = "double", 
     for what, given, known in (("backend", backend, BACKENDS), ("precision", precision, tuple(PRECISIONS))):
         if given not in known:
             raise BoresightError(f"no {what} {given!r}; there are {', '.join(known)}")
-    if lanes is not None and (type(lanes) is not int or lanes not in WIDTHS):
+    if lanes is not None and (not whole(lanes) or lanes not in WIDTHS):
         raise BoresightError(f"no {lanes!r} lanes; there are {', '.join(map(str, WIDTHS))}")
     if backend == "casadi" and precision == "float":
         raise BoresightError("CasADi's C computes in double; take the backend 'flight' for float")

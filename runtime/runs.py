@@ -28,6 +28,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError, did_you_mean
+from boresight.runtime.arguments import whole
 from boresight.runtime.array import Array
 from boresight.runtime.library import Library, load
 from boresight.runtime.manifest import folder_of, read_manifest
@@ -62,7 +63,7 @@ def many(
     what is in flight is finished and kept before KeyboardInterrupt is raised; a second Ctrl-C ends at once.
     """
     for name, value, low in (("runs", runs, 1), ("chunk", chunk, 1), ("jobs", jobs, 1), ("seed", seed, 0)):
-        if isinstance(value, bool) or not isinstance(value, int | np.integer) or not low <= value < 2**63:
+        if not whole(value) or not low <= value < 2**63:
             raise BoresightError(f"many: {name} is {value!r}; it must be a whole number from {low} to 2^63")
     if directory == "":  # as a Path it would be the current folder
         raise BoresightError("many: directory is ''; give a folder, '.' for the current one")

@@ -36,7 +36,8 @@ class Trajectory:
 
 def before(increments: Array, first: Array | None) -> Array:
     """Of each interval the increments of the one before; those before the first are `first`, or the first ones."""
-    return np.concatenate([increments[:1] if first is None else np.asarray(first, float)[None], increments[:-1]])
+    known = increments[:1] if first is None else np.broadcast_to(first, (1, *increments.shape[1:]))
+    return np.concatenate([known, increments[:-1]])
 
 
 def intervals(dtheta: Array, dv: Array, last: tuple[Array, Array] | None = None) -> dict[str, Array]:
@@ -110,34 +111,27 @@ def integrate(step: Unit, start: dict[str, Array], dtheta: Array, dv: Array, dt:
     dtheta, dv: (T, ..., 3), or (T, 3) where all runs have the same.  first: (dtheta, dv) of the interval before the
     first one, (..., 3) each, if it is known.  Raises BoresightError on other shapes, and on leaving the box.
     """
-    given = {"dtheta": np.asarray(dtheta, float), "dv": np.asarray(dv, float)}
-    earlier = None if first is None else (np.asarray(first[0], float), np.asarray(first[1], float))
-    begun = {name: np.asarray(start[name], float) for name in ("position", "v_n", "q_b2n_wxyz")}
-    count = len(np.atleast_1d(given["dtheta"]))
-    for name, values in given.items():
+    dtheta, dv = np.asarray(dtheta, float), np.asarray(dv, float)
+    count = len(np.atleast_1d(dtheta))
+    for name, values in (("dtheta", dtheta), ("dv", dv)):
         if values.ndim < 2 or len(values) != count or values.shape[-1] != 3:
             raise BoresightError(f"integrate: {name} has shape {values.shape}; it must be (T, ..., 3), one T of both")
     if np.ndim(dt):
         raise BoresightError(f"integrate: dt has shape {np.shape(dt)}; give one number for all intervals")
-    shapes = [values.shape[1:-1] for values in given.values()]
-    shapes += [values.shape[:-1] for values in (*begun.values(), *(earlier or ()))]
-    try:
-        runs = np.broadcast_shapes(*shapes)
-        out = {name: np.empty((count + 1, *runs, size)) for name, size in zip(begun, (3, 3, 4), strict=True)}
-        for name, values in out.items():
-            values[0] = begun[name]
-        if earlier is not None:
-            earlier = np.broadcast_to(earlier[0], (*runs, 3)), np.broadcast_to(earlier[1], (*runs, 3))
-    except ValueError:
-        told = {**{name: values.shape for name, values in (given | begun).items()},
-                **({"first": [part.shape for part in earlier]} if earlier else {})}  # fmt: skip
-        listed = ", ".join(f"{name} {shape}" for name, shape in told.items())
-        raise BoresightError(f"integrate: these shapes do not go together: {listed}") from None
+    one = {name: start[name] for name in ("position", "v_n", "q_b2n_wxyz")}
+    one |= {"dtheta_ib_b": np.empty(dtheta.shape[1:]), "dv_b": np.empty(dv.shape[1:])}
+    if first is not None:
+        one |= {"dtheta_before": first[0], "dv_before": first[1]}
+    begun, runs = step.library.arrange("integrate", one)
     # the axes of runs that all share stand behind that of the intervals
-    spread = [values.reshape(count, *(1,) * (len(runs) + 2 - values.ndim), *values.shape[1:])
-              for values in given.values()]  # fmt: skip
+    axes = ((count, *(1,) * (len(runs) + 2 - values.ndim), *values.shape[1:]) for values in (dtheta, dv))
+    spread = (values.reshape(shape) for values, shape in zip((dtheta, dv), axes, strict=True))
     dtheta, dv = (np.ascontiguousarray(np.broadcast_to(values, (count, *runs, 3))) for values in spread)
-    inputs = {**out, **intervals(dtheta, dv, earlier), **unbiased(step), "dt": np.array([dt], float)}
+    out = {}
+    for name in ("position", "v_n", "q_b2n_wxyz"):
+        out[name] = np.empty((count + 1, *runs, begun[name].shape[-1]))
+        out[name][0] = begun[name]
+    inputs = {**out, **intervals(dtheta, dv, first), **unbiased(step), "dt": np.array([dt], float)}
     k = step.walk(inputs, {name: values[1:] for name, values in out.items()})
     if k < count:
         try:
