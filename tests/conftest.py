@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+pytest_plugins = ("tools",)
 ROOT = Path(__file__).parent.parent
 PENDULUM = f"{ROOT / 'tests' / 'pendulum.py'}:PENDULUM"
 

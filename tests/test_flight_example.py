@@ -1,6 +1,5 @@
 """The flight in C of examples/flight: equal to its Python, here and on emulated cores, and near the truth."""
 
-import importlib.util
 import os
 import re
 import shutil
@@ -10,6 +9,7 @@ import sys
 import numpy as np
 import pytest
 from conftest import ROOT
+from tools import lacks, needs
 
 from boresight.codegen.export import export
 from boresight.evidence.targets import GCC, M4F, M7
@@ -17,8 +17,6 @@ from boresight.runtime import rotation, transfer
 
 EXAMPLE = ROOT / "examples" / "flight"
 DEG, MIL = np.pi / 180, 2 * np.pi / 6400
-UNICORN = M7.missing or ("" if importlib.util.find_spec("unicorn") else "unicorn is not installed")
-QEMU = M7.missing or ("" if shutil.which("qemu-system-arm") else "qemu-system-arm is not installed")
 HEADING, SIGMA, DELAY, DELAY_SIGMA = 1, 2, 6, 7  # columns of a line; 3 to 5 the misalignment
 
 
@@ -205,12 +203,12 @@ def test_messages_that_come_too_soon_are_refused(example, minute, here):
     np.testing.assert_array_equal(here(setup, twice).lines, here(setup, part).lines)
 
 
-@pytest.mark.skipif(bool(QEMU), reason=QEMU or "-")
+@needs("arm-none-eabi-gcc", "qemu-system-arm")
 def test_the_program_prints_the_same_on_an_emulated_cortex_m7(made):
     assert made("m7") == made("run")
 
 
-@pytest.mark.skipif(bool(UNICORN), reason=UNICORN or "-")
+@needs("arm-none-eabi-gcc")
 @pytest.mark.parametrize(("target", "precision"), [(M7, "double"), (M7, "float"), (M4F, "float")])
 def test_emulated_cores_fly_the_same_bits_and_cost_what_the_readme_says(
     example, filters, minute, flown, tmp_path, target, precision
@@ -229,5 +227,5 @@ def test_emulated_cores_fly_the_same_bits_and_cost_what_the_readme_says(
     found = [*most, core.stack]
     assert np.abs(np.array(found) / said - 1).max() < 0.25, f"the README says {said}, found {found}: see 'make ticks'"
     if M7.version not in readme:
-        pytest.skip(f"the figures to the instruction: the README's are of another compiler than {M7.version}")
+        lacks("the compiler of the README's figures", f"to the instruction they are of another than {M7.version}")
     assert found == said, "the README's figures are of other code: take those of 'make ticks'"

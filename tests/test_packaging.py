@@ -12,6 +12,7 @@ import zipfile
 
 import pytest
 from conftest import ROOT
+from tools import tool
 
 from boresight import EXTRAS
 
@@ -23,7 +24,7 @@ def built(tmp_path_factory):
     tmp_path = tmp_path_factory.mktemp("built")
     tree = tmp_path / "tree"
     tree.mkdir()
-    listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, check=True)
+    listed = subprocess.run([tool("git"), "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, check=True)
     for name in filter(None, listed.stdout.split("\0")):
         (tree / name).parent.mkdir(parents=True, exist_ok=True)
         if (ROOT / name).is_symlink():

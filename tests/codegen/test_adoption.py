@@ -5,12 +5,12 @@ import itertools
 import json
 import re
 import shutil
-import subprocess
 from pathlib import Path
 
 import pytest
 from building import passed, run
 from conftest import PENDULUM
+from tools import given, needs, tool
 
 from boresight import __version__
 from boresight.codegen import export as exporting
@@ -19,12 +19,8 @@ from boresight.codegen.text.identity import model_hash, public_functions
 from boresight.runtime.manifest import folder_of, read_manifest, sources, sources_hash
 from boresight.runtime.status import Status
 
-COMPILERS = [pair for pair in (("gcc", "g++"), ("clang", "clang++")) if shutil.which(pair[1])]
-STANDARDS = [
-    (c if std.startswith("c++") is False else cxx, std)
-    for c, cxx in COMPILERS
-    for std in ("c99", "c11", "c17", "c2x", "c++17", "c++20")
-]
+IN_CXX = [build for std in ("c++17", "c++20") for build in (given("g++", std), given("clang++", std))]
+STANDARDS = [build for std in ("c99", "c11", "c17", "c2x") for build in (("gcc", std), given("clang", std))] + IN_CXX
 EXACT = ("-ffp-contract=off", "-Werror")
 
 
@@ -101,7 +97,7 @@ int main(void)
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])
-@pytest.mark.parametrize(("compiler", "std"), [(cxx, std) for _, cxx in COMPILERS for std in ("c++17", "c++20")])
+@pytest.mark.parametrize(("compiler", "std"), IN_CXX)
 def test_a_cxx_program_links_the_c_library(compiler, std, precision, libraries, tmp_path):
     folder, library = libraries("azimuth-hold", precision)
     (tmp_path / "main.cpp").write_text(USER)
@@ -113,6 +109,7 @@ def test_a_cxx_program_links_the_c_library(compiler, std, precision, libraries, 
     assert run(out).stdout.startswith("azimuth-hold, Boresight")
 
 
+@needs("g++")
 def test_a_cxx_main_runs_the_self_test(libraries, tmp_path):
     folder, library = libraries("strapdown", "double")
     objects = []
@@ -125,7 +122,7 @@ def test_a_cxx_main_runs_the_self_test(libraries, tmp_path):
         "{ return selftest_main() + test_sd_step(); }\n"
     )
     flags = ["-std=c++17", *include(folder), "-I", folder / "selftest"]
-    done = run("g++", *flags, tmp_path / "main.cpp", *objects, library, "-o", tmp_path / "program")
+    done = run(tool("g++"), *flags, tmp_path / "main.cpp", *objects, library, "-o", tmp_path / "program")
     assert done.returncode == 0, done.stderr
     assert run(tmp_path / "program").returncode == 0
 
@@ -208,16 +205,14 @@ def test_what_looks_like_a_prototype_is_no_function():
 
 # ---- what is refused
 
-METHOD = run("gcc", "-mfpmath=387", "-dM", "-E", "-x", "c", "/dev/null").stdout
-X87 = "__FLT_EVAL_METHOD__ 2" in METHOD
+REFUSED = [("-ffast-math", "fast-math"), ("-ffinite-math-only", "finite-math-only")]
 
 
 @pytest.mark.parametrize(
     ("compiler", "flag", "word"),
     [
-        *((compiler, "-ffast-math", "fast-math") for compiler, _ in COMPILERS),
-        *((compiler, "-ffinite-math-only", "finite-math-only") for compiler, _ in COMPILERS),
-        pytest.param("gcc", "-mfpmath=387", "mfpmath=sse", marks=pytest.mark.skipif(not X87, reason="gcc has no x87")),
+        *(build for words in REFUSED for build in (("gcc", *words), given("clang", *words))),
+        pytest.param("gcc", "-mfpmath=387", "mfpmath=sse", marks=needs("x87")),
     ],
 )
 def test_arithmetic_that_is_not_as_written_is_refused(compiler, flag, word, folders):
@@ -240,25 +235,25 @@ PROBE = '#include "boresight.h"\nint main(void)\n{\n    return (int)bs_probe();\
 FUSED = "-mfma" if " fma " in Path("/proc/cpuinfo").read_text() else ""
 REORDERED = "-fassociative-math -fno-signed-zeros -fno-trapping-math"
 NO_NAN = "-Xclang -menable-no-nans"
+LEVELS = ("-O0", "-O2", "-O3")
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])
 @pytest.mark.parametrize(
     ("compiler", "flags", "status"),
     [
-        *((c, f"-ffp-contract=off {level}", Status.OK) for c in ("gcc", "clang") for level in ("-O0", "-O2", "-O3")),
+        *(("gcc", f"-ffp-contract=off {level}", Status.OK) for level in LEVELS),
+        *(given("clang", f"-ffp-contract=off {level}", Status.OK) for level in LEVELS),
         ("gcc", f"-ffp-contract=off -O3 {FUSED}", Status.OK),
         ("gcc", f"-ffp-contract=fast -O2 {FUSED}", Status.CONTRACTED if FUSED else Status.OK),
-        ("clang", f"-ffp-contract=on -O2 {FUSED}", Status.CONTRACTED if FUSED else Status.OK),
-        ("clang", f"-ffp-contract=off -O2 {REORDERED}", Status.CONTRACTED),
-        ("clang", f"-ffp-contract=off -O2 {NO_NAN}", Status.CONTRACTED),
-        ("clang", "-ffp-contract=off -O2 -fno-honor-nans", Status.CONTRACTED),
-        ("clang", "-ffp-contract=off -O2 -freciprocal-math", Status.CONTRACTED),
+        given("clang", f"-ffp-contract=on -O2 {FUSED}", Status.CONTRACTED if FUSED else Status.OK),
+        given("clang", f"-ffp-contract=off -O2 {REORDERED}", Status.CONTRACTED),
+        given("clang", f"-ffp-contract=off -O2 {NO_NAN}", Status.CONTRACTED),
+        given("clang", "-ffp-contract=off -O2 -fno-honor-nans", Status.CONTRACTED),
+        given("clang", "-ffp-contract=off -O2 -freciprocal-math", Status.CONTRACTED),
     ],
 )
 def test_the_probe_finds_what_the_preprocessor_cannot_see(precision, compiler, flags, status, folders, tmp_path):
-    if not shutil.which(compiler):
-        pytest.skip(f"{compiler} is not installed")
     (tmp_path / "probe.c").write_text(PROBE)
     warnings = ["-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Wfloat-equal", "-Wshadow", "-Werror"]
     command = [compiler, "-std=c99", *warnings, *flags.split(), *include(folders("strapdown", precision))]
@@ -386,7 +381,7 @@ def test_a_model_of_ones_own_has_no_evidence_and_says_why(pendulum_folder, tmp_p
 # ---- other people's builds
 
 
-@pytest.mark.skipif(shutil.which("cmake") is None, reason="cmake is not installed")
+@needs("cmake")
 @pytest.mark.parametrize(("wanted", "found"), [("0.1", True), (__version__, True), ("9.0", False), ("0.2", False)])
 def test_cmake_finds_the_package_by_its_version(wanted, found, folders, tmp_path):
     folder, prefix = folders("strapdown", "float"), tmp_path / "prefix"
@@ -394,10 +389,10 @@ def test_cmake_finds_the_package_by_its_version(wanted, found, folders, tmp_path
         ["-S", folder, "-B", tmp_path / "build", f"-DCMAKE_INSTALL_PREFIX={prefix}", "-DCMAKE_BUILD_TYPE=Debug"],
         ["--build", tmp_path / "build", "--target", "strapdown_f32"],
     ):
-        done = run("cmake", *command)
+        done = run(tool("cmake"), *command)
         assert done.returncode == 0, done.stderr
     (tmp_path / "build" / "strapdown_f32_selftest").touch()  # which install would ask for
-    done = run("cmake", "--install", tmp_path / "build")
+    done = run(tool("cmake"), "--install", tmp_path / "build")
     assert done.returncode == 0, done.stderr
     (tmp_path / "CMakeLists.txt").write_text(
         f"cmake_minimum_required(VERSION 3.16)\nproject(user C)\nfind_package(strapdown_f32 {wanted} REQUIRED)\n"
@@ -406,10 +401,10 @@ def test_cmake_finds_the_package_by_its_version(wanted, found, folders, tmp_path
     (tmp_path / "main.c").write_text(
         "#include \"strapdown.h\"\nint main(void)\n{\n    return sd_identity()[0] != 's';\n}\n"
     )
-    done = run("cmake", "-S", tmp_path, "-B", tmp_path / "user", f"-DCMAKE_PREFIX_PATH={prefix}")
+    done = run(tool("cmake"), "-S", tmp_path, "-B", tmp_path / "user", f"-DCMAKE_PREFIX_PATH={prefix}")
     assert (done.returncode == 0) == found, done.stderr
     if found:
-        assert run("cmake", "--build", tmp_path / "user").returncode == 0
+        assert run(tool("cmake"), "--build", tmp_path / "user").returncode == 0
         assert run(tmp_path / "user" / "user").returncode == 0
 
 
@@ -442,14 +437,11 @@ def test_make_installs_what_pkg_config_finds(folders, tmp_path):
     assert run(tmp_path / "main").returncode == 0
 
 
-@pytest.mark.skipif(shutil.which("arm-none-eabi-gcc") is None, reason="arm-none-eabi-gcc is not installed")
-def test_arm_is_built_for_size_and_a_host_for_speed(folders):
-    folder = folders("strapdown", "double")
-    for compiler, level in (("arm-none-eabi-gcc", "-Os"), ("gcc", "-O2")):
-        listed = subprocess.run(
-            ["make", "-n", "-B", "-C", folder, f"CC={compiler}", "CFLAGS="], capture_output=True, text=True
-        )
-        compiled = [line for line in listed.stdout.splitlines() if " -c " in line]
-        assert compiled and all(f" {level} " in line for line in compiled)
-        archiver = "arm-none-eabi-ar" if compiler.startswith("arm") else "ar"
-        assert f"{archiver} rcs" in listed.stdout
+@pytest.mark.parametrize(
+    ("compiler", "level", "archiver"), [("gcc", "-O2", "ar"), given("arm-none-eabi-gcc", "-Os", "arm-none-eabi-ar")]
+)
+def test_arm_is_built_for_size_and_a_host_for_speed(compiler, level, archiver, folders):
+    listed = run("make", "-n", "-B", "-C", folders("strapdown", "double"), f"CC={compiler}", "CFLAGS=").stdout
+    compiled = [line for line in listed.splitlines() if " -c " in line]
+    assert compiled and all(f" {level} " in line for line in compiled)
+    assert f"\n{archiver} rcs" in listed

@@ -1,18 +1,16 @@
 """The generated folder as an engineer takes it: warnings, self-test, CMake both ways, models in one binary."""
 
-import shutil
-
 import pytest
 from building import STRICT, passed, run, self_test
 from conftest import ROOT
+from tools import given, needs, tool
 
 from boresight.runtime import compiler
 
-COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
 EM = ROOT / "generated" / "euler_matching"
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.parametrize("compiler", ["gcc", given("clang")])
 @pytest.mark.parametrize("model", ["euler_matching", "pendulum"])
 def test_compiles_without_a_warning_and_passes_its_self_test(compiler, model, tmp_path, pendulum_folder):
     """All committed folders are built so in both precisions by `make evidence`, whose results are judged elsewhere."""
@@ -43,7 +41,7 @@ USER = (
 )
 
 
-@pytest.mark.skipif(shutil.which("cmake") is None, reason="cmake is not installed")
+@needs("cmake")
 @pytest.mark.parametrize("way", ["add_subdirectory", "find_package"])
 def test_cmake_takes_the_folder_both_ways(way, tmp_path):
     project = tmp_path / "project"
@@ -51,10 +49,10 @@ def test_cmake_takes_the_folder_both_ways(way, tmp_path):
     (project / "main.c").write_text(USER)
     prefix = tmp_path / "prefix"
     if way == "find_package":
-        compiler.run(["cmake", "-S", EM, "-B", tmp_path / "em", f"-DCMAKE_INSTALL_PREFIX={prefix}"])
-        compiler.run(["cmake", "--build", tmp_path / "em", "--parallel", "2"])
+        compiler.run([tool("cmake"), "-S", EM, "-B", tmp_path / "em", f"-DCMAKE_INSTALL_PREFIX={prefix}"])
+        compiler.run([tool("cmake"), "--build", tmp_path / "em", "--parallel", "2"])
         compiler.run(["ctest", "--test-dir", tmp_path / "em", "--output-on-failure"])
-        compiler.run(["cmake", "--install", tmp_path / "em"])
+        compiler.run([tool("cmake"), "--install", tmp_path / "em"])
         take = "find_package(euler_matching 0.1 REQUIRED)"
     else:
         take = f"add_subdirectory({EM} em)"
@@ -62,6 +60,6 @@ def test_cmake_takes_the_folder_both_ways(way, tmp_path):
         f"cmake_minimum_required(VERSION 3.16)\nproject(user C)\n{take}\nadd_executable(user main.c)\n"
         "target_link_libraries(user PRIVATE boresight::euler_matching)\n"
     )
-    compiler.run(["cmake", "-S", project, "-B", project / "build", f"-DCMAKE_PREFIX_PATH={prefix}"])
-    compiler.run(["cmake", "--build", project / "build"])
+    compiler.run([tool("cmake"), "-S", project, "-B", project / "build", f"-DCMAKE_PREFIX_PATH={prefix}"])
+    compiler.run([tool("cmake"), "--build", project / "build"])
     compiler.run([project / "build" / "user"])

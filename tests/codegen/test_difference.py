@@ -10,6 +10,7 @@ import mpmath
 import pytest
 from conftest import ROOT
 from sympy import Matrix, cos, sin
+from tools import tool
 
 from boresight import side_by_side
 from boresight.cli import main
@@ -261,7 +262,7 @@ def test_without_a_compiler_the_size_is_unknown(monkeypatch):
 
 
 def git(folder, *words):
-    command = ["git", "-c", "user.name=n", "-c", "user.email=e", *words]
+    command = [tool("git"), "-c", "user.name=n", "-c", "user.email=e", *words]
     return subprocess.run(command, cwd=folder, check=True, capture_output=True, text=True).stdout
 
 

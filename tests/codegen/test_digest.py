@@ -2,10 +2,10 @@
 
 import ctypes
 import hashlib
-import shutil
 
 import numpy as np
 import pytest
+from tools import needs, tool
 
 from boresight.codegen.text.digest import MESSAGES
 from boresight.runtime.compiler import PRECISIONS, run
@@ -101,7 +101,7 @@ def test_numbers_have_the_digest_that_hashlib_has_of_their_bytes(digests):
     assert out.raw == hashlib.sha256(values.tobytes()).digest()
 
 
-@pytest.mark.skipif(not shutil.which("arm-none-eabi-gcc") or not shutil.which("qemu-armeb"), reason="not installed")
+@needs("arm-none-eabi-gcc", "qemu-armeb")
 @pytest.mark.parametrize("precision", PRECISIONS)
 def test_a_machine_whose_highest_byte_comes_first_has_the_same_digest(precision, tmp_path):
     numbers = np.array([1.0, -2.5, 3.140625], "<f4" if precision == "float" else "<f8")
@@ -110,5 +110,5 @@ def test_a_machine_whose_highest_byte_comes_first_has_the_same_digest(precision,
     core = ("-mbig-endian", "-mcpu=arm926ej-s", "-marm", "-mfloat-abi=soft")
     flags = ("-std=gnu99", "-O2", "-ffreestanding", "-nostdlib", f"-DWANTED={wanted}", *PRECISIONS[precision])
     program = tmp_path / "bare.elf"
-    run(["arm-none-eabi-gcc", *core, *flags, "-I", INCLUDE, tmp_path / "bare.c", "-lgcc", "-o", program])
-    run(["qemu-armeb", program])
+    run([tool("arm-none-eabi-gcc"), *core, *flags, "-I", INCLUDE, tmp_path / "bare.c", "-lgcc", "-o", program])
+    run([tool("qemu-armeb"), program])

@@ -2,7 +2,6 @@
 
 import itertools
 import re
-import shutil
 import subprocess
 
 import mpmath as mp
@@ -10,6 +9,7 @@ import numpy as np
 import pytest
 from building import self_test
 from conftest import PENDULUM, ROOT
+from tools import given, needs, tool
 
 from boresight.codegen.functions.tape import LIBRARY, ULPS
 from boresight.codegen.text.files import environment
@@ -147,7 +147,7 @@ POLYNOMIALS = {  # the whole, the function, x if the error is relative to it, fr
 }
 
 
-@pytest.mark.skipif(shutil.which("sollya") is None, reason="sollya is not installed")
+@needs("sollya")
 @pytest.mark.parametrize("name", POLYNOMIALS)
 def test_a_polynomial_errs_by_what_sollya_bounds(name, precision, tmp_path):
     """The coefficients are read from the C; the bound is certified, by supnorm."""
@@ -169,7 +169,7 @@ def test_a_polynomial_errs_by_what_sollya_bounds(name, precision, tmp_path):
         f"display=decimal!; prec=300!; w = ({whole}); s = supnorm(w, {goal}, [{low};{high}], "
         f"{'relative' if scale == 'x' else 'absolute'}, 1b-10); print(round(log2(sup(s)), 30, RU)); quit;\n"
     )
-    found = float(run(["sollya", script]).split()[-1])
+    found = float(run([tool("sollya"), script]).split()[-1])
     assert bound - 0.1 < found < bound + 0.01
 
 
@@ -221,34 +221,42 @@ def test_sines_are_odd_cosines_even_and_each_alone_is_that_of_the_pair(values):
 
 # ---- the same bits
 
-GCC, CLANG = ("gcc",), ("clang",)
-BUILDS = [
-    *((*cc, f"-O{level}") for cc in (GCC, CLANG) for level in "0123s"),
-    *((*cc, "-O3", "-march=x86-64-v3") for cc in (GCC, CLANG)),
-    ("aarch64-linux-gnu-gcc", "-O2", "-static"),
-    ("arm-linux-gnueabihf-gcc", "-O2", "-static"),
-    ("arm-linux-gnueabihf-gcc", "-Os", "-static", "-mfpu=neon-vfpv4"),
-]
-EMULATORS = {"aarch64-linux-gnu-gcc": "qemu-aarch64", "arm-linux-gnueabihf-gcc": "qemu-arm"}
+LEVELS = [f"-O{level}" for level in "0123s"]
 
 
-def test_every_compiler_and_machine_gives_the_same_bits(precision, include, tmp_path):
-    (tmp_path / "bits.c").write_text(BITS)
-    found = {}
-    for build in BUILDS:
-        emulator = EMULATORS.get(build[0])
-        if shutil.which(build[0]) is None or (emulator and shutil.which(emulator) is None):
-            continue
-        flags = ["-std=c99", "-ffp-contract=off", *PRECISIONS[precision], "-I", include]
-        run([*build, *flags, tmp_path / "bits.c", "-lm", "-o", tmp_path / "bits"])
-        found[build] = run([*([emulator] if emulator else []), tmp_path / "bits"]).strip()
-    assert len(found) > 5 and len(set(found.values())) == 1, found
+def bits(build, emulator, precision, include, out):
+    """The hash of what a build prints, run by an emulator if it is named."""
+    (out / "bits.c").write_text(BITS)
+    flags = ["-std=c99", "-ffp-contract=off", *PRECISIONS[precision], "-I", include]
+    run([*build, *flags, out / "bits.c", "-lm", "-o", out / "bits"])
+    return run([*emulator, out / "bits"]).strip()
 
 
-@pytest.mark.parametrize("target", [M4F, M7, RV32], ids=lambda target: target.name)
+@pytest.fixture(scope="module")
+def bits_here(precision, include, tmp_path_factory):
+    return bits(("gcc", "-O1"), (), precision, include, tmp_path_factory.mktemp("bits"))
+
+
+@pytest.mark.parametrize(
+    ("compiler", "flags"),
+    [
+        *(build for level in LEVELS for build in (("gcc", level), given("clang", level))),
+        pytest.param("gcc", "-O3 -march=x86-64-v3", marks=needs("x86-64-v3")),
+        given("clang", "-O3 -march=x86-64-v3", also=["x86-64-v3"]),
+        given("aarch64-linux-gnu-gcc", "-O2 -static"),
+        given("arm-linux-gnueabihf-gcc", "-O2 -static"),
+        given("arm-linux-gnueabihf-gcc", "-Os -static -mfpu=neon-vfpv4"),
+    ],
+)
+def test_every_compiler_and_machine_gives_the_same_bits(compiler, flags, precision, include, bits_here, tmp_path):
+    emulator = [tool(f"qemu-{core}") for core in ("aarch64", "arm") if compiler.startswith(f"{core}-")]
+    assert bits((compiler, *flags.split()), emulator, precision, include, tmp_path) == bits_here
+
+
+@pytest.mark.parametrize(
+    "target", [pytest.param(target, marks=needs(target.compiler), id=target.name) for target in (M4F, M7, RV32)]
+)
 def test_no_warning_and_no_double_in_float_on_a_target(target, include, tmp_path):
-    if target.missing:
-        pytest.skip(target.missing)
     calls = "".join(
         f"bs_real {name}_(bs_real x);\nbs_real {name}_(bs_real x)\n{{\n    return bs_{name}(x);\n}}\n" for name in NAMES
     )
@@ -292,10 +300,9 @@ void pairs(void)
 """
 
 
-@pytest.mark.skipif(bool(M4F.missing), reason=M4F.missing or "-")
+@needs("arm-none-eabi-gcc")
 def test_a_pair_in_float_costs_at_most_85_instructions_on_a_cortex_m4f(include, tmp_path):
     """Up to 50 rad, in any quadrant; 71 as this is written, and one more for the jump from the model's own name."""
-    pytest.importorskip("unicorn")
     from boresight.evidence.machine import Machine
 
     (tmp_path / "pairs.c").write_text(COUNTED)

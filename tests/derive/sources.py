@@ -1,22 +1,15 @@
 """The papers' texts, which are beside the checkout where they may be."""
 
-import os
-from pathlib import Path
+from tools import SHARED, needs
 
-import pytest
-
-FOLDER = Path(__file__).resolve().parents[3] / "shared" / "papers"
+FOLDER = SHARED / "papers"
 NAMES = {
     "song-lee-2001": "song-lee-2001-euler-angle-matching.txt",
     "kim-2018": "kim-2018-azimuth-hold-zupt.txt",
     "kang-2025": "kang-2025-sea-state-transfer-alignment.txt",
 }
 
-# Where CI is true the texts must be there, and these tests fail without them.
-needs_source = pytest.mark.skipif(
-    not all((FOLDER / name).exists() for name in NAMES.values()) and os.environ.get("CI", "").lower() != "true",
-    reason="the papers' texts are not beside the checkout",
-)
+needs_source = needs("papers")
 
 
 def source(paper):

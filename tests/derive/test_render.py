@@ -9,6 +9,7 @@ from unicodedata import combining
 
 import pytest
 from conftest import ROOT
+from tools import needs
 
 from boresight import BoresightError
 from boresight.derive.ledger.differences import differences, marks
@@ -21,7 +22,7 @@ from boresight.derive.pages.render import render
 from boresight.derive.papers import DERIVATIONS, PAPERS, paper
 
 PAPER = paper("song-lee-2001")
-needs_pdflatex = pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
+needs_pdflatex = needs("pdflatex")
 
 
 @pytest.mark.parametrize("columns", [80, 140])

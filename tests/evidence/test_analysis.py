@@ -2,6 +2,7 @@
 
 import pytest
 from committed import NAMES, SMALL, committed, folder_of, spoilt
+from tools import needs
 
 from boresight import BoresightError
 from boresight.evidence import eva, misra, trace
@@ -64,7 +65,7 @@ def test_misra_is_broken_only_where_it_is_said(name):
     assert found <= set(misra.DEVIATED), found
 
 
-@pytest.mark.skipif(bool(misra.MISSING), reason=misra.MISSING or "-")
+@needs("cppcheck")
 def test_misra_sees_a_spoilt_unit(em_copy, tmp_path):
     folder = spoilt(em_copy, "src/em_F.c", "bs_status status;\n", "bs_status status;\n    int octal = 017;\n")
     assert "7.1" in misra.misra(folder, tmp_path)["em_F"]["rules"]
@@ -76,7 +77,7 @@ def test_no_alarm_but_where_it_is_said(name):
         assert of["alarms"] == 0 or unit in WARNED, f"{unit}: {of}"
 
 
-@pytest.mark.skipif(bool(eva.MISSING), reason=eva.MISSING or "-")
+@needs("frama-c")
 @pytest.mark.parametrize(
     ("path", "right", "wrong"),
     [

@@ -2,6 +2,7 @@
 
 import pytest
 from committed import committed, folder_of
+from tools import TOOLS, needs
 
 from boresight.evidence.bits import (
     EVERY,
@@ -10,6 +11,7 @@ from boresight.evidence.bits import (
     NOT_FLOWN,
     OTHERS,
     SAMPLES,
+    V3,
     X86,
     Flown,
     Machinery,
@@ -22,7 +24,16 @@ from boresight.runtime.compiler import PRECISIONS
 
 FEW = 20_000
 HERE = (X86[0], X86[-1])  # gcc -O0, and clang -O3 for x86-64-v3
-EVERYWHERE = [(machine, precision) for machine in (*HERE, *OTHERS) for precision in machine.precisions]
+
+
+def flight(machine, precision):
+    """The machine with the precision, where its compiler, its emulator and its processor are there."""
+    asked = [name for name in (machine.target.compiler, machine.runs) if name in TOOLS]
+    asked += ["x86-64-v3"] if V3 in machine.flags else []
+    return pytest.param(machine, precision, marks=needs(*asked))
+
+
+EVERYWHERE = [flight(machine, precision) for machine in (*HERE, *OTHERS) for precision in machine.precisions]
 
 
 @pytest.fixture(scope="module")
@@ -52,8 +63,6 @@ def test_what_is_not_flown_is_named():
 
 @pytest.mark.parametrize(("machine", "precision"), EVERYWHERE, ids=lambda value: getattr(value, "name", value))
 def test_a_flight_has_the_same_bits_everywhere(machine, precision, first, tmp_path):
-    if machine.missing:
-        pytest.skip(machine.missing)
     one = flown(folder_of(MODEL), machine, precision, FEW, tmp_path)
     assert differs(one, first[precision]) == 0
     assert (one.refused, one.taken, one.flushed) == (0, first[precision].taken, (False, False))
@@ -77,12 +86,14 @@ def test_the_first_ten_thousand_that_differ_are_named():
     assert differs(one, Flown(("a", "x", "y"))) == 2 * EVERY
 
 
-@pytest.mark.skipif(bool(GCC.missing), reason=GCC.missing or "-")
-def test_flushing_to_zero_and_a_bit_elsewhere_are_seen(first, tmp_path):
+def test_flushing_to_zero_is_seen(first, tmp_path):
     machine = Machinery(GCC, ("-O2", "-DFLIGHT_FLUSH"))
     one = flown(folder_of(MODEL), machine, "float", FEW, tmp_path)
     assert one.flushed == (True, True) and one.control & 0x8040 == 0x8040
-    contracted = Machinery(GCC, ("-O2", "-march=x86-64-v3", "-ffp-contract=fast"))
-    if not X86[-1].missing:
-        other = flown(folder_of(MODEL), contracted, "float", FEW, tmp_path)
-        assert differs(other, first["float"]) == EVERY
+
+
+@needs("x86-64-v3")
+def test_a_bit_elsewhere_is_seen(first, tmp_path):
+    contracted = Machinery(GCC, ("-O2", V3, "-ffp-contract=fast"))
+    other = flown(folder_of(MODEL), contracted, "float", FEW, tmp_path)
+    assert differs(other, first["float"]) == EVERY

@@ -1,28 +1,27 @@
 """The shipped C on the machines it is for: no warning, no double, the same bits, the committed cost."""
 
-import importlib.util
-
 import pytest
-from committed import LIVE, SMALL, comparable, folder_of, spoilt
+from committed import LIVE, SMALL, committed, comparable, folder_of, spoilt
+from tools import needs
 
 from boresight import BoresightError
 from boresight.evidence.golden import faults, golden
-from boresight.evidence.targets import CLANG, CORES, GCC, M4F, PRECISIONS, build, compile_units
+from boresight.evidence.targets import CLANG, CORES, GCC, PRECISIONS, build, compile_units
 
-MISSING = M4F.missing or CLANG.missing or ("" if importlib.util.find_spec("unicorn") else "unicorn is not installed")
+EVERY_COMPILER = needs("clang", "arm-none-eabi-gcc")
 
 
 @pytest.mark.parametrize("name", SMALL)
 def test_golden_vectors_pass_with_the_same_bits_on_each_target(name):
     """Two compilers here, Cortex-M4F and M7, both precisions; that the results are of the committed C: test_results."""
     targets = {f"{target.name} {precision}" for target in (GCC, CLANG, *CORES) for precision in PRECISIONS}
-    found = comparable(name, "golden")
+    found = committed(name, "golden")
     wrong = [word for unit, of in found.items() for word in faults(unit, of)]
     wrong += [unit for unit, of in found.items() if set(of["builds"]) != targets]
     assert found and not wrong, "\n".join(wrong)
 
 
-@pytest.mark.skipif(bool(MISSING), reason=MISSING or "-")
+@EVERY_COMPILER
 def test_a_live_run_finds_what_is_committed(tmp_path):
     assert golden(folder_of(LIVE), tmp_path) == comparable(LIVE, "golden")
 
@@ -33,7 +32,7 @@ def test_a_warning_is_an_error(em_copy, tmp_path):
         compile_units(folder, GCC, "float", tmp_path)
 
 
-@pytest.mark.skipif(bool(MISSING), reason=MISSING or "-")
+@EVERY_COMPILER
 def test_double_in_a_float_build_and_a_dearer_call_are_seen(em_copy, tmp_path):
     # a cast keeps the compilers quiet about it
     folder = spoilt(em_copy, "src/em_F_kernel.h", "-omega_in_n[1]", "(bs_real)((double)-omega_in_n[1] + 1e-30)")
@@ -47,7 +46,7 @@ def test_double_in_a_float_build_and_a_dearer_call_are_seen(em_copy, tmp_path):
     assert found["em_Phi"]["cost"] == before["em_Phi"]["cost"]
 
 
-@pytest.mark.skipif(bool(MISSING), reason=MISSING or "-")
+@needs("arm-none-eabi-gcc")
 @pytest.mark.parametrize("core", CORES, ids=lambda core: core.name)
 def test_blocks_are_counted_as_single_steps_are(core, tmp_path):
     """Instructions by blocks and their length, against a hook on each instruction.

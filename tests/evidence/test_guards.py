@@ -1,14 +1,14 @@
 """Bad input is refused, whichever number it is in, and nothing is written."""
 
 import pytest
-from committed import LIVE, NAMES, comparable, folder_of, spoilt
+from committed import LIVE, NAMES, committed, comparable, folder_of, spoilt
 
 from boresight.evidence.guards import guards
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_bad_input_is_refused_and_every_guard_is_taken(name):
-    found = comparable(name, "guards")
+    found = committed(name, "guards")
     units = {unit.name: unit.described for unit in folder_of(name).units}
     assert set(found) == set(units)
     assert all(of["tried"] for unit, of in found.items() if units[unit] is not None)

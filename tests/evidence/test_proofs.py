@@ -1,7 +1,6 @@
 """Rounding over the whole box: the committed bounds are of the lists that are printed, are proved again for small
 lists, and fail for a list with another constant."""
 
-import os
 import re
 from collections import Counter
 from dataclasses import replace
@@ -10,6 +9,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from committed import folder_of
+from tools import needs
 
 from boresight.codegen.functions.tape import Step, Tape, computed
 from boresight.codegen.functions.units import units
@@ -23,11 +23,6 @@ from boresight.evidence.sources import folders
 MODELS = [folder for folder in folders() if kept.wanted(folder)]
 OUTPUTS = [output for folder in MODELS for unit in kept.judged(folder).values() for output in unit]
 SMALL = ("vd_F", "em_Phi", "em_Qc", "em_euler_H")  # lists whose bounds are proved again here
-
-
-def needs(missing):
-    if missing:
-        pytest.fail(missing) if os.environ.get("CI") else pytest.skip(missing)
 
 
 def small(name):
@@ -72,9 +67,9 @@ def test_what_has_no_bound_says_why_and_nothing_else_does():
     assert all((output.bound is None) == bool(output.why) for output in OUTPUTS)
 
 
+@needs("gappa")
 @pytest.mark.parametrize("name", SMALL)
 def test_the_committed_bounds_of_a_small_list_are_proved_again(name):
-    needs(prover.MISSING)
     _, source, unit, outputs = small(name)
     assert unit_hash(unit) == source.described["hash"]
     for (_, _, position), output in zip(sorted(unit.tape.results), outputs, strict=True):
@@ -83,9 +78,9 @@ def test_the_committed_bounds_of_a_small_list_are_proved_again(name):
             assert not prover.holds(unit.tape, position, unit.args, output.bound / 2), output
 
 
+@needs("gappa")
 def test_a_changed_constant_breaks_the_proof(monkeypatch):
     # C with a literal that is off by a thousandth, against the list as it is meant
-    needs(prover.MISSING)
     _, _, unit, outputs = small("vd_F")
     true = script.literal
 
@@ -166,9 +161,8 @@ def test_the_range_of_a_sine_holds_it():
             assert most - function(at).max() < 1e-2 and function(at).min() - least < 1e-2
 
 
+@needs("gappa", "coqc")
 def test_coq_accepts_a_proof_and_refuses_a_broken_one():
-    if coq.MISSING:
-        pytest.skip(coq.MISSING)  # in CI too: it would install a gigabyte for one proof
     # x y / y^2: the product may vanish, so that the proof needs what it is told of quotients
     steps = (
         Step("input", source=(0, 0)), Step("input", source=(0, 1)), Step("mul", (0, 1)), Step("sq", (1,)),

@@ -2,12 +2,12 @@
 
 import os
 import re
-import shutil
 
 import numpy as np
 import numpy_euler_matching
 import pytest
 from conftest import ROOT
+from tools import tool
 
 from boresight import BoresightError
 from boresight.runtime.compiled import CompiledFilter
@@ -195,10 +195,9 @@ def test_no_compiler_is_one_line(em_copy, monkeypatch, tmp_path):
 
 
 def test_cc_is_honoured(em_copy, monkeypatch, tmp_path):
-    if shutil.which("clang") is None:
-        pytest.skip("clang is not installed")
+    cc = tool("clang")
     monkeypatch.setenv("BORESIGHT_CACHE", str(tmp_path / "empty"))
-    monkeypatch.setenv("CC", "clang")
+    monkeypatch.setenv("CC", cc)
     assert np.isfinite(load(em_copy).F(omega_in_n=np.zeros(3))).all()
 
 

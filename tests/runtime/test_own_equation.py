@@ -10,6 +10,7 @@ import pytest
 import sympy as sp
 from conftest import ROOT
 from scipy.integrate import solve_ivp
+from tools import needs
 
 from boresight.codegen.export import export
 from boresight.codegen.functions.samples import generator, sample
@@ -22,7 +23,6 @@ from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
 
 pytestmark = pytest.mark.usefixtures("quickly")
-UNICORN = M4F.missing or ("" if importlib.util.find_spec("unicorn") else "the package unicorn is not installed")
 FLIGHTS, STEPS = 4, 16  # flights, and steps of the coarsest
 ROUNDING = 1e-12  # of the box of a state: below it SciPy and rounding decide
 
@@ -152,7 +152,7 @@ int fall(void)
 """
 
 
-@pytest.mark.skipif(bool(UNICORN), reason=UNICORN or "-")
+@needs("arm-none-eabi-gcc")
 @pytest.mark.parametrize("precision", ["double", "float"])
 def test_the_exported_pendulum_falls_on_an_emulated_cortex_m4f(precision, folder_of, tmp_path):
     export(PENDULUM, tmp_path / "out", precision, folder_of(PENDULUM))

@@ -8,9 +8,9 @@ import numpy as np
 import pandas as pd
 import pytest
 from conftest import ROOT
-from real_recordings import real_recording
 from scipy.io import savemat
 from scipy.spatial.transform import Rotation
+from tools import real_recording
 
 from boresight import BoresightError
 from boresight.runtime import rotation

@@ -13,6 +13,7 @@ from xml.sax.saxutils import escape
 
 import numpy as np
 import pytest
+from tools import lacks
 
 from boresight import BoresightError
 from boresight.cli import main
@@ -36,7 +37,7 @@ def installed(package, *path):
     spec = find_spec(package)
     file = Path(spec.origin).parent.joinpath(*path)
     if not file.is_file():
-        pytest.skip(f"this {package} comes without its test data")
+        lacks(f"the test data of {package}", "a release that brings it")
     return file
 
 

@@ -386,7 +386,6 @@ def test_any_number_of_runs_begins_at_once():
     ],
 )
 def test_what_has_no_meaning_is_refused_in_one_line(monkeypatch, tmp_path, asked, says):
-    pytest.importorskip("distributed")
     monkeypatch.chdir(tmp_path)
     from boresight.runtime import cluster
 
@@ -399,7 +398,6 @@ def test_what_has_no_meaning_is_refused_in_one_line(monkeypatch, tmp_path, asked
 @pytest.mark.parametrize("address", ["foo", "", "tcp://", "foo:bar", "http://127.0.0.1:9"])
 def test_what_is_no_address_is_refused_and_no_client_is_made(monkeypatch, address):
     """A client that fails to begin prints a traceback when Python ends."""
-    pytest.importorskip("distributed")
     from boresight.runtime import cluster
 
     monkeypatch.setattr(cluster, "Client", lambda *given, **named: pytest.fail("a client was made"))
@@ -444,8 +442,9 @@ def test_a_million_runs_take_less_than_a_gigabyte_of_memory(tmp_path):
 
 def test_a_cluster_of_two_workers_one_of_which_is_killed_says_the_same(plainly, tmp_path, monkeypatch):
     """The model is one's own: only its files travel, by their hash, and each worker's machine builds them."""
-    distributed = pytest.importorskip("distributed")
     import shutil
+
+    import distributed
 
     from boresight.runtime.manifest import folder_of
 

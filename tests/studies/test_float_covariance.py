@@ -29,7 +29,8 @@ def short(start, seconds):
 @pytest.mark.parametrize("start", [GENTLE[2], COARSE[3]], ids=lambda start: start.name)
 def test_the_reference_in_double_is_that_of_sixty_digits(start):
     """P = Phi P Phi' + Q and P - P h (h' P) / S, in balls of 200 bits, from the printed Phi and Q; 3 s."""
-    flint = pytest.importorskip("flint")
+    import flint
+
     flint.ctx.prec = 200
     model, path = load("azimuth-hold"), study.motion("rest", 3, study.STEP_S)[0]
     fields = {"position": path[:3], "v_n": path[3:6], "q_b2n_wxyz": path[6:10], "f_b": path[10:], "dt": study.STEP_S}

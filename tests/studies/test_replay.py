@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import numpy_euler_matching
 import pytest
-from real_recordings import real_recording
+from tools import real_recording
 
 from boresight import BoresightError
 from boresight.cli import main

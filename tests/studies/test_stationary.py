@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from real_recordings import real_recording
+from tools import real_recording
 
 from boresight import BoresightError
 from boresight.runtime import detector as d

@@ -8,7 +8,7 @@ from html import escape
 import numpy as np
 import pytest
 from conftest import ROOT
-from real_recordings import real_recording
+from tools import real_recording
 
 from boresight import BoresightError
 from boresight.runtime import rotation

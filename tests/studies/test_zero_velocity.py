@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from real_recordings import real_recording
+from tools import real_recording
 
 from boresight import BoresightError
 from boresight.runtime.library import load
