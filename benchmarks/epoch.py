@@ -13,9 +13,8 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 from benchmarks import interleaved
-from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.compiler import open_library, shared_library
-from boresight.runtime.epoch import Epoch
+from boresight.runtime.filter import CompiledFilter, Epoch
 from boresight.runtime.library import load
 
 MODEL, SECONDS, RATE = "azimuth-hold", 60, 100

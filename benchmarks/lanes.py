@@ -17,9 +17,8 @@ from benchmarks import interleaved
 from benchmarks.peers.compiled import clock, limit
 from benchmarks.peers.formulas import operations, problem
 from boresight.runtime import compiler, random
-from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.compiler import open_library, shared_library
-from boresight.runtime.epoch import Epoch
+from boresight.runtime.filter import CompiledFilter, Epoch
 from boresight.runtime.library import load
 
 MODEL = "azimuth-hold"

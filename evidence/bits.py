@@ -165,7 +165,7 @@ class Luck:
 
 def in_python(samples: int) -> Flown:
     """The flight by `CompiledFilter`, in double."""
-    from boresight.runtime.compiled import CompiledFilter
+    from boresight.runtime.filter import CompiledFilter
     from boresight.runtime.library import load
 
     model = load("azimuth-hold")

@@ -11,7 +11,7 @@ import numpy as np
 
 from boresight.codegen.generate import generate
 from boresight.runtime import rotation
-from boresight.runtime.compiled import CompiledFilter
+from boresight.runtime.filter import CompiledFilter
 from boresight.runtime.library import load
 from boresight.runtime.simulation import inertial
 from boresight.runtime.units import DEG

@@ -11,7 +11,7 @@ import numpy as np
 
 from boresight.codegen.generate import generate
 from boresight.runtime.array import wrapped
-from boresight.runtime.compiled import CompiledFilter
+from boresight.runtime.filter import CompiledFilter
 from boresight.runtime.library import load
 from boresight.runtime.units import DEG
 from boresight.studies.consistency import Consistency

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from boresight.codegen.generate import generate
-from boresight.runtime.compiled import CompiledFilter
+from boresight.runtime.filter import CompiledFilter
 from boresight.runtime.library import load
 from boresight.studies.consistency import Consistency
 

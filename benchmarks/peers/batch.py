@@ -220,8 +220,7 @@ def by_simdkalman(p: Problem, v: np.ndarray, P: np.ndarray) -> Made:
 
 
 def by_boresight(compiled: bool, p: Problem, v: np.ndarray, P: np.ndarray) -> Made:
-    from boresight.runtime.compiled import CompiledFilter
-    from boresight.runtime.filter import Filter
+    from boresight.runtime.filter import CompiledFilter, Filter
     from boresight.runtime.library import load
 
     model, given, x = load("azimuth-hold"), fields(p, v), v[:, -p.n :]
@@ -246,8 +245,7 @@ def by_boresight(compiled: bool, p: Problem, v: np.ndarray, P: np.ndarray) -> Ma
 
 def by_epoch(p: Problem, v: np.ndarray, P: np.ndarray) -> Made:
     """A call that is bound to its arrays; P and x stay in the C."""
-    from boresight.runtime.compiled import CompiledFilter
-    from boresight.runtime.epoch import Epoch
+    from boresight.runtime.filter import CompiledFilter, Epoch
     from boresight.runtime.library import load
 
     model, given, x = load("azimuth-hold"), fields(p, v), v[:, -p.n :]

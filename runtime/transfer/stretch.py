@@ -7,8 +7,7 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.runtime.array import Array
-from boresight.runtime.compiled import CompiledFilter
-from boresight.runtime.epoch import Epoch
+from boresight.runtime.filter import CompiledFilter, Epoch
 from boresight.runtime.library import Library
 
 

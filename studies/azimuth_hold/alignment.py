@@ -14,7 +14,7 @@ import numpy as np
 from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
-from boresight.runtime.compiled import CompiledFilter
+from boresight.runtime.filter import CompiledFilter
 from boresight.runtime.library import load
 from boresight.runtime.simulation import inertial, sensors
 from boresight.runtime.units import ARCMIN, DEG, FOOT, HOUR, MILLI_G

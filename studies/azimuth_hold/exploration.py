@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from boresight.runtime import rotation
-from boresight.runtime.compiled import CompiledFilter
+from boresight.runtime.filter import CompiledFilter
 from boresight.runtime.units import ARCMIN, MILLI_G
 from boresight.studies.azimuth_hold import alignment
 from boresight.studies.azimuth_hold.hold import MODES, bias_summary, hold, marked, root_mean_square

@@ -16,8 +16,7 @@ import numpy as np
 from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
-from boresight.runtime.compiled import CompiledFilter
-from boresight.runtime.epoch import Epoch
+from boresight.runtime.filter import CompiledFilter, Epoch
 from boresight.runtime.simulation import inertial
 from boresight.runtime.units import ARCMIN, DEG, HOUR, MILLI_G
 from boresight.studies.azimuth_hold import alignment, figures

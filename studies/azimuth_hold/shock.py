@@ -22,7 +22,7 @@ import numpy as np
 from boresight import BoresightError
 from boresight.runtime import detector, rotation
 from boresight.runtime.array import Array
-from boresight.runtime.compiled import CompiledFilter
+from boresight.runtime.filter import CompiledFilter
 from boresight.runtime.simulation import inertial
 from boresight.runtime.status import Status
 from boresight.runtime.units import ARCMIN, DEG, MILLI_G

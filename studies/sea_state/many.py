@@ -17,8 +17,7 @@ import numpy as np
 from boresight import BoresightError
 from boresight.runtime import random, rotation
 from boresight.runtime.array import Array
-from boresight.runtime.compiled import CompiledFilter
-from boresight.runtime.epoch import Epoch
+from boresight.runtime.filter import CompiledFilter, Epoch
 from boresight.runtime.library import Library, load
 from boresight.runtime.runs import Experiment
 from boresight.runtime.simulation import hull, sensors

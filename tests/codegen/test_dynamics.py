@@ -21,8 +21,7 @@ from boresight.codegen.functions.units import units
 from boresight.codegen.generate import generate
 from boresight.derive.model import Measurement, Model, Struct, variable
 from boresight.runtime.array import wrapped
-from boresight.runtime.compiled import CompiledFilter
-from boresight.runtime.filter import Filter
+from boresight.runtime.filter import CompiledFilter, Filter
 from boresight.runtime.library import load
 
 

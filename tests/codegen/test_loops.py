@@ -10,8 +10,7 @@ from conftest import ROOT
 from boresight import BoresightError
 from boresight.codegen.export import export
 from boresight.codegen.generate import generate
-from boresight.runtime.compiled import CompiledFilter
-from boresight.runtime.filter import Filter
+from boresight.runtime.filter import CompiledFilter, Filter
 from boresight.runtime.library import load
 
 # The pendulum of the examples, its noise at Radau's two nodes apart.

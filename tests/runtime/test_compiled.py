@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 from boresight import BoresightError
-from boresight.runtime.compiled import CompiledFilter
-from boresight.runtime.filter import Filter
+from boresight.runtime.filter import CompiledFilter, Filter
 from boresight.runtime.library import load
 from boresight.runtime.transfer import filter
 from boresight.runtime.transfer.guard import Guard

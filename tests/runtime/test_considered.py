@@ -10,8 +10,7 @@ from mpmath import mp
 
 from boresight import BoresightError
 from boresight.runtime import compiler
-from boresight.runtime.compiled import CompiledFilter
-from boresight.runtime.filter import Filter
+from boresight.runtime.filter import CompiledFilter, Filter
 from boresight.runtime.library import load
 
 pytestmark = pytest.mark.usefixtures("quickly")

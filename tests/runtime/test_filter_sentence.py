@@ -10,8 +10,8 @@ import pytest
 from conftest import ROOT
 
 from boresight import BoresightError
-from boresight.runtime.compiled import CompiledFilter
-from boresight.runtime.filter import Filter, lowered
+from boresight.runtime.filter import CompiledFilter, Filter
+from boresight.runtime.filter.filter import lowered
 from boresight.runtime.library import load
 from boresight.runtime.manifest import read_manifest
 from boresight.runtime.status import Status

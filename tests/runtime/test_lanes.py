@@ -8,8 +8,7 @@ import pytest
 from building import spoil
 
 from boresight.runtime import library
-from boresight.runtime.compiled import CompiledFilter
-from boresight.runtime.epoch import Epoch
+from boresight.runtime.filter import CompiledFilter, Epoch
 from boresight.runtime.library import WIDTHS, load
 from boresight.runtime.manifest import GENERATED, built_in
 from boresight.runtime.status import Status

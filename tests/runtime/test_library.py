@@ -10,8 +10,8 @@ from conftest import ROOT
 from tools import tool
 
 from boresight import BoresightError
-from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.compiler import shared_library
+from boresight.runtime.filter import CompiledFilter
 from boresight.runtime.library import build, load
 from boresight.runtime.manifest import folder_of, read_manifest
 from boresight.runtime.status import Status

@@ -17,9 +17,8 @@ from boresight.codegen.functions.samples import generator, sample
 from boresight.derive.model import Model
 from boresight.evidence.machine import Machine
 from boresight.evidence.targets import M4F, OPTIMISED, WARNINGS, Build
-from boresight.runtime.compiled import CompiledFilter
 from boresight.runtime.compiler import PRECISIONS, run
-from boresight.runtime.filter import Filter
+from boresight.runtime.filter import CompiledFilter, Filter
 from boresight.runtime.library import load
 
 pytestmark = pytest.mark.usefixtures("quickly")

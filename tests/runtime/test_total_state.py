@@ -10,8 +10,7 @@ from scipy.integrate import solve_ivp
 
 from boresight import BoresightError
 from boresight.codegen.export import export
-from boresight.runtime.compiled import CompiledFilter
-from boresight.runtime.filter import Filter
+from boresight.runtime.filter import CompiledFilter, Filter
 from boresight.runtime.library import load
 
 pytestmark = pytest.mark.usefixtures("quickly")

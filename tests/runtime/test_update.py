@@ -14,8 +14,7 @@ from scipy.optimize import least_squares
 from scipy.stats import chi2
 
 from boresight import BoresightError
-from boresight.runtime.compiled import CompiledFilter
-from boresight.runtime.filter import Filter
+from boresight.runtime.filter import CompiledFilter, Filter
 from boresight.runtime.library import load
 
 pytestmark = pytest.mark.usefixtures("quickly")

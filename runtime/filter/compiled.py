@@ -15,7 +15,7 @@ import numpy as np
 from boresight import BoresightError
 from boresight.runtime.arguments import check_inputs, check_nav, check_shape, check_state, check_taking
 from boresight.runtime.array import Array
-from boresight.runtime.filter import Filter, Innovation, check_symmetric, of_unit_variances
+from boresight.runtime.filter.filter import Filter, Innovation, check_symmetric, of_unit_variances
 from boresight.runtime.library import Given, Library
 from boresight.runtime.status import Status
 

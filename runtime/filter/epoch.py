@@ -13,7 +13,7 @@ import numpy as np
 from boresight import BoresightError, did_you_mean
 from boresight.runtime.arguments import whole
 from boresight.runtime.array import Array
-from boresight.runtime.compiled import CompiledFilter, Given, Taking
+from boresight.runtime.filter.compiled import CompiledFilter, Given, Taking
 from boresight.runtime.status import Status
 
 
