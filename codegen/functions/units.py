@@ -17,9 +17,9 @@ from boresight.codegen.functions.reference import Entries, evaluator
 from boresight.codegen.functions.samples import generator, sample
 from boresight.codegen.functions.tape import BOUNDED, Tape, share_reciprocals, tape
 from boresight.derive.checks import expressions, fail
-from boresight.derive.model import Measurement, Model, Variable, symbols_in
+from boresight.derive.model import Function, Measurement, Model, Variable, symbols_in
 
-TRIED = 8  # points, and as many small ones, at which the roundings of equal values are compared
+TRIED = 128  # points, and as many small ones, at which the roundings of equal values are compared
 Values = Mapping[str, Sequence[Any]]  # field name -> components, floats or balls
 
 
@@ -88,8 +88,13 @@ def units(model: Model) -> list[Unit]:
                 except BoresightError as error:
                     fail(item.part, f"{item.entry(i, j)}: {error}")
         raise
-    guarded = any(step.op in BOUNDED for unit in made for step in unit.tape.steps)
-    return [replace(unit, guarded=guarded) for unit in made]
+    return made
+
+
+def guarded(part: list[Unit]) -> list[Unit]:
+    """The units of one part of a model, which answer with finite numbers only if one of them has what may give none."""
+    bounded = any(step.op in BOUNDED for unit in part for step in unit.tape.steps)
+    return [replace(unit, guarded=bounded) for unit in part]
 
 
 class UnitMaker:
@@ -104,9 +109,22 @@ class UnitMaker:
         self.anywhere = {
             v.name: [lo / 4 + hi * 3 / 4 for lo, hi in zip(v.low, v.high, strict=True)] for v in self.variables
         }
-        rng = generator("roundings", model.name)
-        drawn = [sample(self.variables, 0, TRIED, rng, small=small) for small in (False, True)]
-        self.points = [np.vstack(both) for both in zip(*drawn, strict=True)]
+
+    def points(self, unit: str) -> list[np.ndarray]:
+        """(2 TRIED, size) of each variable, at which the roundings of a unit are compared.
+
+        Each input and each block of states is drawn by its own name and the unit's, so that what the unit does not
+        read moves none of its points.
+        """
+
+        def drawn(v: Variable) -> np.ndarray:
+            rng = generator("roundings", unit, v.name)
+            return np.vstack([sample((v,), 0, TRIED, rng, small=small)[0] for small in (False, True)])
+
+        return [
+            np.hstack(list(map(drawn, self.model.states)) or [np.empty((2 * TRIED, 0))]),
+            *map(drawn, self.model.inputs),
+        ]
 
     def convert(self, *matrices: sp.Matrix) -> list[Any]:
         return to_casadi(list(matrices), self.symbols)
@@ -138,7 +156,7 @@ class UnitMaker:
         equations: tuple[str, ...],
     ) -> Unit:
         """results: each SX matrix with its description, whose shape and non-zeros are filled in here."""
-        outputs = identified(list(self.vectors.values()), [value for value, _ in results], self.points)
+        outputs = identified(list(self.vectors.values()), [value for value, _ in results], self.points(name))
         outputs = [out if out.nnz() else one_zero(out) for out in outputs]
         read = {s.name() for s in ca.symvar(ca.vertcat(*(ca.vec(ca.densify(out)) for out in outputs)))}
         args = tuple(v for v in self.variables if read & {self.vectors[v.name][i].name() for i in range(v.size)})
@@ -178,29 +196,26 @@ class UnitMaker:
         from boresight.codegen.functions.dynamics import dynamics  # which makes units itself
 
         model = self.model
-        made = dynamics(self) if model.n else []
-        for measurement in model.measurements:
-            made += self.measurement(measurement)
-        for f in model.functions:
-            values = self.convert(*(output.value for output in f.outputs))
-            made.append(
-                self.unit(
-                    f.name,
-                    f.meaning,
-                    [
-                        (
-                            v,
-                            described(
-                                o.name, o.unit, o.meaning + (f", {o.frame}" if o.frame else ""), low=o.low, high=o.high
-                            ),
-                        )
-                        for o, v in zip(f.outputs, values, strict=True)
-                    ],
-                    self.numeric(*(output.value for output in f.outputs)),
-                    f.equations,
+        parts = [dynamics(self)] if model.n else []
+        parts += [self.measurement(measurement) for measurement in model.measurements]
+        parts += [[self.function(f)] for f in model.functions]
+        return [unit for part in parts for unit in guarded(part)]
+
+    def function(self, f: Function) -> Unit:
+        values = self.convert(*(output.value for output in f.outputs))
+        return self.unit(
+            f.name,
+            f.meaning,
+            [
+                (
+                    v,
+                    described(o.name, o.unit, o.meaning + (f", {o.frame}" if o.frame else ""), low=o.low, high=o.high),
                 )
-            )
-        return made
+                for o, v in zip(f.outputs, values, strict=True)
+            ],
+            self.numeric(*(output.value for output in f.outputs)),
+            f.equations,
+        )
 
     def measurement(self, m: Measurement) -> list[Unit]:
         made = []

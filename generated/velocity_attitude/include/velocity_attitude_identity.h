@@ -20,7 +20,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "5e11be5d5040a3c0b06605fd7ba2a18edf9b3d22741c933ccc2ec7951f86bb80"
+#define VA_MODEL_HASH "886aa84726811204b8309d524c7ed768eb4c73fbe9537cc09e8bfa05aa0196c7"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

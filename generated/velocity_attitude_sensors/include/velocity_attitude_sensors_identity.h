@@ -20,7 +20,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "1e9b3c601032700ce4b98358d00dd01533b9229304c14b883256d2bf44c65e83"
+#define VAS_MODEL_HASH "a020ed46479232fb8191b6ca54d2b62796c3b8f387f256177748df475a1097d4"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1
