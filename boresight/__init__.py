@@ -1,6 +1,28 @@
 """Boresight: from the equations of an inertial-navigation filter to C that can be flown.
 
-The conventions, said once; every generated artefact prints them, docs/conventions.md explains them.
+State a model
+    `Model`, `Variable`, `variable`, `constant`, `Struct`, `Measurement`, `Function`, `Output`, `Mechanics`, the frames
+    `NED` and `ENU`; ready parts in `mechanics`, `variables` and `models`.
+Make C
+    `generate`, `verify`, `export`.
+Fly
+    `load` gives a `Library`; `Filter`, `CompiledFilter` and `Epoch` fly it, and `update` returns an `Innovation`;
+    `Consistency` and `observability` judge the flight.
+Align in flight
+    `Transfer`, `Message`, `Rules`, `Clock`; the start, and sensors that are not ideal, in `transfer`.
+Recordings
+    `read`; `detector` finds where an IMU is at rest.
+Many runs
+    `many`, `Experiment`, `Goal`.
+Arrays
+    `rotation`, `frames`, `units`, and the simulators of `simulation`.
+Errors
+    `BoresightError`: one line, what is wrong, where, and what to do.
+
+These names are the public interface, each imported as `from boresight import NAME`; a change of one stands in the
+changelog.  Everything else, the modules that they come from included, may change without notice.
+
+The conventions; every generated artefact prints them, docs/conventions.md explains them.
 
 - Error = computed - true.  ``C_hat = (I - [e x]) C``: the small rotation ``e`` is what must be applied to remove it.
 - ``C_b2n`` takes body components to navigation components: ``v_n = C_b2n @ v_b``.  NED with front-right-down,
@@ -11,41 +33,65 @@ The conventions, said once; every generated artefact prints them, docs/conventio
 - Matrices are row-major.
 """
 
-from collections.abc import Iterable
-from importlib.util import find_spec
+from boresight.errors import BoresightError as BoresightError
 
 __version__ = "0.1.0"
 
-# The modules that each extra of the installation brings.
-EXTRAS = {
-    "derive": ("sympy", "mpmath", "flint", "casadi", "jinja2", "markupsafe", "pint"),
-    "replay": ("pydantic", "pandas", "matplotlib", "jinja2", "markdown_it"),
-    "parquet": ("pandas", "pyarrow"),
-    "excel": ("pandas", "openpyxl"),
-    "hdf5": ("h5py",),
-    "ulog": ("pyulog",),
-    "ardupilot": ("pymavlink",),
-    "ros": ("rosbags",),
-    "cluster": ("dask", "distributed"),
-    "cli": ("typer", "rich"),
+# Each public name: the module that it is, or the module that has it and its name there.  `__init__.pyi` repeats it.
+PUBLIC = {
+    "Model": "boresight.derive.model:Model",
+    "Variable": "boresight.derive.model:Variable",
+    "variable": "boresight.derive.model:variable",
+    "constant": "boresight.derive.constant:constant",
+    "Struct": "boresight.derive.model:Struct",
+    "Measurement": "boresight.derive.model:Measurement",
+    "Function": "boresight.derive.model:Function",
+    "Output": "boresight.derive.model:Output",
+    "Mechanics": "boresight.derive.model:Mechanics",
+    "NED": "boresight.derive.mechanics.earth:NED",
+    "ENU": "boresight.derive.mechanics.earth:ENU",
+    "mechanics": "boresight.mechanics",
+    "variables": "boresight.derive.models.variables",
+    "models": "boresight.models",
+    "generate": "boresight.codegen.generate:generate",
+    "verify": "boresight.codegen.verify:verify",
+    "export": "boresight.codegen.export:export",
+    "load": "boresight.runtime.library:load",
+    "Library": "boresight.runtime.library:Library",
+    "Filter": "boresight.runtime.filter:Filter",
+    "CompiledFilter": "boresight.runtime.compiled:CompiledFilter",
+    "Epoch": "boresight.runtime.epoch:Epoch",
+    "Innovation": "boresight.runtime.filter:Innovation",
+    "Consistency": "boresight.studies.consistency:Consistency",
+    "observability": "boresight.studies.observability",
+    "Transfer": "boresight.runtime.transfer:Transfer",
+    "Message": "boresight.runtime.transfer:Message",
+    "Rules": "boresight.runtime.transfer:Rules",
+    "Clock": "boresight.runtime.clock:Clock",
+    "transfer": "boresight.runtime.transfer",
+    "read": "boresight.runtime.recording:read",
+    "detector": "boresight.runtime.detector",
+    "many": "boresight.runtime.runs:many",
+    "Experiment": "boresight.runtime.runs:Experiment",
+    "Goal": "boresight.runtime.runs:Goal",
+    "rotation": "boresight.runtime.rotation",
+    "frames": "boresight.runtime.frames",
+    "units": "boresight.runtime.units",
+    "simulation": "boresight.simulation",
+    "BoresightError": "boresight.errors:BoresightError",
 }
+__all__ = list(PUBLIC)
 
 
-class BoresightError(Exception):
-    """One line for the user: what is wrong, where, and what to do about it."""
+def __getattr__(name: str) -> object:
+    """A public name, imported when it is first asked for: `import boresight` loads neither NumPy nor SymPy."""
+    if name not in PUBLIC:
+        raise AttributeError(f"module 'boresight' has no attribute {name!r}", name=name, obj=__import__(__name__))
+    from pkgutil import resolve_name
+
+    value = globals()[name] = resolve_name(PUBLIC[name])
+    return value
 
 
-def need(extra: str) -> None:
-    """Raise a BoresightError that says what to install, unless all modules of the extra are there."""
-    missing = [name for name in EXTRAS[extra] if find_spec(name) is None]
-    if missing:
-        raise BoresightError(f"{', '.join(missing)} not found; run pip install 'boresight[{extra}]'")
-
-
-def did_you_mean(name: str, known: Iterable[str]) -> str:
-    """` (did you mean 'gyro_noise'?)` where one of the known names is like this one, else nothing."""
-    from difflib import get_close_matches
-
-    folded = {other.lower(): other for other in known}
-    close = get_close_matches(name.lower(), folded, 1)
-    return f" (did you mean {folded[close[0]]!r}?)" if close else ""
+def __dir__() -> list[str]:
+    return list(PUBLIC)

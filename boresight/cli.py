@@ -8,7 +8,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, Any
 
-from boresight import BoresightError, __version__, need
+from boresight import __version__
+from boresight.errors import BoresightError, need
 
 try:
     import typer
@@ -612,7 +613,7 @@ def many(
     if as_json:
         print_json(found.document())
     else:
-        terminal.page_text(r.report(found) + "\n")
+        terminal.page_text(found.report() + "\n")
     raise typer.Exit(1 if found.reached is False else 0)
 
 

@@ -1,5 +1,5 @@
 """From a model to CasADi functions, to C, and to the proof that the C is right."""
 
-from boresight import need
+from boresight.errors import need
 
 need("derive")

@@ -15,9 +15,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from boresight import BoresightError, __version__, did_you_mean
+from boresight import __version__
 from boresight.codegen.stamp import PACKAGE, made_from
 from boresight.derive.models import MODELS, built_in
+from boresight.errors import BoresightError, did_you_mean
 
 VERSIONED = ("casadi", "numpy", "sympy")  # what the bytes of the output depend on, beside Boresight itself
 COMPONENTS = ("stationary-detector",)  # C that comes from no model

@@ -9,12 +9,14 @@ import re
 from functools import cache
 from pathlib import Path
 
-from boresight import BoresightError
+import boresight
+from boresight import PUBLIC, BoresightError
 
 PACKAGE = Path(__file__).resolve().parent.parent  # of the layers: the checkout, or boresight/ where it is installed
+FRONT = Path(boresight.__file__).parent  # where the public names are; in the checkout it has links to the layers
 GENERATOR = tuple(PACKAGE / "codegen" / name for name in ("functions", "text", "templates"))
-# What judges and shows a model, imported only when it is asked to: no C is made by it.
-BESIDE = re.compile(r"boresight\.derive\.(ledger|pages|papers\.\w+\.paper)\b")
+# What judges and shows a model, imported only when it is asked to, and words of errors: no C is made by it.
+BESIDE = re.compile(r"boresight\.(errors|derive\.(ledger|pages|papers\.\w+\.paper))\b")
 
 
 def made_from(model: Path | None) -> dict[str, str]:
@@ -47,7 +49,9 @@ def imported(path: Path) -> tuple[str, ...]:
 def located(name: str) -> tuple[Path, ...]:
     """The file of a module of Boresight and those of the packages that it lies in; none for other people's."""
     first, *parts = name.split(".")
-    places = [PACKAGE.joinpath(*parts[: k + 1]) for k in range(len(parts))] if first == "boresight" else []
+    if first == "boresight" and parts and parts[0] in PUBLIC:
+        _, *parts = PUBLIC[parts[0]].partition(":")[0].split(".")
+    places = [FRONT.joinpath(*parts[: k + 1]) for k in range(len(parts))] if first == "boresight" else []
     files = [file for place in places for file in (place.with_suffix(".py"), place / "__init__.py")]
     return tuple(file.resolve() for file in files if file.is_file())
 

@@ -11,9 +11,10 @@ from pathlib import Path
 from types import FrameType, ModuleType
 from typing import Any, NoReturn
 
-from boresight import BoresightError, did_you_mean
-from boresight.codegen.stamp import PACKAGE
+import boresight
+from boresight import PUBLIC
 from boresight.derive.where import line_of
+from boresight.errors import BoresightError, did_you_mean
 
 
 def run(path: Path) -> ModuleType:
@@ -85,34 +86,28 @@ def remedy(error: BaseException, frame: FrameType | None, path: Path) -> str:
 
 
 def module_meant(name: str) -> str:
-    """For a module that is not found: one of Boresight's with the same last name, or an installed one like it."""
-    ours = {f"boresight.{'.'.join(path.relative_to(PACKAGE).with_suffix('').parts)}" for path in sources()}
-    ours = {one.removesuffix(".__init__") for one in ours}
+    """For a module that is not found: the public name that was meant, or an installed module like it."""
     first, last = name.split(".")[0], name.split(".")[-1]
-    if first == "boresight" or any(one.endswith(f".{name}") for one in ours):
-        same = sorted((one for one in ours if one.split(".")[-1] == last), key=len)
-        return f" (did you mean {same[0]!r}?)" if same else did_you_mean(name, ours)
+    if last in PUBLIC and first in ("boresight", last):
+        return f" (did you mean 'from boresight import {last}'?)"
+    if first == "boresight":
+        return "; its names are imported from boresight itself, as 'from boresight import Model, variable'"
     return (
         did_you_mean(name, {*sys.stdlib_module_names, *packages_distributions()}) or "; install it, or remove the line"
     )
 
 
 def name_meant(name: str, module: str) -> str:
-    """For a name that a module does not have: one like it, or the module of Boresight that has it."""
+    """For a name that a module does not have: one like it, or where Boresight has it."""
     close = did_you_mean(name, dir(sys.modules[module])) if module in sys.modules else ""
     if close or not module.startswith("boresight"):
         return close
-    defines = re.compile(rf"^(?:def|class) {name}\b|^{name}\b.* = ", re.MULTILINE)
-    for path in sorted(sources(), key=lambda path: ("mechanics" not in path.parts, path)):
-        if path.name != "__init__.py" and defines.search(path.read_text(encoding="utf-8")):
-            parts = path.relative_to(PACKAGE).with_suffix("").parts
-            return f"; it is in boresight.{'.'.join(parts)}"
+    if name in PUBLIC:
+        return f"; write 'from boresight import {name}'"
+    for place in ("mechanics", "variables", "models"):
+        if hasattr(getattr(boresight, place), name):
+            return f"; it is in {place}: write 'from boresight import {place}'"
     return ""
-
-
-def sources() -> list[Path]:
-    """What of Boresight a model may import."""
-    return [path for layer in ("derive", "runtime") for path in (PACKAGE / layer).rglob("*.py")]
 
 
 def keyword_meant(function: str, keyword: str, frame: FrameType) -> str:

@@ -3,6 +3,6 @@
 Nothing here writes files, but for `render.pdf_from_latex`, which runs pdflatex in a folder that it removes again.
 """
 
-from boresight import need
+from boresight.errors import need
 
 need("derive")

@@ -16,8 +16,8 @@ import sympy
 from sympy import Expr, I, Matrix, MatrixBase, Symbol, nan, oo, zoo
 from sympy.core.function import AppliedUndef
 
-from boresight import BoresightError, did_you_mean
 from boresight.derive.model import Model, Struct, Variable, parts_of, symbols_in
+from boresight.errors import BoresightError, did_you_mean
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
 RESULTS = ("F", "Phi", "Q", "Qc")  # the functions of models with states

@@ -9,13 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
-from boresight.codegen.generate import generate
-from boresight.runtime import rotation
-from boresight.runtime.filter import CompiledFilter
-from boresight.runtime.library import load
-from boresight.runtime.simulation import inertial
-from boresight.runtime.units import DEG
-from boresight.studies.consistency import Consistency
+from boresight import CompiledFilter, Consistency, generate, load, rotation
+from boresight.simulation import inertial
 
 MODEL = f"{Path(__file__).parent}/gnss_ins.py:GNSS_INS"
 RUNS, SECONDS = 20, 120
@@ -29,19 +24,20 @@ LATE = 6  # samples, 0.12 s
 
 # One sigma: noise densities of the sensors, of a fix, and of what is known at the start.
 NOISE = {
-    "gyro_noise": np.full(3, 0.2 * DEG / 60),  # 0.2 deg/sqrt(h)
+    "gyro_noise": np.full(3, np.radians(0.2) / 60),  # 0.2 deg/sqrt(h)
     "accel_noise": np.full(3, 1e-3),  # 100 ug/sqrt(Hz)
     "gyro_bias_noise": np.full(3, 1e-7),
     "accel_bias_noise": np.full(3, 1e-5),
 }
 FIX_M, FIX_M_S = 1.0, 0.05
-START = np.concatenate([5.0 / GROUND[:2], [5.0], [0.2] * 3, np.array([0.5, 0.5, 2]) * DEG, [2e-4] * 3, [0.03] * 3])
+START = np.concatenate([5.0 / GROUND[:2], [5.0], [0.2] * 3, np.radians([0.5, 0.5, 2]), [2e-4] * 3, [0.03] * 3])
 
+DEGREE = np.degrees(1)
 SHOWN = {
     **dict(zip(("north, m", "east, m", "height, m"), GROUND, strict=True)),
     **{f"velocity {axis}, m/s": 1.0 for axis in ("north", "east", "down")},
-    **{f"attitude {axis}, deg": 1 / DEG for axis in ("north", "east", "down")},
-    **{f"gyro bias {axis}, deg/h": 3600 / DEG for axis in "xyz"},
+    **{f"attitude {axis}, deg": DEGREE for axis in ("north", "east", "down")},
+    **{f"gyro bias {axis}, deg/h": 3600 * DEGREE for axis in "xyz"},
     **{f"accel bias {axis}, mm/s^2": 1e3 for axis in "xyz"},
 }
 

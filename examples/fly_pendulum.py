@@ -9,12 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from boresight.codegen.generate import generate
-from boresight.runtime.array import wrapped
-from boresight.runtime.filter import CompiledFilter
-from boresight.runtime.library import load
-from boresight.runtime.units import DEG
-from boresight.studies.consistency import Consistency
+from boresight import CompiledFilter, Consistency, generate, load, rotation
 
 MODEL = f"{Path(__file__).parent}/pendulum.py:PENDULUM"
 RUNS, SECONDS = 50, 10
@@ -27,7 +22,7 @@ JITTER = 0.05  # rad/s/sqrt(s): noise density of the angular acceleration
 ENCODER = 0.02  # rad, one sigma
 BEGIN, START = np.array([2.0, 6.0]), np.array([0.1, 0.3])  # rad, rad/s: where it is let go, and one sigma
 
-SHOWN = {"angle, deg": 1 / DEG, "rate, deg/s": 1 / DEG}
+SHOWN = {"angle, deg": np.degrees(1), "rate, deg/s": np.degrees(1)}
 
 
 def rate_of(x):
@@ -56,10 +51,10 @@ def fly(library, runs=RUNS, seed=0):
         truth = moved(truth, DT, rng)
         loop.predict(rod=[LENGTH, DAMPING], dt=DT, torque=JITTER)
         if k % EVERY == 0:
-            z = wrapped(truth[:, :1] + ENCODER * rng.standard_normal((runs, 1)))
+            z = rotation.wrapped(truth[:, :1] + ENCODER * rng.standard_normal((runs, 1)))
             judged.innovation(k * DT, "encoder", loop.update("encoder", R=ENCODER**2, z=z))
             error = loop.x - truth
-            error[:, 0] = wrapped(error[:, 0])
+            error[:, 0] = rotation.wrapped(error[:, 0])
             judged.error(k * DT, error, loop.P)
     return judged
 

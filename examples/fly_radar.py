@@ -9,12 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from boresight.codegen.generate import generate
-from boresight.runtime.array import wrapped
-from boresight.runtime.filter import CompiledFilter
-from boresight.runtime.library import load
-from boresight.runtime.units import DEG
-from boresight.studies.consistency import Consistency
+from boresight import CompiledFilter, Consistency, generate, load, rotation
 
 MODEL = f"{Path(__file__).parent}/radar.py:RADAR"
 RUNS, SECONDS = 50, 120
@@ -35,7 +30,7 @@ SHOWN = {
     "east, m": 1.0,
     "velocity north, m/s": 1.0,
     "velocity east, m/s": 1.0,
-    "turn, deg/s": 1 / DEG,
+    "turn, deg/s": np.degrees(1),
 }
 
 
@@ -71,7 +66,7 @@ def fly(library, runs=RUNS, seed=0):
         z += ECHO * rng.standard_normal((runs, 2))
         clutter = rng.random(runs) < CLUTTER
         z[clutter] = np.stack([rng.uniform(500, 50000, runs), rng.uniform(-np.pi, np.pi, runs)], axis=-1)[clutter]
-        z[:, 1] = wrapped(z[:, 1])
+        z[:, 1] = rotation.wrapped(z[:, 1])
 
         found = loop.update("echo", R=ECHO**2, z=z, gate=GATE)
         judged.innovation(k * DT, "echo", found)

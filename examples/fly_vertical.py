@@ -9,10 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from boresight.codegen.generate import generate
-from boresight.runtime.filter import CompiledFilter
-from boresight.runtime.library import load
-from boresight.studies.consistency import Consistency
+from boresight import CompiledFilter, Consistency, generate, load
 
 MODEL = f"{Path(__file__).parent}/vertical.py:VERTICAL"
 RUNS, SECONDS = 20, 60

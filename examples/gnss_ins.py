@@ -10,19 +10,23 @@ Change FRAME to ENU, and everything follows: state, F, G, measurements and C.
 
 from sympy import Matrix, eye, zeros
 
-from boresight.derive.mechanics.earth import NED
-from boresight.derive.mechanics.error_models import displacement_by_position, noise_matrix, phi_matrix
-from boresight.derive.mechanics.mechanization import along, metres, omega_in_n, velocity_rate
-from boresight.derive.mechanics.rotation import (
+from boresight import NED, Function, Measurement, Model, Output, Struct, variable
+from boresight import variables as var
+from boresight.mechanics import (
+    along,
     dcm_from_quaternion,
+    displacement_by_position,
+    metres,
+    noise_matrix,
     normalized,
+    omega_in_n,
+    phi_matrix,
     quaternion_from_rotation_vector,
     quaternion_product,
     skew,
     small_rotation,
+    velocity_rate,
 )
-from boresight.derive.model import Function, Measurement, Model, Output, Struct, variable
-from boresight.derive.models import variables as var
 
 FRAME = NED
 

@@ -6,7 +6,7 @@ boresight verify examples/own_model.py:TANK
 
 from sympy import Matrix, sqrt
 
-from boresight.derive.model import Measurement, Model, Struct, constant, variable
+from boresight import Measurement, Model, Struct, constant, variable
 
 level = variable("level", "depth", "m", "depth of the water", 0.01, 5.0)
 meter = variable("meter", "offset", "m", "offset of the meter", -0.5, 0.5)

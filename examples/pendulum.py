@@ -6,7 +6,7 @@ boresight verify pendulum.py:PENDULUM
 
 from sympy import Matrix, pi, sin
 
-from boresight.derive.model import Measurement, Model, Struct, constant, variable
+from boresight import Measurement, Model, Struct, constant, variable
 
 GRAVITY = constant("g", "9.81", "m/s^2", "gravity")
 HALF_TURN = float(pi)

@@ -7,7 +7,7 @@ python fly_radar.py
 
 from sympy import Matrix, atan2, sqrt
 
-from boresight.derive.model import Measurement, Model, Struct, variable
+from boresight import Measurement, Model, Struct, variable
 
 # The target, seen from the radar: a total state, flown by f.
 # It stays south of the radar, where the bearing wraps; at the radar itself a bearing has no value.

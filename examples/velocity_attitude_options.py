@@ -9,9 +9,8 @@ like these: states, what carries and corrects their estimates, and the terms by 
 
 from dataclasses import replace
 
-from boresight.derive.model import Model
-from boresight.derive.models.velocity_attitude import velocity_attitude
-from boresight.derive.models.velocity_attitude_sensors import bent, scaled
+from boresight import Model
+from boresight.models import bent, scaled, velocity_attitude
 
 
 def flexure() -> Model:

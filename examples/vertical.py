@@ -7,7 +7,7 @@ python fly_vertical.py
 
 from sympy import Matrix
 
-from boresight.derive.model import Function, Measurement, Mechanics, Model, Output, Struct, constant, variable
+from boresight import Function, Measurement, Mechanics, Model, Output, Struct, constant, variable
 
 GRAVITY = constant("g", "9.81", "m/s^2", "gravity")
 

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from boresight import BoresightError, did_you_mean
+from boresight.errors import BoresightError, did_you_mean
 from boresight.runtime.array import Array
 
 MOST_ITERATIONS = 64  # as BS_MOST_ITERATIONS in boresight_filter.h

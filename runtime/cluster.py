@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from boresight import BoresightError, need
+from boresight.errors import BoresightError, need
 from boresight.runtime.manifest import cache_folder, read_manifest
 
 need("cluster")

@@ -9,7 +9,7 @@ from typing import Any
 
 from platformdirs import user_cache_path
 
-from boresight import BoresightError
+from boresight.errors import BoresightError, did_you_mean
 
 GENERATED = Path(__file__).parent.parent / "generated"
 EVIDENT = ("src/", "include/", "selftest/")
@@ -37,8 +37,8 @@ def folder_of(model: str | Path) -> Path:
     if (Path(model) / "manifest.json").is_file():
         return Path(model)
     raise BoresightError(
-        f"no generated model {str(model)!r}; built in are {', '.join(built_in())}; for your own, give the folder that "
-        "'boresight generate' wrote"
+        f"no generated model {str(model)!r}{did_you_mean(str(model), built_in())}; built in are "
+        f"{', '.join(built_in())}; for your own, give the folder that 'boresight generate FILE.py:NAME' wrote"
     )
 
 

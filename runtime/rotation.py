@@ -10,6 +10,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from boresight.runtime.array import Array
+from boresight.runtime.array import wrapped as wrapped
 
 
 def matrix_from_euler(euler: Any) -> Array:

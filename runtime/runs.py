@@ -27,15 +27,15 @@ from typing import Any
 
 import numpy as np
 
-from boresight import BoresightError, did_you_mean
+from boresight.errors import BoresightError, did_you_mean
 from boresight.runtime.arguments import whole
 from boresight.runtime.array import Array
 from boresight.runtime.library import Library, load
 from boresight.runtime.manifest import folder_of, read_manifest
 from boresight.runtime.store import BLOCK, Store
-from boresight.runtime.summary import Experiment, Goal, Known, Outcome, report
+from boresight.runtime.summary import Experiment, Goal, Known, Outcome
 
-__all__ = ["Experiment", "Goal", "Outcome", "many", "report"]
+__all__ = ["Experiment", "Goal", "Outcome", "many"]
 
 GROWTH = 1.25  # from one count of runs, at which it is asked whether enough is known, to the next
 

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from boresight import BoresightError, need
+from boresight.errors import BoresightError, need
 from boresight.runtime.array import Array
 
 BLOCK = 1024  # runs of a file; a power of two, so that each is a node of the tree of sums

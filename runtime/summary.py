@@ -70,6 +70,26 @@ class Outcome:
         """For JSON."""
         return {name: value for name, value in vars(self).items() if name != "values"}
 
+    def report(self) -> str:
+        """A table in text: the percentiles, and the means that a consistent filter is known to have."""
+        lines = [f"{self.experiment}: {self.runs} runs, seed {self.seed}" + f", {self.lost} lost" * bool(self.lost)]
+        width = max(map(len, (*self.percentiles, *self.columns)))
+        for name, one in self.percentiles.items():
+            unit = self.columns[name]["unit"]
+            for p, numbers in one.items():
+                value, low, high = ("beyond" if number is None else f"{number:.4g}" for number in numbers)
+                lines.append(f"  {name:{width}} {p:>3} %  {value:>9} {unit}  ({low} to {high})")
+        for name, column in self.columns.items():
+            if "expected" in column and column["interval"] is not None:
+                low, high = column["interval"]
+                lines.append(
+                    f"  {name:{width}}  mean  {column['mean']:9.4g} {column['unit']}  ({low:.4g} to {high:.4g}), "
+                    f"{column['expected']:g} of a consistent filter"
+                )
+        if self.reached is not None:
+            lines.append("the goal is reached" if self.reached else "the goal is NOT reached; give it more runs")
+        return "\n".join([*lines, f"SHA-256 {self.digest}"])
+
 
 @dataclass(frozen=True)
 class Moments:
@@ -201,24 +221,3 @@ class Known:
         if self.store.folder is None:
             values = np.concatenate([self.store.block(block)[0] for block in range(len(self.digests))])[: self.runs]
         return Outcome(self.experiment.name, int(seed), **summary, reached=reached, digest=digest, values=values)
-
-
-def report(found: Outcome) -> str:
-    """A table in text: the percentiles, and the means that a consistent filter is known to have."""
-    lines = [f"{found.experiment}: {found.runs} runs, seed {found.seed}" + f", {found.lost} lost" * bool(found.lost)]
-    width = max(map(len, (*found.percentiles, *found.columns)))
-    for name, one in found.percentiles.items():
-        unit = found.columns[name]["unit"]
-        for p, numbers in one.items():
-            value, low, high = ("beyond" if number is None else f"{number:.4g}" for number in numbers)
-            lines.append(f"  {name:{width}} {p:>3} %  {value:>9} {unit}  ({low} to {high})")
-    for name, column in found.columns.items():
-        if "expected" in column and column["interval"] is not None:
-            low, high = column["interval"]
-            lines.append(
-                f"  {name:{width}}  mean  {column['mean']:9.4g} {column['unit']}  ({low:.4g} to {high:.4g}), "
-                f"{column['expected']:g} of a consistent filter"
-            )
-    if found.reached is not None:
-        lines.append("the goal is reached" if found.reached else "the goal is NOT reached; give it more runs")
-    return "\n".join([*lines, f"SHA-256 {found.digest}"])

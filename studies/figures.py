@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from boresight import BoresightError, need
+from boresight.errors import BoresightError, need
 
 STYLE: Any = {
     "font.family": "sans-serif",

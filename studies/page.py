@@ -6,7 +6,8 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from boresight import __version__, need
+from boresight import __version__
+from boresight.errors import need
 
 
 def page(title: str, report: str, pictures: Iterable[tuple[str, Path]] = (), numbers: Any = None) -> str:

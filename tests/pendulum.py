@@ -2,7 +2,7 @@
 
 from sympy import Matrix, sin
 
-from boresight.derive.model import Function, Measurement, Model, Output, Struct, constant, variable
+from boresight import Function, Measurement, Model, Output, Struct, constant, variable
 
 swing = variable("swing", "angle rate", "rad, rad/s", "state of the pendulum", -3.0, 3.0)
 plant = variable("plant", "length damping", "m, 1/s", "its length and damping", (0.1, 0.0), (10.0, 1.0))

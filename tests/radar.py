@@ -3,7 +3,7 @@ other; a range from so near that it is strongly nonlinear."""
 
 from sympy import Matrix, atan2, sqrt
 
-from boresight.derive.model import Measurement, Model, Struct, variable
+from boresight import Measurement, Model, Struct, variable
 
 HALF_TURN = 3.141592653589793
 TURN = (-4 * HALF_TURN, 4 * HALF_TURN)

@@ -62,7 +62,9 @@ def command(line):
 def own_modules():
     """What a page imports of its folder is not there for the next page."""
     before = set(sys.modules)
+    sys.path.insert(0, str(Path.cwd()))  # as a prompt in this folder has it
     yield
+    sys.path.remove(str(Path.cwd()))
     for name in set(sys.modules) - before:
         if str(Path.cwd()) in str(getattr(sys.modules[name], "__file__", "")):
             del sys.modules[name]

@@ -14,7 +14,7 @@ import pytest
 from conftest import ROOT
 from tools import tool
 
-from boresight import EXTRAS
+from boresight.errors import EXTRAS
 
 
 @pytest.fixture(scope="module")

@@ -19,9 +19,10 @@ WIDTH = 100
 ROW = re.compile(r"^Row: mechanics (.+)\.$", re.MULTILINE)  # of a docstring: where the ledger judges the function
 HEAD = """# Reference: the pieces that models are made of
 
-Functions of `boresight.derive.mechanics`, which take and return SymPy expressions. Every number is
-in SI units, every angle in rad. `frame` is `NED` or `ENU` of `earth`; what has no other frame named
-is resolved in that level. [Mechanics](../mechanics.md) says what holds them, and
+Functions of `boresight.mechanics`, which take and return SymPy expressions: `from
+boresight.mechanics import skew`. Every number is in SI units, every angle in rad. `frame` is `NED`
+or `ENU`; what has no other frame named is resolved in that level. [Mechanics](../mechanics.md) says
+what holds them, and
 [compose](../how-to/compose.md) shows how a model is made of them. A row is one of
 `boresight equations mechanics`; `boresight show mechanics ROW` derives it.
 

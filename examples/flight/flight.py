@@ -9,11 +9,7 @@ from pathlib import Path
 import numpy as np
 from make_recording import MASTER, Setup, read
 
-from boresight import BoresightError
-from boresight.runtime import rotation
-from boresight.runtime.filter import Filter
-from boresight.runtime.library import load
-from boresight.runtime.units import DEG, MIL
+from boresight import BoresightError, Filter, load, rotation, units
 
 PAST, HALF, EVERY, GATE, ASTRAY = 64, 4, 8, 6.0, 5  # of flight.h
 LINE = "{:4d} {:12.7f} {:10.6f} {:10.6f} {:10.6f} {:10.6f} {:9.5f} {:9.5f}"
@@ -133,9 +129,9 @@ class Flight:
     def line(self) -> np.ndarray:
         """(7,) heading in deg, its sigma in mil, misalignment in deg, delay and its sigma in ms."""
         nav, sigma = self.loop.nav, np.sqrt(np.diag(self.loop.P))
-        heading = rotation.euler_from_matrix(rotation.matrix_from_quaternion(nav["q_b2n_wxyz"]))[2] / DEG % 360
-        mu = rotation.vector_from_matrix(rotation.matrix_from_quaternion(nav["q_b2m_wxyz"])) / DEG
-        return np.array([heading, sigma[2] / MIL, *mu, 1e3 * nav["tau"], 1e3 * sigma[15]])
+        heading = rotation.euler_from_matrix(rotation.matrix_from_quaternion(nav["q_b2n_wxyz"]))[2] / units.DEG % 360
+        mu = rotation.vector_from_matrix(rotation.matrix_from_quaternion(nav["q_b2m_wxyz"])) / units.DEG
+        return np.array([heading, sigma[2] / units.MIL, *mu, 1e3 * nav["tau"], 1e3 * sigma[15]])
 
 
 def fly(path: Path) -> np.ndarray:

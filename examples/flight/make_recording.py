@@ -14,10 +14,8 @@ from typing import Any
 
 import numpy as np
 
-from boresight.runtime import rotation
-from boresight.runtime.library import load
-from boresight.runtime.simulation import hull, inertial, sea, sensors
-from boresight.runtime.units import DEG, HOUR, STANDARD_GRAVITY
+from boresight import load, rotation, units
+from boresight.simulation import hull, inertial, sea, sensors
 
 MASTER_S = 0.0999  # its clock is 0.1 % fast, so that messages and ticks slide past each other
 WIDTH = 12  # doubles of a record
@@ -30,15 +28,15 @@ class Setup:
 
     dt: float = 1 / 400
     lever_b: tuple[float, float, float] = (3.0, 1.0, -1.0)
-    gyro_noise: float = 0.15 * DEG / HOUR**0.5
-    accel_noise: float = 0.05 / HOUR**0.5
+    gyro_noise: float = 0.15 * units.DEG / units.HOUR**0.5
+    accel_noise: float = 0.05 / units.HOUR**0.5
     velocity_sigma: float = 0.01
-    attitude_sigma: float = 0.003 * DEG
-    mounting_sigma: tuple[float, float, float] = (0.5 * DEG, 0.5 * DEG, 2.0 * DEG)
-    start_angle_sigma: float = 0.5 * DEG
+    attitude_sigma: float = 0.003 * units.DEG
+    mounting_sigma: tuple[float, float, float] = (0.5 * units.DEG, 0.5 * units.DEG, 2.0 * units.DEG)
+    start_angle_sigma: float = 0.5 * units.DEG
     start_velocity_sigma: float = 0.7
-    gyro_bias_sigma: float = 20 * DEG / HOUR
-    accel_bias_sigma: float = 2e-3 * STANDARD_GRAVITY
+    gyro_bias_sigma: float = 20 * units.DEG / units.HOUR
+    accel_bias_sigma: float = 2e-3 * units.STANDARD_GRAVITY
     tau_sigma: float = 0.03
 
     def doubles(self) -> np.ndarray:
@@ -62,12 +60,12 @@ def record(seed: int = 1, seconds: float = 60.0, tau: float = 0.0337) -> tuple[S
     rng = sensors.generator(seed, 0)
     omega, elevation = sea.components(2.5)
     phases = hull.phases([rng], omega.shape[-1])[0]
-    ship: dict[str, Any] = {"towards": 165 * DEG, "heading": 30 * DEG, "speed": 5.0}
+    ship: dict[str, Any] = {"towards": 165 * units.DEG, "heading": 30 * units.DEG, "speed": 5.0}
     motion = hull.in_sea(hull.Hull(), omega, elevation, phases, **ship)
-    q_b2m = rotation.quaternion_from_euler(np.array([-0.4, 0.6, 2.0]) * DEG)
+    q_b2m = rotation.quaternion_from_euler(np.array([-0.4, 0.6, 2.0]) * units.DEG)
     slave = hull.carried(hull.ride(motion, time), s.lever_b, q_b2m)
     strapdown = load("velocity-attitude").strapdown
-    place = np.array([[36 * DEG, 0.1, 0.0]])  # an axis of runs, of one
+    place = np.array([[36 * units.DEG, 0.1, 0.0]])  # an axis of runs, of one
     dtheta, dv, path = inertial.increments(strapdown, place, slave.v_n[:, None], slave.q_b2n_wxyz[:, None], s.dt)
     dtheta, dv, position = dtheta[:, 0], dv[:, 0], path.position[:, 0]
 

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from boresight import BoresightError, did_you_mean
+from boresight.errors import BoresightError, did_you_mean
 from boresight.runtime.arguments import whole
 from boresight.runtime.array import Array
 from boresight.runtime.filter.compiled import CompiledFilter, Given, Taking

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from boresight import BoresightError, did_you_mean
+from boresight.errors import BoresightError, did_you_mean
 from boresight.runtime.arguments import check_inputs, check_start, check_state, check_taking
 from boresight.runtime.array import Array, wrapped
 

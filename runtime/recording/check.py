@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 
-from boresight import BoresightError, did_you_mean
+from boresight.errors import BoresightError, did_you_mean
 from boresight.runtime import frames, rotation
 from boresight.runtime.array import Array
 from boresight.runtime.recording.types import Finding, Inertial, Master, Recording

@@ -7,7 +7,7 @@ from typing import Any, Literal, get_args
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from boresight import BoresightError, did_you_mean
+from boresight.errors import BoresightError, did_you_mean
 
 
 class Part(BaseModel):

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from boresight import BoresightError, did_you_mean, need
+from boresight.errors import BoresightError, did_you_mean, need
 from boresight.runtime import frames, rotation
 from boresight.runtime.array import Array
 from boresight.runtime.calibration import Calibration

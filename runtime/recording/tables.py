@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from boresight import BoresightError, did_you_mean, need
+from boresight.errors import BoresightError, did_you_mean, need
 from boresight.runtime.array import Array
 
 Table = dict[str, Array]

@@ -9,6 +9,7 @@ Axes: `runs`, the leading axes of P, then components.  The slave's clock is one 
 their own times, run by run.  Units SI and rad, NED and front-right-down.
 """
 
+from boresight.runtime.transfer import sensors
 from boresight.runtime.transfer.filter import Transfer
 from boresight.runtime.transfer.headings import Headings
 from boresight.runtime.transfer.lever import LeverSeen
@@ -28,4 +29,5 @@ __all__ = [
     "Verdict",
     "again",
     "first",
+    "sensors",
 ]

@@ -12,7 +12,7 @@ from boresight.codegen import stamp
 GOOD = """
 from sympy import Matrix, Piecewise, Symbol, exp, nan, oo, pi, sin, sqrt
 
-from boresight.derive.model import Function, Measurement, Model, Output, Struct, constant, variable
+from boresight import Function, Measurement, Model, Output, Struct, constant, variable
 
 angle = variable("angle", "theta", "rad", "angle from hanging down", -3.0, 3.0)
 rate = variable("rate", "omega", "rad/s", "its rate", -20.0, 20.0)
@@ -317,10 +317,10 @@ MISTAKES = [
     ),
     mistake(
         "wrong import of Boresight",
-        "from boresight.derive.model",
+        "from boresight import",
+        "from boresight.model import",
         "from boresight.model",
-        "from boresight.model",
-        "did you mean 'boresight.derive.model'?",
+        "as 'from boresight import Model, variable'",
     ),
     mistake("wrong import", "from sympy import", "from simpy import", "from simpy", "did you mean 'sympy'?"),
     mistake(
@@ -331,7 +331,11 @@ MISTAKES = [
         "mean 'Function'?",
     ),
     mistake(
-        "name of another module", "import Function, Meas", "import skew, Function, Meas", "from boresight", "rotation"
+        "name of another module",
+        "import Function, Meas",
+        "import skew, Function, Meas",
+        "from boresight",
+        "in mechanics",
     ),
     mistake(
         "name with a space", 'name="swing"', 'name="My Swing"', MODEL, "lower-case words joined by '-'", "'my-swing'"

@@ -98,7 +98,7 @@ def test_a_run_that_is_lost_is_counted_and_spoils_no_mean():
     assert found.lost == 2 and np.isnan(found.values[[3, 1500]]).all()
     np.testing.assert_allclose(found.columns["a"]["mean"], good[:, 0].mean(), rtol=1e-14)
     np.testing.assert_allclose(found.columns["a"]["sd"], good[:, 0].std(ddof=1), rtol=1e-12)
-    assert "2 lost" in r.report(found)
+    assert "2 lost" in found.report()
     all_lost = r.many(experiment(lost=list(range(40))), runs=40)
     assert all_lost.lost == 40 and all_lost.columns["a"]["mean"] is None and all_lost.percentiles["a"]["50"][0] is None
     json.dumps(all_lost.document(), allow_nan=False)
@@ -123,7 +123,7 @@ def test_it_stops_where_the_interval_is_narrow_enough_and_no_later(tmp_path):
     for chunk, jobs in ((7, 2), (256, 1)):
         assert r.many(experiment(), runs=20_000, seed=5, goal=goal, chunk=chunk, jobs=jobs) == found
     short = r.many(experiment(), runs=2000, seed=5, goal=r.Goal("a", within=1e-3))
-    assert short.reached is False and short.runs == 2000 and "NOT reached" in r.report(short)
+    assert short.reached is False and short.runs == 2000 and "NOT reached" in short.report()
 
 
 # ---- what a directory keeps

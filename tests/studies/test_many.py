@@ -41,7 +41,7 @@ def test_the_filter_is_consistent_and_its_intervals_say_so(slope):
             abs(column["mean"] - expected) < 1.5 * spread + 0.01 * expected
         )  # 3 sigma, and a part of the second order
     assert slope.lost == 0
-    said = r.report(slope)
+    said = slope.report()
     assert "nees" in said and "16 of a consistent filter" in said and "6 of a consistent filter" in said
     for name in ("phi_d", "d_tau", "dmu_z"):
         ratio = slope.columns[name]["sd"] / slope.columns[f"sigma_{name}"]["mean"]
