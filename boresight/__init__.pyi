@@ -24,8 +24,8 @@ from boresight.runtime import rotation as rotation
 from boresight.runtime import transfer as transfer
 from boresight.runtime import units as units
 from boresight.runtime.clock import Clock as Clock
-from boresight.runtime.compiled import CompiledFilter as CompiledFilter
-from boresight.runtime.epoch import Epoch as Epoch
+from boresight.runtime.filter import CompiledFilter as CompiledFilter
+from boresight.runtime.filter import Epoch as Epoch
 from boresight.runtime.filter import Filter as Filter
 from boresight.runtime.filter import Innovation as Innovation
 from boresight.runtime.library import Library as Library

@@ -19,7 +19,9 @@ def pytest_addoption(parser):
 
 def spent():
     """Seconds that this process and its ended children have used."""
-    return sum(u.ru_utime + u.ru_stime for u in map(resource.getrusage, (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)))
+    return sum(
+        u.ru_utime + u.ru_stime for u in map(resource.getrusage, (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
+    )
 
 
 @pytest.hookimpl(hookwrapper=True)
@@ -59,7 +61,8 @@ def main(paths):
     read = [json.loads(Path(path).read_text()) for path in paths]
     files = [by_file(costs) for costs in read]
     tests = [{name: sum(phases.values()) for name, phases in costs.items()} for costs in read]
-    print("   ".join(f"{path}: {sum(sums.values()):.0f} s, {len(each)} tests" for path, sums, each in zip(paths, files, tests)))
+    for path, sums, each in zip(paths, files, tests, strict=True):
+        print(f"{path}: {sum(sums.values()):.0f} s, {len(each)} tests")
     for tables, most in ((files, 1000), (tests, 60)):
         for name in sorted(tables[0], key=tables[0].get, reverse=True)[:most]:
             print("  ".join(f"{table.get(name, 0):8.1f}" for table in tables), name)

@@ -194,7 +194,9 @@ def apart(folder, unit, found):
     """Whether of each two equal statements one is defined where the other is not, or errs by less than half."""
     maker = UnitMaker(load_model(folder.manifest["model"]))
     (made,) = (u for u in maker.units() if f"{folder.manifest['c_prefix']}_{u.name}" == unit)
-    points = [at for variable, at in zip(maker.variables, maker.points(made.name), strict=True) if variable in made.args]
+    points = [
+        at for variable, at in zip(maker.variables, maker.points(made.name), strict=True) if variable in made.args
+    ]
     errors = bounded(made.tape, points, np.float64)[1]
     needs = domains(made.tape, numbers(made.tape))
 

@@ -11,9 +11,9 @@ A fault names its line by its text and the line above, so that it is found where
 import argparse
 import ast
 import json
+import os
 import random
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -35,6 +35,7 @@ SWAPPED = {
     **{ast.Lt: "<=", ast.LtE: "<", ast.Gt: ">=", ast.GtE: ">", ast.Eq: "!=", ast.NotEq: "=="},
     **{ast.In: "not in", ast.NotIn: "in", ast.Is: "is not", ast.IsNot: "is", ast.And: "or", ast.Or: "and"},
 }
+SIGN = r"\*\*|//|<=|>=|==|!=|not in|is not|\bin\b|\bis\b|\band\b|\bor\b|[-+*/%<>]"
 IN_C = {" + ": " - ", " - ": " + ", " * ": " / ", " < ": " <= ", " > ": " >= ", " == ": " != ", " && ": " || "}
 
 
@@ -49,7 +50,7 @@ def python_faults(text):
         row = left.end_lineno - 1
         head, tail = lines[row].encode()[: left.end_col_offset], lines[row].encode()[right.col_offset :]
         middle = lines[row].encode()[left.end_col_offset : right.col_offset].decode()
-        spoilt = re.sub(r"(?<=\S)?(\*\*|//|<=|>=|==|!=|not in|is not|\bin\b|\bis\b|\band\b|\bor\b|[-+*/%<>])", sign, middle, count=1)
+        spoilt = re.sub(SIGN, sign, middle, count=1)
         if spoilt != middle:
             yield row, head.decode() + spoilt + tail.decode()
 
@@ -120,36 +121,42 @@ def apply(fault, root):
 
 
 def copy(out):
-    """The tracked files and the environment, as links."""
-    names = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.split("\n")
-    for name in filter(None, names):
-        (out / name).parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy2(ROOT / name, out / name, follow_symlinks=False)
+    """A clone of the last commit, flown by this checkout's environment."""
+    subprocess.run(["git", "clone", "-q", "--shared", ROOT, out], check=True)
     (out / ".venv").symlink_to(ROOT / ".venv")
+    with (out / ".git" / "info" / "exclude").open("a") as excluded:
+        excluded.write(".venv\n")
 
 
 def run(numbers, by):
     for number in numbers:
         fault = faults()[number]
-        with tempfile.TemporaryDirectory() as out:
-            copy(Path(out))
-            where = apply(fault, Path(out))
-            done = subprocess.run(by, shell=True, cwd=out, capture_output=True, text=True, check=False)
+        with tempfile.TemporaryDirectory() as folder:
+            copy(Path(folder))
+            where = apply(fault, Path(folder))
+            env = {**os.environ, "PYTHONPATH": folder}  # before the installation, which is of this checkout
+            done = subprocess.run(by, shell=True, cwd=folder, env=env, capture_output=True, text=True, check=False)
+        found = "seen" if done.returncode else "NOT SEEN"
         red = next((line for line in done.stdout.splitlines() if re.match(r"FAILED|ERROR|error", line)), "")
-        print(f"{number:3} {'seen' if done.returncode else 'NOT SEEN'} {where}: {fault['fault'].strip()} {red}", flush=True)
+        print(f"{number:3} {found} {where}: {fault['fault'].strip()} {red}", flush=True)
+
+
+def show(number, fault):
+    print(f"{number:3} {fault['room']}: {fault['file']}")
+    print(f"    - {fault['line'].strip()}\n    + {fault['fault'].strip()}")
 
 
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("do", choices=("draw", "list", "apply", "run"))
     parser.add_argument("numbers", type=int, nargs="*")
-    parser.add_argument("--by", default="make quick", help="a shell command; a status other than 0 says that it saw the fault")
+    parser.add_argument("--by", default="make quick", help="a shell command, whose status says that it saw the fault")
     options = parser.parse_args()
     if options.do == "draw":
         draw()
     elif options.do == "list":
         for number, fault in enumerate(faults()):
-            print(f"{number:3} {fault['room']}: {fault['file']}\n    - {fault['line'].strip()}\n    + {fault['fault'].strip()}")
+            show(number, fault)
     elif options.do == "apply":
         for number in options.numbers:
             print(apply(faults()[number], ROOT))
