@@ -146,7 +146,7 @@ def flown(width, n):
            "q_b2n_wxyz": q / np.linalg.norm(q, axis=-1, keepdims=True), "gyro_bias": np.zeros(3),
            "accel_bias": np.zeros(3)}  # fmt: skip
     loop = CompiledFilter(load(MODEL, lanes=width), nav, np.broadcast_to(np.diag(sigma**2), (n, 15, 15)))
-    loop._library.widest = width
+    loop.memory.library.widest = width
     epoch = Epoch(loop, 1, ["zupt"], runs=(n,))
     steps = Epoch(loop, SAMPLES, predict=False, feedback=False, runs=(n,), shared=("dt",))
     for inputs in (epoch.strapdown, steps.strapdown):
@@ -173,12 +173,12 @@ def measured(widths, n, made):
     tasks, names = {}, {}
     filters = None
     for width, (loop, epoch, steps) in flights.items():
-        loop._settle((n,))
+        loop.memory.settle((n,))
         if filters is None:
-            size = loop._library.dll.ah_filter_size
+            size = loop.memory.library.dll.ah_filter_size
             size.restype = ctypes.c_size_t
             filters = np.zeros((n, size()))
-            filters[:, :151] = loop._memory.read(slice(0, 151))
+            filters[:, :151] = loop.memory.blocks.read(slice(0, 151))
         status = np.zeros(n, np.uint8)
         given = (
             epoch.strapdown.given,
@@ -191,8 +191,8 @@ def measured(widths, n, made):
             samples = SAMPLES if function == "epoch" else 1
             often = max(1, 4096 // n // samples)
             rest = (ctypes.byref(epoch.measured["zupt"].taking), ctypes.c_void_p(status.ctypes.data))
-            pointer = ctypes.cast(getattr(loop._dll, f"ah_lanes_{function}"), ctypes.c_void_p)
-            state = ctypes.c_void_p(loop._memory.address)
+            pointer = ctypes.cast(getattr(loop.memory.dll, f"ah_lanes_{function}"), ctypes.c_void_p)
+            state = ctypes.c_void_p(loop.memory.blocks.address)
             names[call, width] = lambda w=which, o=often, s=state, p=pointer, g=given[which], r=rest, m=samples: (
                 made.in_lanes(w, o, ctypes.c_size_t(n), s, p, g, *r) / m
             )

@@ -13,7 +13,9 @@ import numpy as np
 from boresight.errors import BoresightError, did_you_mean
 from boresight.runtime.arguments import whole
 from boresight.runtime.array import Array
-from boresight.runtime.filter.compiled import CompiledFilter, Given, Taking
+from boresight.runtime.filter.compiled import CompiledFilter
+from boresight.runtime.filter.memory import Blocks, Taking
+from boresight.runtime.library import Given, Library
 from boresight.runtime.status import Status
 
 
@@ -54,9 +56,8 @@ class Inputs(Fixed):
     Where all fields of a struct of the C are shared, they have no axes of runs.
     """
 
-    def __init__(self, loop: CompiledFilter, described: dict[str, Any], runs: tuple[int, ...], samples: int | None,
+    def __init__(self, library: Library, described: dict[str, Any], runs: tuple[int, ...], samples: int | None,
                  shared: Collection[str], vectors: dict[str, int]):  # fmt: skip
-        library = loop._library
         front = () if samples is None else (samples,)
         self.fields: dict[str, Array] = {}
         self._arrays: list[Array] = []
@@ -100,9 +101,10 @@ class Measured(Inputs):
     def __init__(self, loop: CompiledFilter, name: str, runs: tuple[int, ...], shared: Collection[str]):
         described = loop.described["measurements"][name]
         m = described["m"]
-        size = m * m if loop._described(name, "correlated") else m
+        library = loop.memory.library
+        size = m * m if library.measurements[name].get("correlated") else m
         super().__init__(
-            loop, described, runs, None, shared, {**({"z": m} if described["brings_z"] else {}), "R": size}
+            library, described, runs, None, shared, {**({"z": m} if described["brings_z"] else {}), "R": size}
         )
         self.index: int = described["index"]
         alike = "rows" in shared
@@ -142,7 +144,8 @@ class Epoch(Fixed):
         runs: tuple[int, ...] | None = None,
         shared: Collection[str] = (),
     ):
-        described, fields = loop.described, loop._library.field
+        described, memory = loop.described, loop.memory
+        library, fields = memory.library, memory.library.field
         if isinstance(measurements, str) or len(set(measurements)) < len(measurements):
             raise BoresightError(f"measurements is {measurements!r}; give a list of names, each once")
         unknown = [name for name in measurements if name not in described["measurements"]]
@@ -159,19 +162,19 @@ class Epoch(Fixed):
             raise BoresightError(f"samples is {samples!r}; it must be at least 0, and whole")
         if loop.considered is not None:
             raise BoresightError("an Epoch corrects every state; fly a filter with considered states by its methods")
-        self.loop, self.runs = loop, loop._broadcast() if runs is None else runs
+        self.loop, self.runs = loop, memory.broadcast() if runs is None else runs
         if not isinstance(self.runs, tuple) or not all(whole(n) and n > 0 for n in self.runs):
             raise BoresightError(f"runs is {self.runs!r}; give the leading axes, as (5,), of one run or more")
         nothing: dict[str, Any] = {"structs": [], "fields": [], "written": []}
         strapdown = described["strapdown"] if samples else nothing
         propagate = described["propagate"] if predict else nothing
         correct = described["correct"] if feedback else nothing
-        self.strapdown = Inputs(loop, strapdown, self.runs, samples or None, shared, {})
-        self.predict = Inputs(loop, propagate, self.runs, None, shared, {})
+        self.strapdown = Inputs(library, strapdown, self.runs, samples or None, shared, {})
+        self.predict = Inputs(library, propagate, self.runs, None, shared, {})
         self.measured = {name: Measured(loop, name, self.runs, shared) for name in measurements}
         self.status = np.zeros(self.runs, dtype=np.uint8)
         flown = (strapdown, propagate, *(described["measurements"][name] for name in measurements), correct)
-        self._carried = [name for name in loop._carried if any(name in one["fields"] for one in flown)]
+        self._carried = [name for name in memory.fields if any(name in one["fields"] for one in flown)]
         self._changed = ["x", "P"] if predict or measurements or feedback else []
         self._changed += strapdown["written"] + correct["written"]
         each = list(self.measured.values())
@@ -184,20 +187,20 @@ class Epoch(Fixed):
             int(feedback),
         )  # fmt: skip
         self._bound: Any = None
-        self._memory: Any = self  # of the last call: none yet
+        self._blocks: Blocks | None = None  # of the last call
 
     def __call__(self) -> int:
         """How many runs a step refused; 0 is all well."""
-        loop = self.loop
-        if loop._lent or self._memory is not loop._memory:
+        memory = self.loop.memory
+        if memory.lent or self._blocks is not memory.blocks:
             self._check()
-            memory = loop._settle(self.runs)
-            if self._memory is not memory:
+            blocks = memory.settle(self.runs)
+            if self._blocks is not blocks:
                 asked = ctypes.byref(self._cycle), ctypes.c_void_p.from_param(self.status.ctypes.data)
-                self._memory, self._bound = memory, loop._bind("epoch", *asked)
+                self._blocks, self._bound = blocks, memory.bind("epoch", *asked)
         refused: int = self._bound()
-        if loop._held:
-            loop._forget(self._changed)
+        if memory.copies:
+            memory.forget(self._changed)
         return refused
 
     def _check(self) -> None:
@@ -205,7 +208,7 @@ class Epoch(Fixed):
         missing = [name for name in self._carried if name not in self.loop.nav]
         if missing:
             raise BoresightError(f"an Epoch of {self.loop.model.name} needs {', '.join(missing)}; give it in nav")
-        theirs, ours = self.loop._broadcast(), self.runs
+        theirs, ours = self.loop.memory.broadcast(), self.runs
         if len(theirs) > len(ours) or any(a not in (1, b) for a, b in zip(theirs[::-1], ours[::-1], strict=False)):
             raise BoresightError(f"the filter has the runs {theirs}, and the Epoch {ours}; make one of these runs")
 

@@ -18,7 +18,7 @@ class Stretch:
         self.runs, self.constants = P.shape[:-2], constants
         self.loop = CompiledFilter(model, dict(nav), P)
         self._step = Epoch(self.loop, 1, predict=False, feedback=False, runs=self.runs, shared=("dt",))
-        self._parts = {name: self.loop._part[name] for name in self.loop.described["strapdown"]["written"]}
+        self._parts = {name: self.loop.memory.part[name] for name in self.loop.described["strapdown"]["written"]}
         self._changed = slice(min(p.start for p in self._parts.values()), max(p.stop for p in self._parts.values()))
 
     @staticmethod
@@ -30,14 +30,14 @@ class Stretch:
     def begin(self, nav: Mapping[str, Array], P: Array, increments: Array, dt: Array) -> None:
         """From nav and P on.  increments: (1 + K, ..., 6) rad and m/s, first that of the interval before.  dt: (K,)."""
         loop = self.loop
-        for name in loop._carried:
+        for name in loop.memory.fields:
             if name in nav or name in self.constants:
                 loop.nav[name] = nav[name] if name in nav else self.constants[name]
-        loop._take("P", P)  # of a filter, which is symmetric
+        loop.memory.assign("P", P)  # of a filter, which is symmetric
         now, before = increments[1:], increments[:-1]
         given = {**self.constants, "dtheta_ib_b": now[..., :3], "dv_b": now[..., 3:], "dt": dt,
                  "dtheta_before": before[..., :3], "dv_before": before[..., 3:]}  # fmt: skip
-        described, library = loop.described["strapdown"], loop._library
+        described, library = loop.described["strapdown"], loop.memory.library
         self._packed = []
         for struct, one in zip(described["structs"], self._step.strapdown.given, strict=True):
             packed = np.zeros((len(dt), *(self.runs if one.stride else ()), library.width[struct]))
@@ -51,17 +51,17 @@ class Stretch:
 
         Nothing, and all is as it was, where an interval is refused.
         """
-        memory, part = self.loop._settle(self.runs), self._changed
-        was = memory.blocks[:, part].copy()
+        blocks, part = self.loop.memory.settle(self.runs), self._changed
+        was = blocks.numbers[:, part].copy()
         trail = np.empty((end - begin, *was.shape))
         for k in range(begin, end):
             for one, _, address, size in self._packed:
                 one.at = address + k * size
             if self._step():
-                memory.blocks[:, part] = was
+                blocks.numbers[:, part] = was
                 return {}
-            trail[k - begin] = memory.blocks[:, part]
-        each = np.moveaxis(trail, -1, -2).reshape(end - begin, -1, was.shape[1])[:, : memory.n]
+            trail[k - begin] = blocks.numbers[:, part]
+        each = np.moveaxis(trail, -1, -2).reshape(end - begin, -1, was.shape[1])[:, : blocks.n]
         return {name: each[..., at.start - part.start : at.stop - part.start].reshape(end - begin, *self.runs, -1)
                 for name, at in self._parts.items()}  # fmt: skip
 

@@ -42,27 +42,26 @@ class Alone:
     """Runs of a filter one after another, by the functions of PREFIX_filter.h."""
 
     def __init__(self, loop):
-        self.loop, self.library = loop, loop._library
-        loop._settle(loop._runs)
-        self.dll, self.described = loop._dll, loop.described
+        memory = loop.memory
+        self.loop, self.library = loop, memory.library
+        blocks = memory.settle(memory.runs)
+        self.dll, self.described = memory.dll, loop.described
         size = self.library.dll[f"{self.library.manifest['c_prefix']}_filter_size"]
         size.restype = ctypes.c_size_t
-        memory = loop._memory
-        self.n, self.front = memory.n, loop._part["P"].stop
-        self.carried = sum(part.stop - part.start for part in (loop._part[name] for name in loop._carried))
-        self.skipped = max(0, loop._part["x"].start - self.carried)  # a place that stands for nothing
+        self.n, self.front = blocks.n, memory.part["P"].stop
+        self.carried = sum(part.stop - part.start for part in (memory.part[name] for name in memory.fields))
+        self.skipped = max(0, memory.part["x"].start - self.carried)  # a place that stands for nothing
         self.memory = np.zeros((self.n, size()))
-        whole = memory.read(slice(0, loop._size))
+        whole = blocks.read(slice(0, memory.size))
         self.memory[:, : self.front - self.skipped] = whole[:, self.skipped : self.front]
-        kept = whole[:, loop._part["considered"]]
+        kept = whole[:, memory.part["considered"]]
         states = kept.shape[1] - 1
         self.bytes = self.memory.view(np.uint8)[:, 8 * (self.front - self.skipped) :]
         self.bytes[:, :states], self.bytes[:, states] = kept[:, 1:], kept[:, 0]
         begin = (states + 2) // 2 * 2
-        self.counts = self.bytes[:, begin : begin + 2 * (loop._part["counts"].stop - loop._part["counts"].start)].view(
-            np.uint16
-        )
-        self.counts[:] = whole[:, loop._part["counts"]]
+        counts = memory.part["counts"]
+        self.counts = self.bytes[:, begin : begin + 2 * (counts.stop - counts.start)].view(np.uint16)
+        self.counts[:] = whole[:, counts]
 
     def call(self, name, described, inputs, run, *rest):
         function = self.dll[f"{self.library.manifest['c_prefix']}_filter_{name}"]
@@ -168,17 +167,13 @@ def apart(library, function, rng, spoilt):
             one.rows[:] = rng.random(one.rows.shape) < 0.8
             one.gates[:] = ((3, 0), (0, 10), (3, 10), (0, 0))[rng.integers(4)]
             one.iterations[:] = rng.integers(0, 3)
-    loop._settle((RUNS,))
-    memory = loop._memory
+    memory, counts = loop.memory, loop.memory.part["counts"]
+    blocks = memory.settle((RUNS,))
     if spoilt:
-        loop._write(
-            "counts",
-            rng.integers(0, 3, (RUNS, memory.blocks.shape[1])).astype(float)[
-                :, : loop._part["counts"].stop - loop._part["counts"].start
-            ],
-        )
+        drawn_counts = rng.integers(0, 3, (RUNS, blocks.numbers.shape[1])).astype(float)
+        memory.write("counts", drawn_counts[:, : counts.stop - counts.start])
         if measured:
-            loop._consider(rng.random((RUNS, len(library.states))) < 0.01)
+            memory.consider(rng.random((RUNS, len(library.states))) < 0.01)
     alone = Alone(loop)
     parts = [Drawn(inputs, described, library, k) for k in range(samples) or (None,)]
     said, innovations = [], []
@@ -207,7 +202,7 @@ def apart(library, function, rng, spoilt):
     found = []
     if not np.array_equal(said, epoch.status):
         found.append("status")
-    whole = memory.read(slice(0, loop._part["counts"].stop))[:, alone.skipped :]
+    whole = blocks.read(slice(0, counts.stop))[:, alone.skipped :]
     if not np.array_equal(bits(whole), bits(alone.state())):
         found.append("state")
     if measured:
