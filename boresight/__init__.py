@@ -33,6 +33,8 @@ The conventions; every generated artefact prints them, docs/conventions.md expla
 - Matrices are row-major.
 """
 
+import sys
+
 from boresight.errors import BoresightError as BoresightError
 
 __version__ = "0.1.0"
@@ -95,3 +97,9 @@ def __getattr__(name: str) -> object:
 
 def __dir__() -> list[str]:
     return list(PUBLIC)
+
+
+if "IPython" in sys.modules:
+    from boresight.notebook import register
+
+    register()

@@ -20,7 +20,8 @@ from boresight.codegen.text.equations import FILE, Words, equations_text, labels
 from boresight.codegen.text.equations import matrices as expressions
 from boresight.codegen.text.files import folder_files
 from boresight.derive.constant import behind
-from boresight.derive.model import Model, Variable, constants_in, substituted, symbols_in
+from boresight.derive.expressions import constants_in, substituted, symbols_in
+from boresight.derive.model import Model, Variable
 from boresight.derive.pages.model import JACOBIAN, slopes
 from boresight.derive.pages.named import operations
 from boresight.runtime.compiler import compile_sources, compiler, run

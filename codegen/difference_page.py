@@ -8,8 +8,9 @@ from sympy import Matrix, Symbol
 
 from boresight.codegen.difference import POINTS, Cost, Difference, Entry, Statement, swapped, together
 from boresight.codegen.text.equations import unchecked
+from boresight.derive.expressions import substituted, symbols_in
 from boresight.derive.ledger.differences import differences, marks
-from boresight.derive.model import Function, Model, Output, Struct, substituted, symbols_in
+from boresight.derive.model import Function, Model, Output, Struct
 from boresight.derive.pages.blocks import Block, Form, Formulas, Page, Pair, Prose, Section
 from boresight.derive.pages.model import Description, forms, lettered, letters_of, names_of
 from boresight.derive.pages.named import nodes

@@ -41,10 +41,11 @@ from boresight.codegen.mechanics import (
     scaled,
     slope,
 )
+from boresight.derive.expressions import symbols_in
 from boresight.derive.ledger import ellipsoid
 from boresight.derive.ledger.numbers import Matrix, digits, zeros
 from boresight.derive.ledger.witness import hamilton, vector
-from boresight.derive.model import Function, Model, symbols_in
+from boresight.derive.model import Function, Model
 from boresight.derive.models.variables import INCREMENTS
 
 SHORT = arb((1, -32))  # s, a step whose remainder is looked at, of an error state

@@ -17,11 +17,12 @@ from flint import arb
 from boresight.codegen.functions.reference import evaluator, precise
 from boresight.codegen.functions.samples import generator, sample
 from boresight.codegen.functions.units import state_variable
+from boresight.derive.expressions import substituted, symbols_in
 from boresight.derive.ledger import ellipsoid
 from boresight.derive.ledger.navigation import Navigator
 from boresight.derive.ledger.numbers import Matrix, digits, zeros
 from boresight.derive.ledger.witness import hamilton, quaternion, vector
-from boresight.derive.model import Function, Measurement, Mechanics, Model, Variable, substituted, symbols_in
+from boresight.derive.model import Function, Measurement, Mechanics, Model, Variable
 from boresight.derive.models.variables import INCREMENTS
 
 POINTS = 2

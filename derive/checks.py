@@ -10,14 +10,17 @@ from functools import cache
 from math import isfinite, pi, sqrt
 from numbers import Integral, Real
 from types import UnionType
-from typing import Any, NoReturn, Union, get_args, get_origin, get_type_hints
+from typing import TYPE_CHECKING, Any, NoReturn, Union, get_args, get_origin, get_type_hints
 
 import sympy
 from sympy import Expr, I, Matrix, MatrixBase, Symbol, nan, oo, zoo
 from sympy.core.function import AppliedUndef
 
-from boresight.derive.model import Model, Struct, Variable, parts_of, symbols_in
+from boresight.derive.expressions import parts_of, symbols_in
 from boresight.errors import BoresightError, did_you_mean
+
+if TYPE_CHECKING:
+    from boresight.derive.model import Model, Variable
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
 RESULTS = ("F", "Phi", "Q", "Qc")  # the functions of models with states
@@ -57,14 +60,11 @@ def fail(part: Any, text: str) -> NoReturn:
 
 
 def check_part(part: Any) -> None:
-    """Raise BoresightError unless each field holds what its annotation says; a Variable has a box for each symbol."""
+    """Raise BoresightError unless each field holds what its annotation says."""
     for name, hint in hints(part.__class__).items():
         wrong = mismatch(getattr(part, name), hint, name)
         if wrong:
             fail(part, wrong)
-    if isinstance(part, Variable):
-        check_box(part)
-        check_norm(part)
     empty = next((name for name in ("fields", "outputs") if getattr(part, name, None) == ()), "")
     if empty:
         fail(part, f"{empty} is empty; give at least one, or leave the {kind(part)} out")
@@ -118,14 +118,14 @@ def described(value: Any) -> str:
 def instead(value: Any, hint: Any) -> str:
     """What to write in the place of a value of the wrong type."""
     if hint is Matrix:
-        if isinstance(value, Variable):
+        if kind(value) == "variable":
             return "its column of symbols is its .vector"
         if type(value).__module__.startswith("numpy"):
             return "write Matrix(array.tolist()), with Matrix from sympy"
         return "write Matrix([...]), with Matrix from sympy"
-    if hint is Symbol and isinstance(value, Variable):
+    if hint is Symbol and kind(value) == "variable":
         return "its symbol is its .scalar"
-    if hint is Variable and isinstance(value, Symbol):
+    if getattr(hint, "__name__", "") == "Variable" and isinstance(value, Symbol):
         return "give the variable that it belongs to"
     if hint is float and isinstance(value, Expr):
         return "write float(...) of it"
@@ -140,7 +140,13 @@ def described_type(hint: Any) -> str:
     return f"{'an' if name[0] in 'AEIOU' else 'a'} {name}"
 
 
-def check_box(item: Variable) -> None:
+def check_variable(item: "Variable") -> None:
+    """Raise BoresightError unless it has a box for each symbol, and a norm that a point of the box can have."""
+    check_box(item)
+    check_norm(item)
+
+
+def check_box(item: "Variable") -> None:
     for bound in (item.low, item.high):
         if len(bound) != len(item.symbols):
             given = f"{len(item.symbols)} components, but a box of {len(bound)}"
@@ -161,7 +167,7 @@ def check_box(item: Variable) -> None:
 # ---------------------------------------------------------------- the whole model
 
 
-def check_norm(item: Variable) -> None:
+def check_norm(item: "Variable") -> None:
     if item.norm is None:
         return
     least, most = item.norm
@@ -173,7 +179,7 @@ def check_norm(item: Variable) -> None:
         fail(item, f"norm is {item.norm}, but in its box norms are {near:.6g} to {far:.6g}; widen the box")
 
 
-def check_model(model: Model) -> None:
+def check_model(model: "Model") -> None:
     """Raise BoresightError on parts that do not fit together: names, shapes, symbols, states that nothing touches."""
     check_names(model)
     check_given(model)
@@ -190,7 +196,7 @@ def check_model(model: Model) -> None:
     check_carried(model)
 
 
-def check_names(model: Model) -> None:
+def check_names(model: "Model") -> None:
     if not re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)*", model.name):
         fail(model, f"a name is lower-case words joined by '-'; write {suggested_name(model.name)!r}")
     if not re.fullmatch(r"[a-z][a-z0-9]*", model.c_prefix) or model.c_prefix in ("bs", *KEYWORDS.split()):
@@ -219,7 +225,7 @@ def check_names(model: Model) -> None:
         for name, part in table.items():
             if not NAME.match(name):
                 fail(part, f"{name!r} cannot be a name in C; write letters, digits and '_'")
-            reserved = TAKEN.split() + (OF_LOOPS.split() if model.loops and isinstance(part, Struct) else [])
+            reserved = TAKEN.split() + (OF_LOOPS.split() if model.loops and kind(part) == "struct" else [])
             if name in reserved or re.fullmatch(r"t\d+|(bs|BS)_.*|filter_.*", name):
                 fail(part, f"the name {name!r} has a meaning in C or in the generated code; choose another")
     for item in variables:
@@ -258,8 +264,8 @@ def unique(named: Any) -> dict[str, Any]:
     for part, what, name in named:
         if name in parts:
             other = parts[name]
-            owner = "a function of every model" if isinstance(other, Model) else f"{kind(other)} {other.name}"
-            at = f" in {other.where}" if other.where and not isinstance(other, Model) else ""
+            owner = "a function of every model" if kind(other) == "model" else f"{kind(other)} {other.name}"
+            at = f" in {other.where}" if other.where and kind(other) != "model" else ""
             fail(part, f"the {what} name {name!r} is used twice: it is that of {owner}{at}; choose another")
         parts[name] = part
     return parts
@@ -284,7 +290,7 @@ class Expressions:
         return f"{self.label}[{', '.join(names)}]"
 
 
-def expressions(model: Model) -> Iterator[Expressions]:
+def expressions(model: "Model") -> Iterator[Expressions]:
     """Every matrix that the model is given by."""
     n, x = model.n, tuple(symbol.name for symbol in model.x)
     noise, total = tuple(map(str, model.noise)), model.kind == "total-state"
@@ -328,7 +334,7 @@ def entries_with(item: Expressions, wanted: Any) -> str:
     return item.label
 
 
-def check_symbols(model: Model, item: Expressions) -> None:
+def check_symbols(model: "Model", item: Expressions) -> None:
     states = set(model.x)
     owners = {symbol: variable for variable in (*model.states, *model.inputs) for symbol in variable.symbols}
     known = set(owners) if item.of_state else set(owners) - states
@@ -371,7 +377,7 @@ def check_constants(item: Expressions) -> None:
         )
 
 
-def check_given(model: Model) -> None:
+def check_given(model: "Model") -> None:
     """What belongs together is there and nothing else: an error state has F, a total state f, or next with Q."""
     given = [name for name in ("F", "f", "next") if getattr(model, name) is not None]
     if model.loops and model.f is None:
@@ -400,7 +406,7 @@ def check_given(model: Model) -> None:
         fail(model, f"order is {model.order!r}; it is 1, 2 or 3")
     if model.kind == "total-state":
         flown = f"a total state is flown by {given[0]}"
-        if model.order != Model.order:
+        if model.order != type(model).order:
             fail(model, f"order {model.order} is that of an error state's Phi and Q; {flown}: leave order out")
         for f in model.functions:
             if f.name in ("feedback", "strapdown"):
@@ -414,7 +420,7 @@ def check_given(model: Model) -> None:
             fail(block, "it wraps to [-pi, pi), which its box must hold; widen the box, or leave wraps out")
 
 
-def check_rows(model: Model) -> None:
+def check_rows(model: "Model") -> None:
     """Each measurement has rows, and either h or H."""
     for m in model.measurements:
         own = m.first_order is not None and m.first_order.of is None
@@ -426,7 +432,7 @@ def check_rows(model: Model) -> None:
             fail(m, "give either h or H, or both with a first_order of its own")
 
 
-def check_noise(model: Model) -> None:
+def check_noise(model: "Model") -> None:
     """Each noise acts on a state; Q is symmetric."""
     for i in range(model.noise.rows):
         if model.noise[i].is_zero or model.G[:, i].is_zero_matrix:
@@ -437,7 +443,7 @@ def check_noise(model: Model) -> None:
             fail(model, f"Q is not symmetric: {Q[at]} at {at} is {Q[at[::-1]]} at {at[::-1]}")
 
 
-def check_measurements(model: Model) -> None:
+def check_measurements(model: "Model") -> None:
     for m in model.measurements:
         if m.H.is_zero_matrix if m.H is not None else not symbols_in(m.h) & set(model.x):
             fail(m, f"it depends on no state; its h or H must use one of {', '.join(map(str, model.x))}")
@@ -461,7 +467,7 @@ def listed(names: Any) -> str:
     return ", ".join(names)
 
 
-def check_step(model: Model) -> None:
+def check_step(model: "Model") -> None:
     """dt is an input, above zero; the step of a model in discrete time need not be named."""
     if not model.n or (model.next is not None and model.dt is None):
         return
@@ -475,7 +481,7 @@ def check_step(model: Model) -> None:
         fail(owner, f"the box of {model.dt} reaches below zero; a step is forward in time")
 
 
-def check_idle(model: Model) -> None:
+def check_idle(model: "Model") -> None:
     """A constant is a state where something sees it; what nothing touches is refused."""
     if not model.n:
         return
@@ -500,7 +506,7 @@ def check_idle(model: Model) -> None:
             )
 
 
-def check_carried(model: Model) -> None:
+def check_carried(model: "Model") -> None:
     """An output's box has a bound for each component; strapdown and feedback return inputs by their names."""
     inputs = {item.name: item for item in model.inputs}
     for o in (o for f in model.functions for o in f.outputs):

@@ -6,6 +6,7 @@ from typing import Any
 from sympy import Expr, Float, NumberSymbol, Rational, nan, sympify
 
 from boresight import BoresightError
+from boresight.derive.letters import letter_latex
 from boresight.derive.where import written_at
 
 
@@ -67,8 +68,6 @@ class Constant(NumberSymbol):
         return self.name
 
     def _latex(self, printer: Any) -> str:
-        from boresight.derive.pages.model import letter_latex
-
         return letter_latex(self.name)
 
     def _lambdacode(self, printer: Any) -> str:

@@ -31,7 +31,8 @@ from sympy import (
 from boresight import BoresightError
 from boresight.derive.checks import Expressions, expressions, fail
 from boresight.derive.constant import Constant, behind
-from boresight.derive.model import Function, Measurement, Model, Output, Variable, constants_in, symbols_in
+from boresight.derive.expressions import constants_in, symbols_in
+from boresight.derive.model import Function, Measurement, Model, Output, Variable
 from boresight.derive.units import ONE, RADIAN, SECOND, Unit, unit, units
 
 TURNS = 2  # of an angle: a box that is wider looks like one in degrees

@@ -4,15 +4,14 @@ A model is a value.  It names states, inputs, noise, measurements and functions 
 documents and tests are derived from it.  Nothing here assumes navigation.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any
 
 from sympy import ImmutableMatrix, Matrix, Symbol
 
 from boresight import BoresightError
-from boresight.derive.constant import Constant
+from boresight.derive.checks import check_model, check_part, check_variable
 from boresight.derive.constant import constant as constant
 from boresight.derive.where import where_written, written_at
 
@@ -44,9 +43,8 @@ class Variable:
     where: str = where_written()
 
     def __post_init__(self) -> None:
-        from boresight.derive.checks import check_part
-
         check_part(self)
+        check_variable(self)
 
     @property
     def vector(self) -> Matrix:
@@ -107,8 +105,6 @@ class Struct:
     where: str = where_written()
 
     def __post_init__(self) -> None:
-        from boresight.derive.checks import check_part
-
         check_part(self)
 
 
@@ -153,8 +149,6 @@ class Measurement:
     where: str = where_written()
 
     def __post_init__(self) -> None:
-        from boresight.derive.checks import check_part
-
         check_part(self)
 
     @property
@@ -178,8 +172,6 @@ class Output:
     where: str = where_written()
 
     def __post_init__(self) -> None:
-        from boresight.derive.checks import check_part
-
         check_part(self)
 
 
@@ -194,8 +186,6 @@ class Function:
     where: str = where_written()
 
     def __post_init__(self) -> None:
-        from boresight.derive.checks import check_part
-
         check_part(self)
 
 
@@ -280,8 +270,6 @@ class Model:
     where: str = where_written()
 
     def __post_init__(self) -> None:
-        from boresight.derive.checks import check_model, check_part
-
         check_part(self)
         check_model(self)
 
@@ -303,21 +291,6 @@ class Model:
     def inputs(self) -> tuple[Variable, ...]:
         """Every input, struct after struct."""
         return tuple(item for struct in self.structs for item in struct.fields)
-
-    def _repr_latex_(self) -> str:
-        """Its F block by block, for a notebook that shows no HTML."""
-        from boresight.derive.pages.booklet import latex_cell
-        from boresight.derive.pages.model import formulas
-
-        shown = formulas(self)
-        return latex_cell([form.relation for form in shown], shown[0].quantities)
-
-    def _repr_html_(self) -> str:
-        """Its page, as `boresight show` has it, for a notebook."""
-        from boresight.derive.pages.html import html_cell
-        from boresight.derive.pages.model import model_page
-
-        return html_cell(model_page(self))
 
     def extend(
         self,
@@ -387,45 +360,3 @@ class Model:
             order=self.order,
             loops=self.loops,
         )
-
-
-def parts_of(*matrices: Matrix) -> set[Any]:
-    """Every expression within the matrices.  What is held many times is looked at once: SymPy's own free_symbols takes
-    seconds where residuals are nested rotations."""
-    seen: set[Any] = set()
-    stack = [entry for matrix in matrices for entry in matrix]
-    while stack:
-        part = stack.pop()
-        if part not in seen:
-            seen.add(part)
-            stack += part.args
-    return seen
-
-
-def symbols_in(*matrices: Matrix) -> set[Symbol]:
-    """All symbols that the matrices read."""
-    return {part for part in parts_of(*matrices) if part.is_Symbol}
-
-
-def constants_in(*matrices: Matrix) -> set[Constant]:
-    """All named constants that the matrices read."""
-    return {part for part in parts_of(*matrices) if isinstance(part, Constant)}
-
-
-def numeric(matrix: Matrix) -> Matrix:
-    """The matrix with numbers in the place of its constants, as it is printed and flown."""
-    found = constants_in(matrix)
-    return substituted(matrix, {one: one.exact for one in found}) if found else matrix
-
-
-def substituted(matrix: Matrix, mapping: Mapping[Any, Any]) -> Matrix:
-    """The matrix with expressions in the place of symbols or constants; what is held many times is done once."""
-    known: dict[Any, Any] = dict(mapping)
-
-    def visit(part: Any) -> Any:
-        if part not in known:
-            args = tuple(map(visit, part.args))
-            known[part] = part if args == part.args else part.func(*args)
-        return known[part]
-
-    return Matrix(*matrix.shape, [visit(entry) for entry in matrix])

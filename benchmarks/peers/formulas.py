@@ -15,7 +15,8 @@ import numpy as np
 import sympy as sp
 from sympy.printing.str import StrPrinter
 
-from boresight.derive.model import Model, numeric
+from boresight.derive.expressions import numeric
+from boresight.derive.model import Model
 from boresight.derive.models.azimuth_hold import azimuth_hold
 
 KINDS = ("F", "predict 1", "predict 2", "updates, plain", "updates, Joseph", "propagate")

@@ -11,7 +11,7 @@ import sympy as sp
 from sympy.core import sorting
 
 from boresight import BoresightError
-from boresight.derive.model import numeric
+from boresight.derive.expressions import numeric
 
 MOST = sys.float_info.max
 FUNCTIONS: dict[Any, Any] = {

@@ -12,7 +12,7 @@ import sympy as sp
 from flint import arb, ctx
 
 from boresight import BoresightError
-from boresight.derive.model import numeric
+from boresight.derive.expressions import numeric
 
 DIGITS = 50  # wanted of the largest number on the way
 GUARD = 30  # digits beyond the wanted ones, which cancellation may take

@@ -17,7 +17,8 @@ from boresight.codegen.functions.reference import Entries, evaluator
 from boresight.codegen.functions.samples import generator, sample
 from boresight.codegen.functions.tape import BOUNDED, Tape, share_reciprocals, tape
 from boresight.derive.checks import expressions, fail
-from boresight.derive.model import Function, Measurement, Model, Variable, symbols_in
+from boresight.derive.expressions import symbols_in
+from boresight.derive.model import Function, Measurement, Model, Variable
 
 TRIED = 128  # points, and as many small ones, at which the roundings of equal values are compared
 Values = Mapping[str, Sequence[Any]]  # field name -> components, floats or balls

@@ -19,7 +19,8 @@ from sympy.matrices import MatrixBase
 
 from boresight import BoresightError
 from boresight.derive.constant import Constant, behind, constant
-from boresight.derive.model import Mechanics, Model, constants_in
+from boresight.derive.expressions import constants_in
+from boresight.derive.model import Mechanics, Model
 
 FILE = "equations.json"
 FORMAT = 1

@@ -24,12 +24,11 @@ from boresight.derive.ledger.differences import differences
 from boresight.derive.ledger.differences import origin as origin_of
 from boresight.derive.ledger.equation import Equation
 from boresight.derive.ledger.evaluate import DIGITS, Point, evaluate, residual
-from boresight.derive.ledger.judge import EXACT, SEEDS, judge, largest_residual
+from boresight.derive.ledger.judge import EXACT, SEEDS, judge, largest_residual, paper_points
+from boresight.derive.ledger.latex import latex_relations
 from boresight.derive.ledger.lines import check_derivation
 from boresight.derive.ledger.numbers import Matrix, digits, middle
 from boresight.derive.ledger.paper import Paper
-from boresight.derive.ledger.witness import draw
-from boresight.derive.pages.latex import latex_relations
 
 UNITS = {
     "rad": (10800 / mp.pi, "arcmin"),
@@ -167,13 +166,6 @@ def _size(paper: Paper, equation: Equation) -> str:
 def _with_unit(size, unit: str) -> str:
     factor, name = UNITS[unit]
     return f"{mp.nstr(size * factor, 3)} {name or '(no unit)'}"
-
-
-@cache
-def paper_points(paper: Paper) -> tuple[Point, ...]:
-    witness, conditions = paper.witness, paper.conditions
-    bases = (draw(witness.base, seed, conditions.at) for seed in range(conditions.count))
-    return tuple(Point(witness.values(base, paper.definitions)) for base in bases)
 
 
 @dataclass(frozen=True)

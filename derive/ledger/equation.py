@@ -126,18 +126,6 @@ class Derivation:
         """The lines that have a relation."""
         return tuple(step for step in self.steps if step.relation is not None)
 
-    def _repr_latex_(self) -> str:
-        from boresight.derive.pages.booklet import latex_cell
-
-        return latex_cell([relation for step in self.steps for relation in step.formulas], ())
-
-    def _repr_html_(self) -> str:
-        from boresight.derive.pages.blocks import Page, Section
-        from boresight.derive.pages.html import html_cell
-        from boresight.derive.pages.page import steps
-
-        return html_cell(Page("", (Section("", steps(self, ())),)))
-
     @property
     def equations(self) -> set[str]:
         """The numbers of the equations on which its passages stand, "8" of "(8)" and of "(8).2"."""
@@ -241,18 +229,6 @@ class Equation:
             return self.printed
         mapping = {reading.printed: reading.meant for reading in self.readings}
         return tuple(relation.replaced(mapping) for relation in self.printed)
-
-    def _repr_latex_(self) -> str:
-        from boresight.derive.pages.booklet import latex_cell
-
-        return latex_cell(self.derived, self.page_letters)
-
-    def _repr_html_(self) -> str:
-        from boresight.derive.pages.html import html_cell
-        from boresight.derive.pages.page import equations_page
-        from boresight.derive.papers import paper
-
-        return html_cell(equations_page(self.paper, [(paper(self.paper), self)], {}))
 
 
 def matrix(rows) -> ImmutableMatrix:

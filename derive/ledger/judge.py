@@ -15,6 +15,7 @@ from boresight.derive.ledger.evaluate import Point, evaluate, residual
 from boresight.derive.ledger.numbers import Matrix, largest, middle, near
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.reader import SUM, SUM_OVER, read
+from boresight.derive.ledger.witness import draw
 
 EXACT = mp.mpf("1e-28")
 SEEDS = (1, 2, 3)
@@ -35,6 +36,15 @@ class Verdict:
     status: str
     why: str = ""
     empty: bool = False
+
+
+@dataclass(frozen=True)
+class LineVerdict:
+    """Whether it holds; why not, or what was seen; size of the term that is dropped, SI, at the paper's numbers."""
+
+    holds: bool
+    why: str
+    size: str = ""
 
 
 def judge(paper: Paper, equation: Equation, relations: tuple[Relation, ...], senses: Sequence[Sense] = ()) -> Verdict:
@@ -160,6 +170,14 @@ def _judge_definition(paper: Paper, equation: Equation, relations: tuple[Relatio
 def witness_point(paper: Paper, seed: int, scale: float, small: tuple = (), changed: tuple = ()) -> Point:
     """The witness's values at a random point, the errors `small` times `scale`; `changed`: other definitions."""
     return Point(paper.witness.at(seed, scale, small, paper.definitions | dict(changed)))
+
+
+@cache
+def paper_points(paper: Paper) -> tuple[Point, ...]:
+    """The witness's values at the paper's own numbers."""
+    witness, conditions = paper.witness, paper.conditions
+    bases = (draw(witness.base, seed, conditions.at) for seed in range(conditions.count))
+    return tuple(Point(witness.values(base, paper.definitions)) for base in bases)
 
 
 def largest_residual(relations: Iterable[Relation], point: Point) -> mp.mpf:

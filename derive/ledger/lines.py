@@ -17,9 +17,21 @@ from boresight import BoresightError
 from boresight.derive.ledger.equation import Claim, Derivation, Equation, Line, Passage, Quantity, Relation, total
 from boresight.derive.ledger.evaluate import Point, evaluate, residual
 from boresight.derive.ledger.free import free_point
-from boresight.derive.ledger.judge import EXACT, FULL, SCALES, SEEDS, SLACK, falls, names, witness_point
+from boresight.derive.ledger.judge import (
+    EXACT,
+    FULL,
+    SCALES,
+    SEEDS,
+    SLACK,
+    LineVerdict,
+    falls,
+    names,
+    paper_points,
+    witness_point,
+)
 from boresight.derive.ledger.numbers import Matrix, middle
 from boresight.derive.ledger.paper import Paper
+from boresight.derive.ledger.passages import judge_passage
 from boresight.derive.ledger.reader import read
 
 # ---- Writing ---------------------------------------------------------------------------------------------------------
@@ -76,15 +88,6 @@ def read_lines(
 
 
 # ---- Judging ---------------------------------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class LineVerdict:
-    """Whether it holds; why not, or what was seen; size of the term that is dropped, SI, at the paper's numbers."""
-
-    holds: bool
-    why: str
-    size: str = ""
 
 
 def judge_line(paper: Paper, equation: Equation, index: int, relation: Relation | None = None) -> LineVerdict:
@@ -231,8 +234,6 @@ def _moves(values: tuple, most) -> bool:
 
 def _size(paper: Paper, term, given: tuple) -> mp.mpf:
     """The largest entry at the paper's own numbers."""
-    from boresight.derive.ledger.entries import paper_points
-
     worst = mp.mpf(0)
     for point in paper_points(paper):
         for definition in given:
@@ -329,8 +330,6 @@ def count_steps(equations: Iterable[Equation]) -> Steps:
 
 def check_derivation(paper: Paper, equation: Equation) -> None:
     """Raises BoresightError at the first line or passage that does not hold, and at a definition that nothing uses."""
-    from boresight.derive.ledger.passages import judge_passage
-
     if equation.number in _stands_on(paper, equation):
         raise BoresightError(f"{paper.name} ({equation.number}): its derivation stands on itself")
     steps = equation.derivation.steps

@@ -18,7 +18,7 @@ from boresight import BoresightError
 from boresight.derive.ledger.equation import Equation, Passage, Relation
 from boresight.derive.ledger.evaluate import OPERATORS, Point, evaluate, multiplied, power, residual, solve
 from boresight.derive.ledger.free import free_point
-from boresight.derive.ledger.lines import LineVerdict
+from boresight.derive.ledger.judge import LineVerdict
 from boresight.derive.ledger.numbers import Matrix, digits, exact, eye, middle, sqrt, zeros
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.reader import read

@@ -8,8 +8,9 @@ from dataclasses import replace
 
 from sympy import Expr, Matrix, Symbol, diag, eye, zeros
 
+from boresight.derive.expressions import substituted
 from boresight.derive.mechanics.rotation import dcm_from_quaternion, normalized, quaternion_product, skew
-from boresight.derive.model import Function, Measurement, Model, Output, Struct, Variable, substituted, variable
+from boresight.derive.model import Function, Measurement, Model, Output, Struct, Variable, variable
 from boresight.derive.models import velocity_attitude as va
 from boresight.derive.models.variables import (
     ACCEL_BIAS,

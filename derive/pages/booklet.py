@@ -10,6 +10,7 @@ from types import MappingProxyType
 
 from boresight import BoresightError
 from boresight.derive.ledger.equation import Quantity, Relation
+from boresight.derive.ledger.latex import latex_name, latex_relation
 from boresight.derive.pages.blocks import (
     NAME,
     REFERENCE,
@@ -23,7 +24,6 @@ from boresight.derive.pages.blocks import (
     Table,
     is_name,
 )
-from boresight.derive.pages.latex import latex_name, latex_relation
 
 PREAMBLE = r"""\documentclass[a4paper,11pt]{article}
 \usepackage[margin=25mm]{geometry}

@@ -8,8 +8,8 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
 
 from boresight.derive.ledger.equation import Quantity, Relation
+from boresight.derive.ledger.latex import latex_name
 from boresight.derive.pages.blocks import NAME, REFERENCE, Form, Formulas, Page, Pair, Prose, is_name
-from boresight.derive.pages.latex import latex_name
 from boresight.derive.pages.mathml import mathml, mathml_relation
 
 

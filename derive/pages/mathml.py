@@ -6,8 +6,8 @@ from html import escape
 
 from boresight import BoresightError
 from boresight.derive.ledger.equation import Quantity, Relation
-from boresight.derive.pages.formula import ELEMENTARY, Place
-from boresight.derive.pages.latex import MARKS, SIGNS, greek, latex_relation
+from boresight.derive.ledger.formula import ELEMENTARY, Place
+from boresight.derive.ledger.latex import MARKS, SIGNS, greek, latex_relation
 
 TOKEN = re.compile(r"\\[A-Za-z]+|\\.|\d+|\s+|.")
 APPLY, TIMES = "<mo>&#x2061;</mo>", "<mo>&#x2062;</mo>"
@@ -27,7 +27,7 @@ def mathml_relation(relation: Relation, quantities: Iterable[Quantity], marks: C
 
 
 def mathml(latex: str) -> str:
-    """One <math> element from LaTeX as pages.latex writes it."""
+    """One <math> element from LaTeX as ledger.latex writes it."""
     inside = _Translator(latex).row()
     return f'<math xmlns="http://www.w3.org/1998/Math/MathML" display="block">{_grouped(inside)}</math>'
 

@@ -4,7 +4,6 @@ Everything comes from the Model, so that one's own gets the same page.  A manife
 names and costs of its C functions.
 """
 
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -39,9 +38,11 @@ from sympy.functions.elementary.complexes import transpose
 from sympy.matrices import MatrixBase
 
 from boresight import BoresightError
+from boresight.derive.expressions import symbols_in
 from boresight.derive.ledger.equation import Quantity, Relation, as_written, product, total
+from boresight.derive.letters import letter_latex
 from boresight.derive.mechanics.rotation import skew
-from boresight.derive.model import SPREAD, Measurement, Model, Variable, symbols_in
+from boresight.derive.model import SPREAD, Measurement, Model, Variable
 from boresight.derive.pages.named import (
     Named,
     Naming,
@@ -805,29 +806,3 @@ def _quantities(relation: Relation, shapes: Mapping[str, tuple[int, ...]]) -> It
                 name = node.func.__name__
                 shape = shapes["x" if name == "f" else name]
                 yield Quantity(Symbol(name), letter_latex(name), "", "", shape, function=True)
-
-
-GREEK = """alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi chi psi
-omega Phi"""
-
-
-def letter_latex(name: str) -> str:
-    """LaTeX of a name in code: omega_ie, C_b2n_11, dmu_x, roll_b, F_phi,dv_n."""
-    if block := re.fullmatch(r"([A-Z]\w*?)_(\w+),([a-zA-Z]\w*)", name):
-        return rf"{letter_latex(block[1])}_{{{letter_latex(block[2])},{letter_latex(block[3])}}}"
-    head, *below = name.split("_")
-    if head == "d" and below and below[0] in GREEK.split():
-        head, below = f"d{below[0]}", below[1:]
-    above = ""
-    if below and (turn := re.fullmatch(r"(\w)2(\w)", below[0])):
-        below[0], above = turn[1], f"^{{{turn[2]}}}"
-    index = ",".join(_word(part) for part in ",".join(below).split(",") if part)
-    return _word(head) + (f"_{{{index}}}" if index else "") + above
-
-
-def _word(word: str) -> str:
-    error = word.startswith("d") and word[1:] in GREEK.split()
-    base = word[1:] if error else word
-    if base in GREEK.split():
-        return r"\delta " * error + f"\\{base}"
-    return base if len(base) <= 2 or base.isdigit() else rf"\mathrm{{{base}}}"

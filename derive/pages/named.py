@@ -17,10 +17,11 @@ from sympy.matrices import MatrixBase
 
 from boresight.derive.checks import expressions
 from boresight.derive.constant import Constant, behind
+from boresight.derive.expressions import constants_in, substituted, symbols_in
 from boresight.derive.ledger.equation import product
 from boresight.derive.mechanics import earth, rotation
 from boresight.derive.mechanics.rotation import skew
-from boresight.derive.model import Model, Variable, constants_in, substituted, symbols_in
+from boresight.derive.model import Model, Variable
 
 FRAMES = earth.FRAMES
 LONG = 60  # operations of a rotation vector that stays part of a longer expression

@@ -7,8 +7,8 @@ from unicodedata import combining, normalize
 
 from boresight import BoresightError
 from boresight.derive.ledger.equation import Quantity, Relation
-from boresight.derive.pages.formula import ATOM, ELEMENTARY, FRACTION, PREFIX, Piece, Place, Writer
-from boresight.derive.pages.latex import greek
+from boresight.derive.ledger.formula import ATOM, ELEMENTARY, FRACTION, PREFIX, Piece, Place, Writer
+from boresight.derive.ledger.latex import greek
 
 FIRST = 0xE000  # a matrix is one character of the private area until the lines are laid out
 

@@ -18,8 +18,9 @@ from boresight.codegen.difference import compared, cost, to_json
 from boresight.codegen.difference_page import differences_page
 from boresight.codegen.generate import load_model
 from boresight.codegen.text.equations import FILE, equations_text, read_equations
+from boresight.derive.expressions import constants_in
 from boresight.derive.mechanics import error_models
-from boresight.derive.model import constants_in, variable
+from boresight.derive.model import variable
 from boresight.derive.models import built_in
 from boresight.derive.pages.model import forms
 from boresight.derive.pages.named import component_letters

@@ -11,8 +11,8 @@ from flint import arb
 from boresight import BoresightError
 from boresight.codegen.functions.reference import evaluator
 from boresight.derive.constant import behind, constant
+from boresight.derive.expressions import numeric
 from boresight.derive.mechanics import earth
-from boresight.derive.model import numeric
 
 x = sp.Symbol("x", real=True)
 g = constant("g", "9.81", "m/s^2", "gravity")

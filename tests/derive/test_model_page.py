@@ -18,9 +18,10 @@ from boresight.codegen.generate import load_model
 from boresight.derive.ledger import numbers
 from boresight.derive.ledger.equation import Relation
 from boresight.derive.ledger.evaluate import Point, evaluate
+from boresight.derive.ledger.latex import latex_relation
 from boresight.derive.ledger.numbers import Matrix
+from boresight.derive.pages import notebook
 from boresight.derive.pages.blocks import Formulas
-from boresight.derive.pages.latex import latex_relation
 from boresight.derive.pages.model import forms, model_page
 from boresight.derive.pages.named import component_letters
 from boresight.derive.pages.render import write
@@ -230,9 +231,9 @@ def test_every_formula_of_a_page_is_shown_as_it_is(made, target, form):
 
 def test_a_notebook_shows_the_page_and_the_formulas_of_F(made):
     model, page = made(TANK)
-    assert "<math" in model._repr_html_() and "Measurement reading" in model._repr_html_()
+    assert "<math" in notebook.html(model) and "Measurement reading" in notebook.html(model)
     (section,) = (s for s in page.sections if s.anchor == "F")
-    latex = model._repr_latex_()
+    latex = notebook.latex(model)
     assert all(latex_relation(one.relation, one.quantities) in latex for one in forms(section))
 
 
@@ -329,7 +330,7 @@ def test_a_total_state_is_flown_by_next_and_a_model_in_discrete_time_shows_it(ma
     )
     given = {"f": None, "G": zeros(0, 0), "noise": zeros(0, 1)}
     turned = replace(model, **given, next=model.x + model.dt * model.f, Q=eye(2) * model.noise[0] ** 2)
-    assert "x_" in turned._repr_latex_()
+    assert "x_" in notebook.latex(turned)
     page = model_page(turned)
     at, (section,) = point(model, 4), [one for one in page.sections if one.anchor == "step"]
     with numbers.digits(60):

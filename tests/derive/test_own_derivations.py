@@ -11,6 +11,7 @@ from boresight import BoresightError
 from boresight.codegen.functions.dynamics import dynamics
 from boresight.codegen.functions.reference import precise
 from boresight.codegen.functions.units import UnitMaker
+from boresight.derive.expressions import numeric
 from boresight.derive.ledger import ellipsoid
 from boresight.derive.ledger.carried import check_maps
 from boresight.derive.ledger.entries import entry_of
@@ -19,7 +20,6 @@ from boresight.derive.ledger.judge import EXACT
 from boresight.derive.ledger.numbers import digits, exact, eye, largest, zeros
 from boresight.derive.mechanics import earth
 from boresight.derive.mechanics import error_models as em
-from boresight.derive.model import numeric
 from boresight.derive.models.phi_error import phi_error_ned
 from boresight.derive.papers import paper
 from boresight.derive.papers.mechanics import kinematics

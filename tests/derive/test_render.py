@@ -13,9 +13,10 @@ from tools import needs
 
 from boresight import BoresightError
 from boresight.derive.ledger.differences import differences, marks
+from boresight.derive.ledger.latex import latex_relation
 from boresight.derive.ledger.lines import count_steps
+from boresight.derive.pages import notebook
 from boresight.derive.pages.booklet import pdf_from_latex, pieces
-from boresight.derive.pages.latex import latex_relation
 from boresight.derive.pages.mathml import mathml_relation
 from boresight.derive.pages.page import notation
 from boresight.derive.pages.render import render
@@ -264,12 +265,12 @@ def test_a_derivation_of_no_paper_is_a_page_too(format):
 
 def test_a_notebook_shows_an_equation_and_a_derivation():
     equation = PAPER.equation("9")
-    cell = Page(equation._repr_html_())
+    cell = Page(notebook.html(equation))
     assert not cell.open and not cell.wrong and len(cell.slips) == 12
-    assert equation._repr_latex_().count(r"\psi") == 7
-    shown = Page(equation.derivation._repr_html_())
+    assert notebook.latex(equation).count(r"\psi") == 7
+    shown = Page(notebook.html(equation.derivation))
     assert not shown.open and not shown.wrong
-    assert equation.derivation._repr_latex_().count("gathered") == 2
+    assert notebook.latex(equation.derivation).count("gathered") == 2
 
 
 @pytest.mark.parametrize("name", [*PAPERS, *DERIVATIONS])

@@ -13,11 +13,11 @@ from mechanics import F_N, POSITION, V_N, differentiable, numbers, states
 from sympy import Matrix, symbols
 
 from boresight.codegen.functions.reference import evaluator, precise
+from boresight.derive.expressions import symbols_in
 from boresight.derive.ledger.numbers import middle
 from boresight.derive.mechanics import mechanization
 from boresight.derive.mechanics import rotation as rot
 from boresight.derive.mechanics.earth import NED
-from boresight.derive.model import symbols_in
 from boresight.derive.models import velocity_attitude as va
 from boresight.runtime.library import load
 

@@ -6,7 +6,7 @@ from unicodedata import lookup, normalize
 from unicodedata import name as name_of
 
 from boresight.derive.ledger.equation import Quantity, Relation
-from boresight.derive.pages.formula import ATOM, ELEMENTARY, PREFIX, Piece, Place, Writer
+from boresight.derive.ledger.formula import ATOM, ELEMENTARY, PREFIX, Piece, Place, Writer
 
 
 def latex_relations(relations: Iterable[Relation], quantities: Iterable[Quantity]) -> str:
