@@ -490,9 +490,16 @@ class Studies(typer.core.TyperGroup):
     """A command for each study, made of its scenario's options when it is asked for."""
 
     def list_commands(self, ctx: Any) -> list[str]:
-        from boresight.studies.known import STUDIES
+        from boresight.studies.known import names
 
-        return list(STUDIES)
+        return names()
+
+    def format_epilog(self, ctx: Any, formatter: Any) -> None:
+        from boresight.studies.known import STUDIES, elsewhere
+
+        if elsewhere():
+            with formatter.section("In the checkout"):
+                formatter.write_dl([(name, STUDIES[name]) for name in elsewhere()])
 
     def get_command(self, ctx: Any, name: str) -> Any:
         from boresight.studies.known import STUDIES, study

@@ -15,6 +15,7 @@ EXTRAS = {
     "ros": ("rosbags",),
     "cluster": ("dask", "distributed"),
     "cli": ("typer", "rich"),
+    "evidence": ("unicorn", "elftools", "pycparser"),
 }
 
 

@@ -13,7 +13,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any, TypeVar
 
-from boresight.runtime.manifest import GENERATED, built_in, cache_folder, folder_of
+from boresight.runtime.manifest import built_in, cache_folder, folder_of, generated
 
 Made = TypeVar("Made")
 Progress = Callable[[int, int, str], None]  # how many are done, of all, and the last one
@@ -103,7 +103,7 @@ def key(derive: Path = DERIVE) -> str:
     for name in ("sympy", "mpmath", "python-flint", "jinja2"):
         digest.update(f"{name} {version(name)}\n".encode())
     sources = sorted(path for end in ("py", "j2") for path in derive.rglob(f"*.{end}"))
-    for path in (Path(__file__), *sources, *sorted(GENERATED.glob("*/manifest.json"))):
+    for path in (Path(__file__), *sources, *sorted(generated().glob("*/manifest.json"))):
         content = path.read_bytes()
         digest.update(f"{path.name} {len(content)}\n".encode() + content)
     return digest.hexdigest()

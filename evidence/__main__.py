@@ -4,10 +4,14 @@ import multiprocessing
 import sys
 from concurrent.futures import ProcessPoolExecutor, as_completed
 
-from boresight.evidence import results
-from boresight.evidence.kinds import FLOWN, KINDS, TRIED, Kind, kinds_for, kinds_of, make, out_of_date
-from boresight.evidence.sources import Derivations, Examples, Flights, Folder, derivations, folders
-from boresight.evidence.table import PAGE, page
+from boresight.errors import need
+
+need("evidence")
+
+from boresight.evidence import results  # noqa: E402
+from boresight.evidence.kinds import FLOWN, KINDS, TRIED, Kind, kinds_for, kinds_of, make, out_of_date  # noqa: E402
+from boresight.evidence.sources import Derivations, Examples, Flights, Folder, derivations, folders  # noqa: E402
+from boresight.evidence.table import PAGE, page  # noqa: E402
 
 JOBS = 2
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from boresight import BoresightError
+from boresight.errors import BoresightError, need
 from boresight.evidence.targets import GROUPS, ROOM, RV32, Build, Run, recorded, symbol_table
 
 STACK_TOP, STACK_SIZE = 0x2080_0000, 0x40_0000
@@ -55,6 +55,7 @@ class Machine:
     costs: dict[str, Cost] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        need("evidence")
         import unicorn as u
         from elftools.elf.elffile import ELFFile
         from unicorn import arm_const as arm

@@ -9,7 +9,7 @@ from typing import Any
 
 from boresight.codegen.stamp import GENERATOR, reached
 from boresight.derive.papers import DERIVATIONS, PAPERS
-from boresight.runtime.manifest import GENERATED, read_manifest, sources
+from boresight.runtime.manifest import generated, read_manifest, sources
 
 TEST = re.compile(r"^int (test_\w+)\(void\)$", re.MULTILINE)
 INCLUDED = re.compile(r'^#include "(\w+\.h)"', re.MULTILINE)
@@ -167,4 +167,4 @@ def derivations() -> list[Derivations]:
 
 def folders() -> list[Folder]:
     """Every folder that is committed."""
-    return [Folder(path.parent) for path in sorted(GENERATED.resolve().glob("*/manifest.json"))]
+    return [Folder(path.parent) for path in sorted(generated().resolve().glob("*/manifest.json"))]

@@ -1,6 +1,9 @@
 """What is installed from a wheel, built from an sdist, works away from the checkout, and with as little as it needs."""
 
+import hashlib
 import importlib.metadata
+import json
+import lzma
 import os
 import re
 import subprocess
@@ -14,7 +17,10 @@ import pytest
 from conftest import ROOT
 from tools import tool
 
+from boresight import BoresightError
 from boresight.errors import EXTRAS
+from boresight.runtime.manifest import read_manifest, unpacked
+from boresight.studies.known import EXPLORATIONS, STUDIES
 
 
 @pytest.fixture(scope="module")
@@ -31,14 +37,22 @@ def built(tmp_path_factory):
             (tree / name).symlink_to(os.readlink(ROOT / name))
         elif (ROOT / name).is_file():
             (tree / name).write_bytes((ROOT / name).read_bytes())
-    subprocess.run(
-        [sys.executable, "-m", "build", "--outdir", str(tmp_path / "dist"), str(tree)], check=True, capture_output=True
-    )
-    (sdist,) = (tmp_path / "dist").glob("*.tar.gz")
-    (wheel,) = (tmp_path / "dist").glob("*.whl")
+    sdist = make("sdist", tree, tmp_path)
+    with tarfile.open(sdist) as archive:
+        archive.extractall(tmp_path / "sdist")
+    wheel = make("wheel", next((tmp_path / "sdist").iterdir()), tmp_path)
     with zipfile.ZipFile(wheel) as archive:
         archive.extractall(tmp_path / "site")
     return sdist, wheel, tmp_path / "site"
+
+
+def make(what, tree, folder):
+    """An sdist or a wheel of the tree, by the setuptools that is installed: an isolated build would download one."""
+    code = f"from setuptools import build_meta; build_meta.build_{what}({str(folder)!r})"
+    done = subprocess.run([sys.executable, "-c", code], cwd=tree, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    (made,) = folder.glob("*.tar.gz" if what == "sdist" else "*.whl")
+    return made
 
 
 @pytest.fixture(scope="module")
@@ -71,24 +85,19 @@ def required(site):
 
 def test_sdist_and_wheel_hold_the_package_and_an_installed_one_flies(built, tmp_path):
     sdist, wheel, site = built
-    wanted = (
-        "generated/euler_matching/manifest.json", "generated/euler_matching/CMakeLists.txt",
-        "generated/euler_matching/src/em_euler_H_kernel.h", "codegen/templates/src/UNIT.c.j2", "derive/model.py",
-        "codegen/templates/src/stationary_detector.c.j2", "derive/pages/templates/page.html.j2",
-        "generated/stationary_detector/src/stationary_detector.c",
-        "runtime/recording/built_in/fog_mems_transfer.toml", "runtime/recording/built_in/template.toml",
-        "studies/euler_table/table.py",
-        "examples/pendulum.py", "examples/fly_gnss_ins.py", "cli.py", "py.typed",
-    )  # fmt: skip
+    wanted = {
+        "codegen/templates/src/UNIT.c.j2", "derive/model.py", "codegen/templates/src/stationary_detector.c.j2",
+        "derive/pages/templates/page.html.j2", "runtime/random.c", "runtime/recording/built_in/fog_mems_transfer.toml",
+        "runtime/recording/built_in/template.toml", "studies/euler_table/table.py", "examples/pendulum.py",
+        "examples/fly_gnss_ins.py", "evidence/trace.py", "cli.py", "py.typed",
+    }  # fmt: skip
     with zipfile.ZipFile(wheel) as archive:
         names = set(archive.namelist())
     assert {f"boresight/{name}" for name in wanted} <= names
-    assert {name.split("/")[0] for name in names} <= {
-        "boresight",
-        next(n.split("/")[0] for n in names if "dist-info" in n),
-    }
+    assert {name.split("/")[0] for name in names if "dist-info" not in name} == {"boresight"}
     with tarfile.open(sdist) as archive:
         inside = {name.split("/", 1)[-1] for name in archive.getnames()}
+    wanted |= {"generated/euler_matching/manifest.json", "evidence/attack.py", "studies/explorations/sea_state.py"}
     assert {f"boresight/{name}" for name in wanted} <= inside
 
     code = (
@@ -96,11 +105,67 @@ def test_sdist_and_wheel_hold_the_package_and_an_installed_one_flies(built, tmp_
         f"assert boresight.__file__.startswith({str(site)!r}); load('euler-matching').F(omega_in_n=np.zeros(3)); "
         "from boresight.codegen.generate import default_folder; "
         "assert str(default_folder('euler-matching')) == 'generated/euler_matching'; "
-        "from boresight.codegen.new import new; from pathlib import Path; new('mine', 'ins', Path())"
+        "from boresight.codegen.new import new; from pathlib import Path; new('mine', 'ins', Path()); "
+        "from boresight.codegen.export import evidence; from boresight.runtime.manifest import folder_of as at; "
+        "from json import loads; folder = at('euler-matching'); "
+        "print(*evidence(folder, loads((folder / 'manifest.json').read_text()), ''))"
     )
     env = {**os.environ, "PYTHONPATH": str(site)}
-    subprocess.run([sys.executable, "-c", code], cwd=tmp_path, env=env, check=True)
+    done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, env=env, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.split()[:3] == ["model", "hash", "evidence"]
     assert (tmp_path / "mine.py").is_file() and (tmp_path / "fly_mine.py").is_file()
+
+
+def test_a_wheel_holds_what_a_user_uses(built):
+    """The generated C in one file, evidence of that C, and neither campaigns nor explorations."""
+    _, wheel, site = built
+    assert wheel.stat().st_size < 2e6
+    package = site / "boresight"
+    texts = json.loads(lzma.decompress((package / "generated.json.xz").read_bytes()))
+    assert texts.keys() >= {"euler_matching/CMakeLists.txt", "velocity_dcm/src/vd_F_kernel.h"}
+    assert all((ROOT / "generated" / name).read_text() == text for name, text in texts.items())
+    folders = {name.split("/")[0] for name in texts}
+    assert folders == {path.parent.name for path in (ROOT / "generated").glob("*/manifest.json")}
+    results = {path.stem for path in (package / "evidence" / "results").iterdir()}
+    assert results == folders & {path.stem for path in (ROOT / "evidence" / "results").glob("*.json")}
+    assert {path.name for path in (package / "evidence").glob("*.py")} == {"__init__.py", "sources.py", "trace.py"}
+    assert not any((package / name).exists() for name in ("generated", "studies/explorations", "examples/flight"))
+
+
+def test_a_wheel_says_which_studies_are_in_the_checkout(built, tmp_path):
+    code = (
+        "import sys; from contextlib import suppress; from boresight.cli import main\n"
+        "for words in (['study'], ['study', 'sea-claims']):\n"
+        "    with suppress(SystemExit):\n"
+        "        main(words)\n"
+        "    print('----', file=sys.stderr)\n"
+    )
+    env = {**os.environ, "PYTHONPATH": str(built[2])}
+    done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, env=env, capture_output=True, text=True)
+    listed, refused, _ = done.stderr.split("----\n")
+    here, elsewhere = listed.split("Commands:")[1].split("In the checkout:")
+    assert all(f"  {name} " in (elsewhere if name in EXPLORATIONS else here) for name in STUDIES)
+    said = f"study sea-claims is not installed; in the checkout: {', '.join(EXPLORATIONS)}"
+    assert refused == f"boresight: {said}\n" and done.stdout == ""
+
+
+def test_the_archive_of_a_wheel_is_unpacked_once_and_says_what_it_cannot(monkeypatch, tmp_path):
+    monkeypatch.setenv("BORESIGHT_CACHE", str(tmp_path / "cache"))
+    archive = tmp_path / "generated.json.xz"
+    manifest = json.dumps({"files": {"src/a.c": hashlib.sha256(b"int a;\n").hexdigest()}})
+    archive.write_bytes(lzma.compress(json.dumps({"a/src/a.c": "int a;\n", "a/manifest.json": manifest}).encode()))
+    place = unpacked(archive)
+    assert place.parent == tmp_path / "cache" and read_manifest(place / "a")["files"]
+    assert [path.name for path in place.parent.iterdir()] == [place.name]
+    (place / "a" / "src" / "a.c").unlink()
+    assert unpacked(archive) == place
+    with pytest.raises(BoresightError, match=rf"a\.c is missing; delete {place}, which is unpacked again"):
+        read_manifest(place / "a")
+    (tmp_path / "file").touch()
+    monkeypatch.setenv("BORESIGHT_CACHE", str(tmp_path / "file"))
+    with pytest.raises(BoresightError, match="set BORESIGHT_CACHE to a folder"):
+        unpacked(archive)
 
 
 def test_the_base_flies_alone(built, bare):
@@ -181,7 +246,6 @@ def test_a_command_without_its_extra_says_in_one_line_what_to_install(monkeypatc
     ],
 )
 def test_a_file_whose_extra_is_missing_says_what_to_install(monkeypatch, tmp_path, ending, module, extra):
-    from boresight import BoresightError
     from boresight.runtime.recording.tables import table
 
     monkeypatch.setitem(sys.modules, module, None)
@@ -191,11 +255,13 @@ def test_a_file_whose_extra_is_missing_says_what_to_install(monkeypatch, tmp_pat
 
 def test_every_module_of_an_extra_is_named_in_it():
     extras = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["optional-dependencies"]
-    project = {"flint": "python-flint", "markdown_it": "markdown-it-py"}
+    project = {"flint": "python-flint", "markdown_it": "markdown-it-py", "elftools": "pyelftools"}
     for extra, modules in EXTRAS.items():
         assert {re.match(r"[\w-]+", line).group() for line in extras[extra]} == {project.get(m, m) for m in modules}
     (everything,) = extras["all"]
-    assert set(re.fullmatch(r"boresight\[(.*)\]", everything).group(1).split(",")) == set(EXTRAS)
+    included = set(re.fullmatch(r"boresight\[(.*)\]", everything).group(1).split(","))
+    assert included == set(EXTRAS) - {"ardupilot", "cluster", "evidence"}
+    assert extras["test"][0] == "boresight[all,ardupilot,cluster,evidence]"
 
 
 def test_the_layers_import_nothing_that_their_extra_does_not_bring():

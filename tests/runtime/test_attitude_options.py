@@ -12,7 +12,7 @@ from boresight.runtime import rotation, transfer
 from boresight.runtime.library import load
 from boresight.runtime.simulation import hull, inertial, sensors
 from boresight.runtime.transfer import Message, Rules, Transfer
-from boresight.studies.sea_state.exploration import pitched
+from boresight.studies.explorations.sea_state import pitched
 
 OPTIONS = Path(__file__).parent.parent.parent / "examples" / "velocity_attitude_options.py"
 DEG = np.pi / 180

@@ -8,8 +8,9 @@ import pytest
 from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.units import ARCMIN
-from boresight.studies.azimuth_hold import alignment, exploration, handover
+from boresight.studies.azimuth_hold import alignment, handover
 from boresight.studies.azimuth_hold import hold as study
+from boresight.studies.explorations import azimuth_hold as exploration
 from tests.drawing import drawn
 
 DECLARED = alignment.Scenario()

@@ -11,8 +11,8 @@ from boresight.runtime import rotation
 from boresight.runtime.library import load
 from boresight.runtime.simulation import sensors
 from boresight.runtime.units import ARCMIN, DEG
-from boresight.studies.euler_table import exploration
 from boresight.studies.euler_table import table as study
+from boresight.studies.explorations import euler_table as exploration
 from tests import numpy_euler_matching as witness
 from tests.drawing import drawn
 

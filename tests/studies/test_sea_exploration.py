@@ -10,8 +10,8 @@ from boresight.runtime.library import load
 from boresight.runtime.simulation import hull, sensors
 from boresight.runtime.units import MIL
 from boresight.studies.consistency import chi_square_band
+from boresight.studies.explorations import sea_state as study
 from boresight.studies.observability import Moment, along, since, with_fields
-from boresight.studies.sea_state import exploration as study
 from tests.drawing import drawn
 
 DEG = np.pi / 180

@@ -11,8 +11,8 @@ from boresight.runtime import rotation
 from boresight.runtime.library import load
 from boresight.runtime.simulation import hull, inertial, sensors
 from boresight.runtime.units import DEG, MIL
+from boresight.studies.explorations import sea_claims
 from boresight.studies.sea_state import bench as sea_bench
-from boresight.studies.sea_state import claims as sea_claims
 from boresight.studies.sea_state import delay as sea_delay
 from boresight.studies.sea_state import experiment as sea_state
 from boresight.studies.sea_state import flight as sea_flight

@@ -1,0 +1,1 @@
+"""What decides the results of the papers' studies, one assumption at a time.  In the checkout, not in the wheel."""
