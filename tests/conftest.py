@@ -1,9 +1,12 @@
 """What several tests need: folders of their own to generate and compile in, and the model's functions."""
 
+import hashlib
 import os
 import shutil
 import subprocess
 import sys
+import threading
+from contextlib import contextmanager
 from fcntl import LOCK_EX, flock
 from pathlib import Path
 
@@ -24,20 +27,95 @@ def run_folder(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def compiled_once(run_folder):
-    """A cache of compiled libraries for the whole run, beside the user's own."""
+    """Caches of compiled libraries and of their objects for the whole run, beside the user's own.
+
+    The objects are for folders that differ in a file or two, as spoilt ones do: what is the same is compiled once.
+    """
+    from boresight.runtime import compiler
+
+    kept = Objects(run_folder / "objects", compiler.run)
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("BORESIGHT_CACHE", str(run_folder / "cache"))
+        patch.setattr(compiler, "run", kept.run)
         yield
+
+
+class Objects:
+    """`compiler.run` that compiles no source twice by one command with the same headers."""
+
+    def __init__(self, folder, run):
+        self.folder, self._run = folder, run
+        folder.mkdir(exist_ok=True)
+
+    def run(self, command, cwd=None):
+        words = [str(word) for word in command]
+        beside = ("--coverage", "-g", "-M", "-fstack-usage", "-save-temps")  # write files beside the object
+        elsewhere = ("-I/", "-I.", "-isystem", "-iquote")  # headers that are not looked for below
+        known = "-c" in words and "-o" in words and words[words.index("-c") + 1].endswith(".c")
+        if cwd or not known or any(word.startswith(beside + elsewhere) for word in words):
+            return self._run(words, cwd)
+        key, headers, out = hashlib.sha256(), set(), Path(words[words.index("-o") + 1])
+        for before, word in zip(["", *words], words, strict=False):
+            if before in ("-c", "-include"):
+                key.update(Path(word).read_bytes())
+                headers |= {*Path(word).parent.glob("*.h")}
+            elif before == "-I":
+                headers |= {*Path(word).rglob("*.h")}
+            elif before != "-o":
+                key.update(word.encode() + b"\0")
+        for header in sorted(headers, key=lambda path: (path.name, str(path))):
+            key.update(header.name.encode() + b"\0" + header.read_bytes())
+        kept = self.folder / key.hexdigest()
+        if kept.exists():
+            shutil.copy(kept, out)
+            return ""
+        printed = self._run(words)
+        aside = kept.with_suffix(f".{os.getpid()}-{threading.get_ident()}")
+        shutil.copy(out, aside)
+        aside.replace(kept)
+        return printed
 
 
 @pytest.fixture(scope="module")
 def quickly():
-    """For short flights: C without optimisation, which is compiled in half of the time and gives the same bits."""
+    """For short flights: C without optimisation, which is compiled in a fraction of the time and gives the same bits.
+
+    `test_c_as_it_ships_has_the_bits_of_c_without_optimisation` of tests/runtime/test_lanes.py holds that it does.
+    """
+    from boresight.runtime import compiler
+
+    def plain(flags):
+        return tuple(flag for flag in flags if not flag.startswith("-O"))
+
+    shipped = compiler.FLAGS, compiler.LANES
+    with optimised((*plain(compiler.FLAGS), "-O0"), plain(compiler.LANES)):
+        yield shipped
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _quickly(request):
+    """The flights of tests/runtime are short, all of them."""
+    if request.path.parent.name == "runtime":
+        request.getfixturevalue("quickly")
+
+
+@pytest.fixture
+def as_it_ships(quickly):
+    """Where all is compiled quickly: C as a user has it."""
+    with optimised(*quickly):
+        yield
+
+
+@contextmanager
+def optimised(flags, lanes):
     from boresight.runtime import compiler
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(compiler, "FLAGS", tuple(flag.replace("-O2", "-O0") for flag in compiler.FLAGS))
+        patch.setattr(compiler, "FLAGS", flags)
+        patch.setattr(compiler, "LANES", lanes)
+        compiler.in_lanes.cache_clear()
         yield
+    compiler.in_lanes.cache_clear()
 
 
 @pytest.fixture(autouse=True)

@@ -7,7 +7,6 @@ from boresight import BoresightError
 from boresight.runtime.filter import CompiledFilter, Filter
 from boresight.runtime.library import load
 
-pytestmark = pytest.mark.usefixtures("quickly")
 NAV = {"plant": np.array([1.0, 0.1])}
 STEP = {"dt": 0.01, "push": 0.1}
 I = np.eye(2)

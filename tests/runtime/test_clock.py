@@ -97,7 +97,6 @@ def test_a_clock_that_is_set_moves_the_line_and_a_tag_that_is_no_number_stands_o
     assert ticks[-1].time == pytest.approx(7 + 3 + 0.01 * 599, abs=2e-3)
 
 
-@pytest.mark.usefixtures("quickly")
 def test_raw_differences_spoil_a_flight_and_the_line_does_not():
     """Rates with jittered tags, 100 Hz, a minute known: rms over 3 s of attitude, deg, and velocity, m/s."""
     motion, model = swinging(), load("velocity-attitude")

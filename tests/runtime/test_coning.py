@@ -49,7 +49,6 @@ def test_the_rate_left_of_pure_coning_falls_with_twice_the_samples(samples):
     assert np.log2(left[0] / left[1]) == pytest.approx(2 * samples, abs=0.15)
 
 
-@pytest.mark.usefixtures("quickly")
 def test_four_samples_err_a_hundredth_of_what_two_do_at_5_hz_and_50_hz_samples():
     motion = vibrating(10.0)
     two, four = (errors(motion, 50, 10.0, one) for one in (None, by(4)))
@@ -58,7 +57,6 @@ def test_four_samples_err_a_hundredth_of_what_two_do_at_5_hz_and_50_hz_samples()
     assert np.linalg.norm(four[1]) < np.linalg.norm(two[1]) / 10
 
 
-@pytest.mark.usefixtures("quickly")
 def test_the_transfer_filter_follows_them_by_choice():
     """With a bias that it knows of: the same flight, interval by interval."""
     motion, bias, zero = vibrating(2.0), np.array([0.01, -0.02, 0.5]), np.array(0.0)

@@ -13,8 +13,6 @@ from boresight.runtime import compiler
 from boresight.runtime.filter import CompiledFilter, Filter
 from boresight.runtime.library import load
 
-pytestmark = pytest.mark.usefixtures("quickly")
-
 
 class Row(ctypes.Structure):
     """bs_row."""

@@ -7,7 +7,6 @@ from boresight import BoresightError
 from boresight.runtime.filter import CompiledFilter, Epoch, Filter
 from boresight.runtime.library import load
 
-pytestmark = pytest.mark.usefixtures("quickly")
 NOISE = {"gyro_noise": 1e-4, "accel_noise": 5e-3, "gyro_bias_noise": 1e-7, "accel_bias_noise": 1e-5}
 SIGMA = np.array([1e-6, 1e-6, 5, 0.1, 0.1, 0.1, 0.01, 0.01, 0.02, *3 * (1e-5,), *3 * (0.01,)])
 F_B, REFERENCE = np.array([0, 0, 9.8]), np.array([1.0, 0, 0, 1e-3])

@@ -13,7 +13,6 @@ from boresight.runtime.transfer.gaps import Gaps
 from boresight.runtime.transfer.history import History
 from boresight.runtime.transfer.rules import Watch
 
-pytestmark = pytest.mark.usefixtures("quickly")
 RUNS, AT = 20, 3.05  # s, when samples begin to be missing
 FLOWN = {"runs": RUNS, "imu_hz": 100, "seconds": 4.2, "tau": 0.0, "tau_sigma": 1e-3, "lost": 0.0, "jitter": 0.0}
 

@@ -21,7 +21,6 @@ from boresight.runtime.compiler import PRECISIONS, run
 from boresight.runtime.filter import CompiledFilter, Filter
 from boresight.runtime.library import load
 
-pytestmark = pytest.mark.usefixtures("quickly")
 FLIGHTS, STEPS = 4, 16  # flights, and steps of the coarsest
 ROUNDING = 1e-12  # of the box of a state: below it SciPy and rounding decide
 

@@ -13,7 +13,6 @@ from boresight.codegen.export import export
 from boresight.runtime.filter import CompiledFilter, Filter
 from boresight.runtime.library import load
 
-pytestmark = pytest.mark.usefixtures("quickly")
 FLOWN = [(Filter, "flight"), (Filter, "casadi"), (CompiledFilter, "flight")]
 PENDULUM = f"{ROOT / 'examples' / 'pendulum.py'}:PENDULUM"
 TANK = f"{ROOT / 'examples' / 'own_model.py'}:TANK"

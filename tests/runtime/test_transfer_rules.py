@@ -13,7 +13,6 @@ from boresight.evidence.flights.motion import DEG, Motion, parked, swinging, wav
 from boresight.runtime.transfer import Message, Verdict
 from boresight.runtime.transfer.messages import heard
 
-pytestmark = pytest.mark.usefixtures("compiled_once")
 ROWS = ("v_n", "q_b2n_wxyz", "gyro_bias", "accel_bias", "q_b2m_wxyz", "tau")
 
 

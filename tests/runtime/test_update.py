@@ -17,7 +17,6 @@ from boresight import BoresightError
 from boresight.runtime.filter import CompiledFilter, Filter
 from boresight.runtime.library import load
 
-pytestmark = pytest.mark.usefixtures("quickly")
 ROOT = Path(__file__).parent.parent.parent
 KINDS = pytest.mark.parametrize("kind", [Filter, CompiledFilter], ids=["python", "c"])
 FAR = np.array([20.0, -3000.0, 0.0, 0.0, 0.0])
