@@ -206,11 +206,12 @@ def test_the_docs_say_how_near_to_60_digits_the_gain_that_is_left_out_comes_back
         pointers = [ctypes.c_void_p(a.ctypes.data) if isinstance(a, np.ndarray) else a for a in arguments]
         return getattr(radar.dll, f"rd_{function}")(*pointers)
 
+    # whole numbers, fractions and decimals: the bits of powers, and of sums, hang on the processor
+    tens = np.array([float(f"1e{k}") for k in range(-8, 1)])
     for _ in range(100):
-        root, sigma = rng.standard_normal((5, 5)), 10.0 ** rng.uniform(-6, 3, 5)
-        # summed by NumPy itself: a library of linear algebra rounds as its processor likes
-        P, kept = (root[:, None] * root[None]).sum(-1) * np.outer(sigma, sigma), rng.random(5) < 0.4
-        P, h, R = (P + P.T) / 2, rng.standard_normal(5) / sigma, 10.0 ** rng.uniform(-4, 2)
+        root, sigma = rng.integers(-128, 129, (5, 5)) / 64, rng.integers(100, 1000, 5) * rng.choice(tens, 5)
+        P, kept = root @ root.T * np.outer(sigma, sigma), rng.integers(10, size=5) < 4
+        h, R = rng.integers(-128, 129, 5) / 64 / sigma, float(rng.integers(100, 1000) * rng.choice(tens[2:8]))
         with mp.workdps(60):
             exact_P, exact_h = mp.matrix(P.tolist()), mp.matrix(h.tolist())
             g = exact_P * exact_h
