@@ -10,7 +10,7 @@ from conftest import ROOT
 README = (ROOT / "README.md").read_text()
 PAGES = [
     ROOT / "README.md",
-    ROOT / "CHANGELOG.md",
+    *(ROOT / f"{name}.md" for name in ("CHANGELOG", "CONTRIBUTING", "SECURITY")),
     *sorted((ROOT / "docs").rglob("*.md")),
     *ROOT.glob("examples/*/*.md"),
 ]
