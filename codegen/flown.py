@@ -15,7 +15,7 @@ from flint import arb
 
 from boresight.codegen.functions.reference import precise
 from boresight.codegen.functions.samples import generator, sample
-from boresight.codegen.functions.units import state_variable
+from boresight.codegen.functions.unit import state_variable
 from boresight.codegen.mechanics import (
     FINITE,
     LEAST,

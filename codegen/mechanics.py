@@ -16,7 +16,7 @@ from flint import arb
 
 from boresight.codegen.functions.reference import evaluator, precise
 from boresight.codegen.functions.samples import generator, sample
-from boresight.codegen.functions.units import state_variable
+from boresight.codegen.functions.unit import state_variable
 from boresight.derive.expressions import substituted, symbols_in
 from boresight.derive.ledger import ellipsoid
 from boresight.derive.ledger.navigation import Navigator

@@ -23,10 +23,12 @@ from flint import arb
 
 from boresight import BoresightError
 from boresight.codegen.flown import check_flown
+from boresight.codegen.functions.maker import UnitMaker
 from boresight.codegen.functions.reference import Entries, precise
 from boresight.codegen.functions.samples import answered, generator, sample
 from boresight.codegen.functions.tape import evaluate
-from boresight.codegen.functions.units import Unit, UnitMaker, units
+from boresight.codegen.functions.unit import Unit
+from boresight.codegen.functions.units import units
 from boresight.codegen.generate import load_model
 from boresight.codegen.mechanics import MechanicsCheck, check_mechanics
 from boresight.derive.model import Measurement, Model

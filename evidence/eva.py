@@ -16,7 +16,8 @@ import numpy as np
 
 from boresight.codegen.functions.samples import generator
 from boresight.codegen.functions.tape import evaluate
-from boresight.codegen.functions.units import Unit, units
+from boresight.codegen.functions.unit import Unit
+from boresight.codegen.functions.units import units
 from boresight.codegen.generate import load_model
 from boresight.evidence.calls import layout, points_of
 from boresight.evidence.sources import Folder, Source

@@ -20,8 +20,8 @@ from boresight.derive.ledger.equation import Quantity, Relation, children
 from boresight.derive.ledger.evaluate import OPERATORS, Point, evaluate
 from boresight.derive.ledger.latex import latex_relation
 from boresight.derive.ledger.numbers import Matrix, digits, norm
+from boresight.derive.ledger.text import text_relation
 from boresight.derive.pages.mathml import mathml_relation
-from boresight.derive.pages.text import text_relation
 from boresight.derive.papers import PAPERS, paper
 from boresight.evidence.formula_tokens import (
     Node,

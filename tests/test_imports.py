@@ -1,6 +1,7 @@
 """The arrows between the layers, and what start-up may load."""
 
 import ast
+import graphlib
 import re
 import subprocess
 import sys
@@ -19,6 +20,15 @@ ARROWS = {
 # SymPy and CasADi stop at codegen: what flies needs neither.
 FORBIDDEN = {"runtime": {"sympy", "casadi"}, "studies": {"sympy", "casadi"}, "derive": {"casadi", "numpy", "scipy"}}
 
+# Within derive, each imports only what stands before it.  The `results` of a paper are functions of which
+# models are made; its letters, equations and witness judge them.
+ORDER = (
+    "where", "letters", "units", "constant", "expressions", "checks", "model", "dimensions",
+    "mechanics", "papers/*/results", "models", "ledger", "papers", "pages",
+)  # fmt: skip
+# Types that stand in annotations alone, each of what calls the file: a second description of them would say no more.
+TYPES = {("derive/checks.py", "derive/model.py")}
+
 
 def imported(path):
     """Dotted names of everything a file imports, at any depth."""
@@ -29,6 +39,65 @@ def imported(path):
             assert node.level == 0, f"{path}: relative import"
             yield node.module
             yield from (f"{node.module}.{alias.name}" for alias in node.names)
+
+
+def arrows(layer):
+    """Of each file of a layer those of it that it imports, also within functions and for types alone.
+
+    `from a import b` is an arrow to the module a.b if there is one, else to a.
+    """
+    names = {".".join(("boresight", *path.relative_to(ROOT).with_suffix("").parts)): path for path in files(layer)}
+    modules = {name.removesuffix(".__init__"): str(path.relative_to(ROOT)) for name, path in names.items()}
+    found = {}
+    for path in files(layer):
+        here, named = str(path.relative_to(ROOT)), set()
+        for node in ast.walk(ast.parse(path.read_text())):
+            if isinstance(node, ast.Import):
+                named |= {alias.name for alias in node.names}
+            elif isinstance(node, ast.ImportFrom):
+                inner = {f"{node.module}.{alias.name}" for alias in node.names}
+                named |= {name if name in modules else node.module for name in inner}
+        found[here] = {modules[name] for name in named & modules.keys()} - {here}
+        found[here] -= {there for one, there in TYPES if one == here}
+    return found
+
+
+def part(file):
+    """The part of a layer that a file belongs to: a folder or a file of its own.  What is run lies above all."""
+    if re.fullmatch(r"derive/papers/\w+/results\.py", file):
+        return "papers/*/results"
+    return file if file.endswith("__main__.py") else file.split("/")[1].removesuffix(".py")
+
+
+def circle(arrows):
+    """The files of one, in their order, or nothing."""
+    try:
+        graphlib.TopologicalSorter(arrows).prepare()
+    except graphlib.CycleError as error:
+        return error.args[1][::-1]
+    return []
+
+
+def between(layer):
+    """The arrows between the parts of a layer."""
+    found = {}
+    for file, others in arrows(layer).items():
+        found.setdefault(part(file), set()).update({part(other) for other in others} - {part(file)})
+    return found
+
+
+@pytest.mark.parametrize("layer", LAYERS)
+def test_no_files_and_no_folders_of_a_layer_import_in_a_circle(layer):
+    """A lazy import is an arrow all the same, and one for a type alone is."""
+    assert circle(arrows(layer)) == []
+    assert circle(between(layer)) == []
+
+
+def test_derive_imports_in_one_order():
+    found = between("derive")
+    assert set(found) - {"__init__"} == set(ORDER)
+    for one, others in found.items():
+        assert all(ORDER.index(other) < ORDER.index(one) for other in others), (one, others)
 
 
 def files(layer):

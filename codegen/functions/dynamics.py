@@ -4,18 +4,18 @@ Each has a reference in balls that shares the SymPy expressions with it and noth
 whole step, the reference puts the step together from values and Jacobians of f, by the chain rule.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from math import factorial
 from typing import Any
 
 import casadi as ca
 from flint import arb
 
+from boresight.codegen.functions.maker import UnitMaker
 from boresight.codegen.functions.reference import Entries, precise
-from boresight.codegen.functions.units import Unit, UnitMaker, described
+from boresight.codegen.functions.unit import Unit, Values, described
 from boresight.derive.model import SPREAD
 
-Values = Mapping[str, Sequence[Any]]  # field name -> components, floats or balls
 Rows = list[dict[int, Any]]  # a matrix as its non-zeros, row by row: F of a filter has few
 LARGEST = 3e38  # a float holds it: what is not below it counts as not finite
 

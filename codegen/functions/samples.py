@@ -2,17 +2,14 @@
 
 import hashlib
 from itertools import product
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from boresight import BoresightError
 from boresight.codegen.functions.elementary import norm
 from boresight.codegen.functions.tape import computed, evaluate
+from boresight.codegen.functions.unit import Unit
 from boresight.derive.model import Variable
-
-if TYPE_CHECKING:
-    from boresight.codegen.functions.units import Unit
 
 PAIRS = 200  # of points between which the edge of a result's box is looked for
 FEW = 8  # points at which the ends of boxes are tried before the others
@@ -69,7 +66,7 @@ def single(args: tuple[Variable, ...], points: list[np.ndarray]) -> list[np.ndar
 
 
 def answered(
-    unit: "Unit", corners: int, count: int, rng: np.random.Generator, *, small: bool = False, in_float: bool = False
+    unit: Unit, corners: int, count: int, rng: np.random.Generator, *, small: bool = False, in_float: bool = False
 ) -> list[np.ndarray]:
     """`count` points (none for a function without arguments) at which the unit answers; in_float: in either precision.
 
@@ -93,13 +90,13 @@ def answered(
     raise BoresightError(f"{unit.name}: only {len(chosen)} of {drawn} points of its box have an answer; narrow the box")
 
 
-def results(unit: "Unit", points: list[np.ndarray]) -> list[np.ndarray]:
+def results(unit: Unit, points: list[np.ndarray]) -> list[np.ndarray]:
     """(points,) for each non-zero, in the order of the tape's results."""
     steps = computed(unit.tape, points)
     return [steps[position] for _, _, position in unit.tape.results]
 
 
-def within(unit: "Unit", points: list[np.ndarray]) -> np.ndarray:
+def within(unit: Unit, points: list[np.ndarray]) -> np.ndarray:
     """(points,) 1 where the results surely lie in their own boxes, in either precision; -1 where surely not; else 0."""
     values, bounds = evaluate(unit.tape, points, real=np.float32)
     inside, outside = np.ones(len(values[0]), dtype=bool), np.zeros(len(values[0]), dtype=bool)
@@ -117,7 +114,7 @@ def norm_ends(arg: Variable) -> tuple[float, ...]:
     return (-arg.norm[1], -arg.norm[0], *arg.norm) if arg.norm else ()
 
 
-def ends(unit: "Unit", points: list[np.ndarray]) -> list[np.ndarray]:
+def ends(unit: Unit, points: list[np.ndarray]) -> list[np.ndarray]:
     """For each argument, (ends, points): whether a component may be put to an end of its box at that point so that the
     unit answers; low and high of the first component, and so on.
 
@@ -148,7 +145,7 @@ def ends(unit: "Unit", points: list[np.ndarray]) -> list[np.ndarray]:
     return np.split(good, np.cumsum([len(ends_of_one) for ends_of_one in at])[:-1])
 
 
-def edges(unit: "Unit", beyond: float, rng: np.random.Generator) -> tuple[list[np.ndarray], list[int]]:
+def edges(unit: Unit, beyond: float, rng: np.random.Generator) -> tuple[list[np.ndarray], list[int]]:
     """Points at which one result lies a part `beyond` of its bound inside or outside its own box, and which of them are
     outside (1).  A bound that no result was seen at has none."""
     tries = 20000
@@ -177,7 +174,7 @@ def edges(unit: "Unit", beyond: float, rng: np.random.Generator) -> tuple[list[n
 
 
 def between(
-    unit: "Unit", k: int, target: float, points: list[np.ndarray], a: np.ndarray, b: np.ndarray
+    unit: Unit, k: int, target: float, points: list[np.ndarray], a: np.ndarray, b: np.ndarray
 ) -> list[np.ndarray]:
     """Between points a and b, by halving, where result k is the target; norms go from one's to the other's."""
 

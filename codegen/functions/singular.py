@@ -13,9 +13,10 @@ import casadi as ca
 import numpy as np
 
 from boresight.codegen.functions.elementary import norm
+from boresight.codegen.functions.maker import UnitMaker
 from boresight.codegen.functions.samples import generator, sample
 from boresight.codegen.functions.tape import Tape, computed, tape
-from boresight.codegen.functions.units import Unit, UnitMaker
+from boresight.codegen.functions.unit import Unit
 from boresight.derive.checks import fail
 from boresight.derive.model import Model, Variable
 

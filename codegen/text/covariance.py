@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from boresight.codegen.functions.dynamics import left_of_Q, left_out, series, spread
-from boresight.codegen.functions.units import Unit
+from boresight.codegen.functions.unit import Unit
 from boresight.derive.model import Model
 
 LANES = 4

@@ -6,7 +6,7 @@ import mpmath as mp
 import numpy as np
 
 from boresight.codegen.functions.tape import LIBRARY, ULPS
-from boresight.codegen.functions.units import Unit
+from boresight.codegen.functions.unit import Unit
 from boresight.codegen.text.names import rows_of, three_digits
 
 POINTS = {  # of the self-test: small and large, about the ends of what a polynomial serves, and across the quadrants

@@ -16,7 +16,8 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from boresight.codegen.functions.reference import DIGITS
 from boresight.codegen.functions.singular import refuse_singular
 from boresight.codegen.functions.tape import LIBRARY, ULPS
-from boresight.codegen.functions.units import Unit, units
+from boresight.codegen.functions.unit import Unit
+from boresight.codegen.functions.units import units
 from boresight.codegen.text import stationary_detector
 from boresight.codegen.text.covariance import covariance_view, nonzeros
 from boresight.codegen.text.covariance_vectors import vectors_view

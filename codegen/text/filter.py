@@ -10,7 +10,7 @@ from boresight import BoresightError
 from boresight.codegen.functions.dynamics import LARGEST
 from boresight.codegen.functions.samples import generator, sample
 from boresight.codegen.functions.tape import evaluate
-from boresight.codegen.functions.units import Unit, state_variable
+from boresight.codegen.functions.unit import Unit, state_variable
 from boresight.codegen.text.covariance import Places, arranged, nonzeros, table
 from boresight.codegen.text.names import beyond, norms_beyond, number, rows_of, shared_tables
 from boresight.derive.model import Model, Variable

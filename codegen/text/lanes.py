@@ -4,7 +4,7 @@ from collections.abc import Collection
 from itertools import accumulate
 from typing import Any
 
-from boresight.codegen.functions.units import Unit
+from boresight.codegen.functions.unit import Unit
 from boresight.codegen.text.covariance import coupled, even, movers, nonzeros, reach
 from boresight.codegen.text.names import number
 from boresight.derive.model import Model, Variable

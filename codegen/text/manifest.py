@@ -3,7 +3,7 @@
 from typing import Any
 
 from boresight.codegen.functions.dynamics import left_out
-from boresight.codegen.functions.units import Unit, state_variable
+from boresight.codegen.functions.unit import Unit, state_variable
 from boresight.codegen.text.covariance import covariance_view
 from boresight.codegen.text.filter import ceilings, filter_view, has_filter
 from boresight.derive.model import Model, Variable

@@ -8,7 +8,7 @@ from boresight import BoresightError
 from boresight.codegen.functions.dynamics import LARGEST
 from boresight.codegen.functions.samples import BEYOND
 from boresight.codegen.functions.tape import Tape
-from boresight.codegen.functions.units import Result, Unit
+from boresight.codegen.functions.unit import Result, Unit
 from boresight.derive.model import Model, Variable
 
 

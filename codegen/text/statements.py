@@ -5,7 +5,7 @@ from itertools import accumulate, pairwise
 from math import inf
 
 from boresight.codegen.functions.tape import FREE, LIBRARY, Tape
-from boresight.codegen.functions.units import Result, Unit
+from boresight.codegen.functions.unit import Result, Unit
 from boresight.codegen.text.names import nz_name, temporaries
 from boresight.derive.model import Model
 

@@ -8,7 +8,7 @@ from flint import arb
 from boresight.codegen.functions.mutants import LEAST, telling
 from boresight.codegen.functions.samples import BEYOND, answered, edges, ends, generator
 from boresight.codegen.functions.tape import evaluate
-from boresight.codegen.functions.units import Unit
+from boresight.codegen.functions.unit import Unit
 from boresight.codegen.text.names import rows_of, three_digits
 from boresight.derive.model import Model
 

@@ -4,7 +4,7 @@ import hashlib
 from typing import Any
 
 from boresight.codegen.functions.samples import norm_ends
-from boresight.codegen.functions.units import Result, Unit
+from boresight.codegen.functions.unit import Result, Unit
 from boresight.codegen.text.elementary import called
 from boresight.codegen.text.names import (
     beyond,

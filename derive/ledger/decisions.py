@@ -28,7 +28,7 @@ from boresight.derive.ledger.judge import (
 )
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.reader import plain, read
-from boresight.derive.pages.text import text_relation
+from boresight.derive.ledger.text import text_relation
 
 
 @dataclass(frozen=True)

@@ -4,8 +4,8 @@ from collections.abc import Iterable
 from itertools import zip_longest
 from textwrap import fill, indent, wrap
 
+from boresight.derive.ledger.text import columns, text_relation
 from boresight.derive.pages.blocks import Block, Form, Formulas, Page, Pair, Prose, Section, Table
-from boresight.derive.pages.text import columns, text_relation
 
 INDENT = 4  # of a formula
 

@@ -6,7 +6,8 @@ import time
 from functools import cache
 from typing import Any
 
-from boresight.codegen.functions.units import Unit, units
+from boresight.codegen.functions.unit import Unit
+from boresight.codegen.functions.units import units
 from boresight.codegen.generate import load_model
 from boresight.evidence.proofs import coq, kept, prover, search
 from boresight.evidence.proofs.script import cone

@@ -11,7 +11,7 @@ import numpy as np
 
 from boresight.codegen.functions.samples import generator
 from boresight.codegen.functions.tape import COMPUTE, LIBRARY, Tape, computed
-from boresight.codegen.functions.units import Unit
+from boresight.codegen.functions.unit import Unit
 from boresight.derive.model import Variable
 from boresight.evidence.calls import points_of
 from boresight.evidence.proofs.script import cone

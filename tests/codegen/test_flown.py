@@ -12,8 +12,8 @@ from test_dynamics import TURN
 
 from boresight.codegen.flown import check_flown
 from boresight.codegen.functions.dynamics import dynamics
+from boresight.codegen.functions.maker import UnitMaker
 from boresight.codegen.functions.reference import precise
-from boresight.codegen.functions.units import UnitMaker
 from boresight.codegen.generate import load_model
 from boresight.derive.mechanics import mechanization
 from boresight.derive.mechanics.rotation import skew

@@ -14,8 +14,9 @@ from flint import arb, ctx
 
 from boresight.codegen.functions.convert import to_casadi
 from boresight.codegen.functions.identities import domains, identified, numbers
+from boresight.codegen.functions.maker import UnitMaker
 from boresight.codegen.functions.tape import bounded, tape
-from boresight.codegen.functions.units import UnitMaker
+from boresight.codegen.functions.units import made_by
 from boresight.codegen.generate import load_model
 from boresight.evidence.sources import Folder, folders
 from boresight.evidence.trace import OUTPUT, STATEMENT, statements
@@ -193,7 +194,7 @@ def constant_or_equal(listed, columns):
 def apart(folder, unit, found):
     """Whether of each two equal statements one is defined where the other is not, or errs by less than half."""
     maker = UnitMaker(load_model(folder.manifest["model"]))
-    (made,) = (u for u in maker.units() if f"{folder.manifest['c_prefix']}_{u.name}" == unit)
+    (made,) = (u for u in made_by(maker) if f"{folder.manifest['c_prefix']}_{u.name}" == unit)
     points = [
         at for variable, at in zip(maker.variables, maker.points(made.name), strict=True) if variable in made.args
     ]

@@ -9,7 +9,7 @@ import pytest
 from sympy import Matrix, diag
 
 from boresight import report, terminal
-from boresight.codegen.functions.units import UnitMaker
+from boresight.codegen.functions.maker import UnitMaker
 from boresight.codegen.generate import load_model
 from boresight.codegen.mechanics import check_mechanics
 from boresight.derive.mechanics import earth

@@ -5,7 +5,8 @@ from dataclasses import replace
 import pytest
 from sympy import Matrix
 
-from boresight.codegen.functions.units import UnitMaker
+from boresight.codegen.functions.maker import UnitMaker
+from boresight.codegen.functions.units import measurement
 from boresight.codegen.generate import load_model
 from boresight.codegen.text.files import folder_files
 from boresight.codegen.text.views import unit_hash
@@ -93,5 +94,5 @@ def test_an_odometer_changes_no_other_measurement_of_velocity_attitude():
     maker = UnitMaker(more)
     quaternion = next(m for m in more.measurements if m.name == "quaternion")
     committed = read_manifest(folder_of("velocity-attitude"))["units"]
-    for unit in maker.measurement(quaternion):
+    for unit in measurement(maker, quaternion):
         assert unit_hash(unit) == committed[unit.name]["hash"], unit.name

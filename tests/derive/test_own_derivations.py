@@ -9,8 +9,8 @@ from sympy import Matrix, Poly, Rational, cos, diff, expand, numer, reduced, sin
 
 from boresight import BoresightError
 from boresight.codegen.functions.dynamics import dynamics
+from boresight.codegen.functions.maker import UnitMaker
 from boresight.codegen.functions.reference import precise
-from boresight.codegen.functions.units import UnitMaker
 from boresight.derive.expressions import numeric
 from boresight.derive.ledger import ellipsoid
 from boresight.derive.ledger.carried import check_maps
