@@ -6,6 +6,7 @@ import subprocess
 
 from boresight.evidence.targets import WARNINGS
 from boresight.runtime import compiler
+from boresight.runtime.manifest import folder_of
 
 STRICT = (*WARNINGS, "-O1")
 
@@ -34,6 +35,15 @@ def spoil(folder, path, old, new):
     manifest = json.loads((folder / "manifest.json").read_text())
     manifest["files"][path] = hashlib.sha256((folder / path).read_bytes()).hexdigest()
     (folder / "manifest.json").write_text(json.dumps(manifest))
+
+
+def exported_c(model, out, precision="double"):
+    """The folder `out`: a committed one as `export` writes it, who first makes it again to see that it is up to date;
+    that it does so is tested once."""
+    from boresight.codegen.export import exported
+
+    exported(folder_of(model), out, precision, "")
+    return out
 
 
 def self_test(folder, out, *flags, cc="cc"):

@@ -277,7 +277,7 @@ def test_noises_in_common_of_states_that_stay_are_carried_in_both_forms(order, c
     assert "#define SM_N_MOVING 2 " in (folder / "include" / "shared_mass_covariance.h").read_text()
     for form in (0, 1):
         (tmp_path / str(form)).mkdir()
-        done = self_test(folder, tmp_path / str(form), *STRICT, "-O2", f"-DBORESIGHT_UD={form}")
+        done = self_test(folder, tmp_path / str(form), *STRICT, "-O0", f"-DBORESIGHT_UD={form}")
         assert (done.returncode, done.stdout.splitlines()[-1]) == (0, passed(folder)), done.stdout + done.stderr
     library = load(folder)
     loops = [kind(library, {}, np.diag([0.1, 0.2, 0.3, 0.4, 0.5])) for kind in (Filter, CompiledFilter)]
@@ -288,7 +288,7 @@ def test_noises_in_common_of_states_that_stay_are_carried_in_both_forms(order, c
 
 
 def test_the_self_test_knows_the_order(ordered, tmp_path):
-    done = self_test(ordered[1], tmp_path, *STRICT, *(["-DBORESIGHT_FLOAT"] if ordered[0] == 3 else []))
+    done = self_test(ordered[1], tmp_path, *STRICT, "-O0", *(["-DBORESIGHT_FLOAT"] if ordered[0] == 3 else []))
     assert (done.returncode, done.stdout.splitlines()[-1]) == (0, passed(ordered[1])), done.stdout + done.stderr
 
 
@@ -412,7 +412,7 @@ TURN = Model(
 
 def test_a_model_in_discrete_time_is_flown_as_it_is_given(tmp_path):
     folder = generated("TURN", 2, tmp_path / "turn")
-    done = self_test(folder, tmp_path, *STRICT, "-DBORESIGHT_FLOAT")
+    done = self_test(folder, tmp_path, *STRICT, "-O0", "-DBORESIGHT_FLOAT")
     assert (done.returncode, done.stdout.splitlines()[-1]) == (0, passed(folder)), done.stdout + done.stderr
     library, angle, P = load(folder), 3.0, 0.01
     loops = [kind(library, {}, [[P]], x=[angle]) for kind in (Filter, CompiledFilter)]

@@ -3,9 +3,10 @@
 import re
 
 import pytest
-from building import run
+from building import c_files, run
 
 from boresight.runtime.arguments import MOST_ITERATIONS
+from boresight.runtime.compiler import PRECISIONS, compile_sources
 from boresight.runtime.manifest import folder_of
 
 MODEL = "azimuth-hold"
@@ -78,31 +79,39 @@ RESTORE = """
 """
 
 
-def answer(body, tmp_path, *flags):
-    folder = folder_of(MODEL)
-    source = tmp_path / "main.c"
-    source.write_text(BEGIN + body)
-    built = tmp_path / "main"
-    done = run("cc", "-std=c99", "-O2", "-ffp-contract=off", *flags, "-I", folder / "include", source,
-               *sorted((folder / "src").glob("*.c")), "-lm", "-o", built)  # fmt: skip
+@pytest.fixture(scope="module")
+def objects(tmp_path_factory):
+    """precision -> the compiler as a command, and what it has made of the model."""
+    made = {}
+    for precision, flags in PRECISIONS.items():
+        command = ["cc", "-std=c99", "-O0", "-ffp-contract=off", *flags, "-I", folder_of(MODEL) / "include"]
+        sources = dict.fromkeys(c_files(folder_of(MODEL), "src"), ())
+        made[precision] = command, compile_sources(command, sources, tmp_path_factory.mktemp(precision)).values()
+    return made
+
+
+def answer(body, objects, tmp_path, precision="double"):
+    (tmp_path / "main.c").write_text(BEGIN + body)
+    command, library = objects[precision]
+    done = run(*command, tmp_path / "main.c", *library, "-lm", "-o", tmp_path / "main")
     assert done.returncode == 0, done.stderr
-    return run(built).stdout.split()
+    return run(tmp_path / "main").stdout.split()
 
 
-@pytest.mark.parametrize("flags", [(), ("-DBORESIGHT_FLOAT",)])
-def test_a_measurement_that_ends_at_the_ceiling_is_counted(flags, tmp_path):
-    assert answer(CEILINGS, tmp_path, *flags) == ["1", "1"]
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_a_measurement_that_ends_at_the_ceiling_is_counted(precision, objects, tmp_path):
+    assert answer(CEILINGS, objects, tmp_path, precision) == ["1", "1"]
 
 
-@pytest.mark.parametrize("flags", [(), ("-DBORESIGHT_FLOAT",)])
-def test_a_measurement_of_more_linearisations_than_the_header_allows_is_refused(flags, tmp_path):
-    assert answer(ITERATIONS, tmp_path, *flags) == ["0", "0", "3", "3"]
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_a_measurement_of_more_linearisations_than_the_header_allows_is_refused(precision, objects, tmp_path):
+    assert answer(ITERATIONS, objects, tmp_path, precision) == ["0", "0", "3", "3"]
     header = (folder_of(MODEL) / "include/boresight_filter.h").read_text()
     assert f"#define BS_MOST_ITERATIONS {MOST_ITERATIONS} " in header
 
 
-def test_restore_judges_the_diagonal_alone_and_its_header_says_so(tmp_path):
-    assert answer(RESTORE, tmp_path) == ["0", "5"]
+def test_restore_judges_the_diagonal_alone_and_its_header_says_so(objects, tmp_path):
+    assert answer(RESTORE, objects, tmp_path) == ["0", "5"]
     header = (folder_of(MODEL) / "include/azimuth_hold_filter.h").read_text()
     words = re.sub(r"[\s*]+", " ", header)
     assert "judges the numbers as a step does" in words

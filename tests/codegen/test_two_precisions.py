@@ -4,21 +4,20 @@ import re
 import shutil
 
 import pytest
-from building import run
+from building import exported_c, run
 from conftest import ROOT
 
-from boresight.codegen.export import export
-
 EXAMPLE = ROOT / "examples" / "two-precisions"
-STRICT = "CFLAGS=-O1 -Werror"
+STRICT = "CFLAGS=-O0 -Werror"
+pytestmark = pytest.mark.usefixtures("quickly")
 
 
 @pytest.fixture(scope="module")
-def example(compiled_once, tmp_path_factory):
+def example(quickly, compiled_once, tmp_path_factory):
     copy = tmp_path_factory.mktemp("two") / "two-precisions"
     shutil.copytree(EXAMPLE, copy, ignore=shutil.ignore_patterns("build"))
     for precision in ("double", "float"):
-        export("azimuth-hold", copy / "build" / precision, precision)
+        exported_c("azimuth-hold", copy / "build" / precision, precision)
     return copy
 
 
