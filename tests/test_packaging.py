@@ -6,6 +6,7 @@ import json
 import lzma
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tarfile
@@ -15,7 +16,6 @@ import zipfile
 
 import pytest
 from conftest import ROOT
-from tools import tool
 
 from boresight import BoresightError
 from boresight.errors import EXTRAS
@@ -26,17 +26,17 @@ from boresight.studies.known import EXPLORATIONS, STUDIES
 @pytest.fixture(scope="module")
 def built(tmp_path_factory):
     """The sdist, the wheel made from it, and the wheel unpacked."""
-    # only what git would hand out: a checkout may hold much else
+    # the rooms, without what git ignores: a checkout may hold much else
     tmp_path = tmp_path_factory.mktemp("built")
     tree = tmp_path / "tree"
     tree.mkdir()
-    listed = subprocess.run([tool("git"), "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, check=True)
-    for name in filter(None, listed.stdout.split("\0")):
-        (tree / name).parent.mkdir(parents=True, exist_ok=True)
-        if (ROOT / name).is_symlink():
-            (tree / name).symlink_to(os.readlink(ROOT / name))
-        elif (ROOT / name).is_file():
-            (tree / name).write_bytes((ROOT / name).read_bytes())
+    ignored = shutil.ignore_patterns(*(line.strip("/") for line in (ROOT / ".gitignore").read_text().split()))
+    rooms = {path.resolve().name for path in (ROOT / "boresight").iterdir() if path.is_symlink()}
+    for room in ("boresight", *sorted(rooms)):
+        shutil.copytree(ROOT / room, tree / room, symlinks=True, ignore=ignored)
+    for name in ("pyproject.toml", "README.md", "LICENSE", "MANIFEST.in", "setup.py"):
+        if (ROOT / name).is_file():
+            shutil.copy(ROOT / name, tree)
     sdist = make("sdist", tree, tmp_path)
     with tarfile.open(sdist) as archive:
         archive.extractall(tmp_path / "sdist")

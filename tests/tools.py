@@ -190,9 +190,11 @@ def pytest_addoption(parser):
         metavar="NAMES",
         help="what tests may be skipped for: tools by their names, or a share such as 5%%; any other skip is an error",
     )
+    parser.addoption("--skipped", metavar="FILE", help="write the names of the skipped tests, to be run as @FILE")
 
 
 def pytest_configure(config):
+    config.addinivalue_line("markers", "digits: compares digits, which must hang on no processor")
     config.addinivalue_line("markers", "needs(*names): tools of tests/tools.py, without which the test is skipped")
     subprocess.Popen = Guarded
 
@@ -253,6 +255,9 @@ def pytest_terminal_summary(terminalreporter, config):
         lines.append(f"to run them too: apt-get install {install(needed)}")
     terminalreporter.write_sep("-", "tests")
     terminalreporter.write_line("\n".join(lines))
+    if config.option.skipped:
+        names = sorted({report.nodeid for report in stats["skipped"]})
+        Path(config.option.skipped).write_text("".join(f"{name}\n" for name in names))
     if verdict(config):
         terminalreporter.write_line(f"error: {verdict(config)}", red=True)
 
