@@ -95,6 +95,7 @@ def run(page, folder):
     return names
 
 
+@pytest.mark.digits
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_every_block_of_the_page_runs(page, tmp_path, monkeypatch):
     monkeypatch.setenv("COLUMNS", "100")

@@ -108,6 +108,7 @@ def test_python_and_c_are_the_same_flight(example, minute, flown):
     assert (np.abs(c[:, 3:7] - python[:, 3:7]) < bound).all()
 
 
+@pytest.mark.digits
 def test_the_program_prints_what_python_prints(example, minute, made):
     printed = [line for line in made("run") if re.match(r" +\d+ ", line)]
     expected = [example[1].LINE.format(int(line[0]), *line[1:]) for line in example[1].fly(minute[0])]

@@ -72,6 +72,7 @@ def test_the_page_lists_what_a_kernel_may_use():
     assert named == {one.__name__ for one in FUNCTIONS} | {"sqrt", "tan", "Max", "Min", "Piecewise"}
 
 
+@pytest.mark.digits
 def test_both_prints_agree_in_bits_and_lie_within_the_bound_of_fifty_digits(folder):
     checks = verify(SOURCE, folder, 40)
     assert not [check for check in checks if check.ok is False]

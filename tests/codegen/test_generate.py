@@ -38,6 +38,7 @@ def test_no_date_host_or_path_in_what_is_generated():
         assert not any(f"{year}-" in text for year in range(2020, 2040)), path
 
 
+@pytest.mark.digits
 def test_the_committed_files_are_those_of_the_models():
     report = generate("euler-matching", check=True)
     assert report.comparable, "made with other versions; install with -c constraints.txt"

@@ -33,6 +33,7 @@ def test_navigation_in_double_and_errors_in_float_are_one_program(example):
     assert sigmas == sorted(sigmas, reverse=True)
 
 
+@pytest.mark.digits
 def test_the_page_shows_what_is_printed(example):
     printed = run("make", "-s", "-C", example, "run", STRICT).stdout.splitlines()
     hidden = [re.sub(r"[0-9a-f]{64}$", "<hash>", line) for line in printed]

@@ -89,6 +89,7 @@ def test_a_model_and_the_detector_link_into_one_binary(tmp_path):
     assert run(both).returncode == 0
 
 
+@pytest.mark.digits
 def test_the_committed_files_are_those_of_the_templates():
     report = generate("stationary-detector", check=True)
     assert report.comparable, "made with other versions; install with -c constraints.txt"

@@ -151,6 +151,7 @@ def test_the_arctangent_knows_its_quadrants_and_zeros():
     assert (np.signbit(got) == np.signbit(wanted)).all() and np.isnan(arctangent2(np.array([np.nan]), ends[:1])).all()
 
 
+@pytest.mark.digits
 def test_numbers_do_not_hang_on_the_processors_vector_units():
     """A process without them gives the same bits; NumPy's own arctangent does not."""
     features = np.show_config("dicts")["SIMD Extensions"]

@@ -61,6 +61,7 @@ def test_what_is_not_flown_is_named():
     assert everything - flown_ones == set(NOT_FLOWN)
 
 
+@pytest.mark.digits
 @pytest.mark.parametrize(("machine", "precision"), EVERYWHERE, ids=lambda value: getattr(value, "name", value))
 def test_a_flight_has_the_same_bits_everywhere(machine, precision, first, tmp_path):
     one = flown(folder_of(MODEL), machine, precision, FEW, tmp_path)
@@ -76,6 +77,7 @@ def test_the_flight_takes_messages_and_loses_some(precision, first):
     assert len(set(one.digests)) == FEW // EVERY
 
 
+@pytest.mark.digits
 def test_python_flies_the_same_bits(first):
     assert differs(in_python(FEW), first["double"]) == 0
 

@@ -37,6 +37,7 @@ def test_the_committed_run_tried_every_step(of):
     assert all(unit["tried"] for unit in found if unit["evaluated"])
 
 
+@pytest.mark.digits
 @by_name
 def test_one_equation_tried_here_has_the_survivors_of_the_committed_run(of):
     """The one of the fewest mutants."""

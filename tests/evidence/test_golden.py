@@ -21,6 +21,7 @@ def test_golden_vectors_pass_with_the_same_bits_on_each_target(name):
     assert found and not wrong, "\n".join(wrong)
 
 
+@pytest.mark.digits
 @EVERY_COMPILER
 def test_a_live_run_finds_what_is_committed(tmp_path):
     assert golden(folder_of(LIVE), tmp_path) == comparable(LIVE, "golden")

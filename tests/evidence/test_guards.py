@@ -20,6 +20,7 @@ def test_every_bad_input_is_refused_and_every_guard_is_taken(name):
     assert not left, left
 
 
+@pytest.mark.digits
 def test_a_live_run_finds_what_is_committed(tmp_path):
     assert guards(folder_of(LIVE), tmp_path) == comparable(LIVE, "guards")
 

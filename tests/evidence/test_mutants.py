@@ -30,6 +30,7 @@ def test_the_committed_run_killed_99_of_100(name):
     assert not low, low
 
 
+@pytest.mark.digits
 @pytest.mark.parametrize("name", ["strapdown", "stationary_detector"])
 def test_what_survives_of_a_sample_survived_the_committed_run(name, tmp_path):
     """The mutants drawn here are among those drawn there."""

@@ -197,6 +197,7 @@ def test_what_is_no_choice_of_states_is_one_line_and_changes_nothing(kind, given
     assert np.array_equal(loop.P, P0)
 
 
+@pytest.mark.digits
 def test_the_docs_say_how_near_to_60_digits_the_gain_that_is_left_out_comes_back(radar):
     """One row on a hundred random P over nine powers of ten, in parts of the sigmas."""
     rng, worst = np.random.default_rng(0), {"joseph": 0.0, "ud": 0.0}

@@ -35,6 +35,7 @@ def fly(model, steps=30, **update):
     return loop, mu
 
 
+@pytest.mark.digits
 def test_the_loop_flies_either_c_to_the_same_bits(library):
     (a, _), (b, _) = fly(library), fly(load("euler-matching", "casadi"))
     assert a.P.tobytes() == b.P.tobytes()

@@ -41,6 +41,7 @@ def test_the_c_computes_what_finite_rotations_in_numpy_compute(library, points, 
         np.testing.assert_allclose(a, b, rtol=0, atol=2e-9 if name == "euler_exact_H" else 5e-14)
 
 
+@pytest.mark.digits
 def test_both_backends_give_the_same_bits(library, points):
     casadi = load("euler-matching", "casadi")
     for name in vars(WITNESS):

@@ -104,6 +104,7 @@ def flown(kind, library, target, steps):
     return np.where(turns, np.remainder(off + np.pi, 2 * np.pi) - np.pi, off) / size(model)
 
 
+@pytest.mark.digits
 @pytest.mark.parametrize("target", EXAMPLES, ids=[model.name for model in EXAMPLES.values()])
 def test_every_total_state_is_flown_by_its_own_equation_to_the_fourth_order(target, folder_of):
     flight, casadi = (load(folder_of(target), backend) for backend in ("flight", "casadi"))

@@ -140,6 +140,7 @@ def test_iterations_find_the_most_probable_state(kind, smeared, radar):
     assert said.nis == pytest.approx(cost + off @ np.linalg.solve(full, off), rel=1e-3)
 
 
+@pytest.mark.digits
 def test_the_conventions_say_how_far_from_the_most_probable_state_the_iterations_end(radar):
     text = " ".join((ROOT / "docs" / "conventions.md").read_text().split())
     said = re.search(r"from 5 m, .* one iteration ends (\S+) sigma .* three end (\S+) sigma", text)

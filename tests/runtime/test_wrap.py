@@ -52,6 +52,7 @@ def test_what_lies_beyond_comes_into_the_half_open_turn_by_whole_turns():
     assert math.isnan(wrapped(np.nan))
 
 
+@pytest.mark.digits
 def test_c_gives_the_same_bits(in_c):
     rng = np.random.default_rng(3)
     angles = np.concatenate([INSIDE, BEYOND, rng.uniform(-20, 20, 1000), np.pi * rng.integers(-9, 9, 50)])
