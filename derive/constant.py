@@ -78,10 +78,42 @@ class Constant(NumberSymbol):
 
 
 def constant(name: str, value: Expr | str | float, unit: str, meaning: str) -> Constant:
-    """A named constant.  value: exact as text or a Rational, as `constant("g", "9.81", "m/s^2", "gravity")`; a float is
-    taken for the decimal number that it shows; or an expression of other constants.  unit: SI, angles in rad.
+    """A named number with a unit: in formulas by its name, in C as a number.
 
-    Raises BoresightError on a value that is no finite number, or is zero.
+    Parameters
+    ----------
+    name : str
+        In formulas and in the file of a model's equations.
+    value : sympy.Expr, str or float
+        Exact as text or a Rational, as "9.81"; a float is taken for the decimal number that it
+        shows; or an expression of other constants.
+    unit : str
+        SI, angles in rad.
+    meaning : str
+        A few words for pages.
+
+    Returns
+    -------
+    Constant
+        To SymPy a number, as pi is: no free symbol, and evalf knows its value.
+
+    Raises
+    ------
+    BoresightError
+        A value that is no finite number, or is zero.
+
+    Notes
+    -----
+    When not to use it: for what may differ from one vehicle or flight to the next; that is an
+    input, a `variable`.  A bare number in an expression has no unit, and is refused where one is
+    needed.
+
+    Examples
+    --------
+    >>> from boresight import constant
+    >>> g = constant("g", "9.81", "m/s^2", "gravity")
+    >>> print(2 * g, float(2 * g))
+    2*g 19.62
     """
     try:
         number = sympify(Rational(str(value)) if isinstance(value, str | float | Float) else value)

@@ -20,14 +20,49 @@ NONE = ImmutableMatrix(0, 0, [])
 
 @dataclass(frozen=True)
 class Variable:
-    """A scalar or a vector: its symbols, its meaning and where it is valid.
+    """A scalar or a vector: its symbols, its meaning and where it is valid; `variable` makes one.
 
-    symbols: one SymPy symbol a component; their names appear in enums and in comments.
-    unit: SI, angles in rad.  frame: where the components are resolved, or what the variable maps between.
-    low, high: the valid box, inclusive, the same for each component or one value each.
-    norm: where the Euclidean norm must lie (for a quaternion), or None.
-    wraps: as a state, an angle of which a whole turn means nothing: kept in [-pi, pi).
-    wide: an angle whose box goes beyond two turns, which without this word is taken for one in degrees.
+    Parameters
+    ----------
+    name : str
+        By which C and `Filter` call it.
+    symbols : tuple of sympy.Symbol
+        One for each component; their names appear in enums and in comments.
+    unit : str
+        SI, angles in rad: one for all components, or one for each with commas between.
+    meaning : str
+        A few words for headers and pages.
+    low, high : tuple of float
+        The valid box, inclusive: what lies beyond is refused by the C.
+    frame : str, optional
+        Where the components are resolved, or what the variable maps between.
+    norm : (float, float), optional
+        Where the Euclidean norm must lie, as of a quaternion.
+    wraps : bool, optional
+        As a state, an angle of which a whole turn means nothing: kept in [-pi, pi).
+    wide : bool, optional
+        An angle whose box goes beyond two turns, which without this word is taken for one in
+        degrees.
+    where : str, optional
+        File and line, for messages; filled in.
+
+    Raises
+    ------
+    BoresightError
+        A name that C has taken, a unit that is not SI, a box that is empty, not finite or in
+        degrees.
+
+    Notes
+    -----
+    When not to use it: `variable` is shorter, unless the symbols exist already.
+
+    Examples
+    --------
+    >>> from sympy import Symbol
+    >>> from boresight import Variable
+    >>> x = Symbol("x", real=True)
+    >>> Variable("place", (x,), "m", "place on the line", (-1.0,), (1.0,)).scalar
+    x
     """
 
     name: str
@@ -79,7 +114,57 @@ def variable(
     wraps: bool = False,
     wide: bool = False,
 ) -> Variable:
-    """A Variable from its components' names, as in `variable("mu", "mu_x mu_y mu_z", "rad", "...", -0.5, 0.5)`."""
+    """A quantity of a model, with symbols made from the names of its components.
+
+    Parameters
+    ----------
+    name : str
+        By which C and `Filter` call it.
+    components : str
+        Names of its components, with blanks between: "x y z" makes three symbols.
+    unit : str
+        SI, angles in rad: one for all components, or one for each with commas between.
+    meaning : str
+        A few words for headers and pages.
+    low, high : float or iterable of float
+        The valid box, inclusive: a number for all components, or one for each.
+    frame : str, optional
+        Where the components are resolved, or what the variable maps between.
+    norm : (float, float), optional
+        Where the Euclidean norm must lie, as of a quaternion.
+    wraps : bool, optional
+        As a state, an angle of which a whole turn means nothing: kept in [-pi, pi).  Its box must
+        hold [-pi, pi].
+    wide : bool, optional
+        An angle whose box goes beyond two turns, which without this word is taken for one in
+        degrees.
+
+    Returns
+    -------
+    Variable
+        `.symbols` for expressions, `.vector` a column of them, `.scalar` the one of a single
+        component.
+
+    Raises
+    ------
+    BoresightError
+        Components that are no text, a bound that is no number, and what `Variable` refuses.
+
+    Notes
+    -----
+    When not to use it: for a number that never changes; that is a `constant`.  The usual inputs and
+    states of navigation are in `boresight.variables`.
+
+    Examples
+    --------
+    >>> from boresight import variable
+    >>> mu = variable("mu", "mu_x mu_y mu_z", "rad", "misalignment", -0.5, 0.5, frame="body")
+    >>> mu.symbols
+    (mu_x, mu_y, mu_z)
+    >>> angle = variable("angle", "theta", "rad", "from north", -4.0, 4.0, wraps=True)
+    >>> angle.scalar
+    theta
+    """
     if not isinstance(components, str):
         raise BoresightError(f"{written_at()}: variable {name}: its components are one text, as 'x y z'")
     symbols = tuple(Symbol(component, real=True) for component in components.split())
@@ -97,7 +182,37 @@ def variable(
 
 @dataclass(frozen=True)
 class Struct:
-    """Inputs that travel together: one C struct."""
+    """Inputs that belong together: one struct of C, passed by one pointer.
+
+    Parameters
+    ----------
+    name : str
+        Of the struct: `PREFIX_NAME` in C.
+    meaning : str
+        A few words for the header.
+    fields : tuple of Variable
+        Its members, in this order.
+    where : str, optional
+        File and line, for messages; filled in.
+
+    Raises
+    ------
+    BoresightError
+        No fields, a name that C has taken, a field that is no Variable or is there twice.
+
+    Notes
+    -----
+    When not to use it: for the state, which is `Model.states`, and for z of a measurement without
+    its own z, which `Filter.update` takes.  What the filter carries and corrects (`nav`) is one
+    struct of its own; what changes at another rate, as a step and a fix, is better in two.
+
+    Examples
+    --------
+    >>> from boresight import Struct, variable
+    >>> dt = variable("dt", "dt", "s", "length of the step", 1e-3, 1.0)
+    >>> Struct("step", "one step", (dt,)).fields[0].name
+    'dt'
+    """
 
     name: str
     meaning: str
@@ -126,13 +241,55 @@ class FirstOrder:
 class Measurement:
     """A named measurement of `len(rows)` scalars, any of which a filter may leave out.
 
-    z = H x + noise, or h(x) + noise, of the error x = computed - true: so z is computed - measured, or of a turn
-    whatever H makes of it.  meaning: says which, as `velocity of the master: z = computed - measured`.
-    z: (m) from the inputs; None if the caller brings it, and then it is the measured value.
-    h: (m) the z of a state x without noise, from states and inputs; its Jacobian is printed as H.
-    H: (m, n) a linear measurement matrix, printed instead of h.  first_order: what this H approximates.
-    angle: the rows that are angles, True for all of them: z, h and z - h are wrapped to [-pi, pi).
-    correlated: R is (m, m), not the variances of independent rows.
+    z = H x + noise, or h(x) + noise.  Of an error state x = computed - true, z is computed -
+    measured; of a total state it is the measured value.
+
+    Parameters
+    ----------
+    name : str
+        By which `Filter.update` and C call it.
+    rows : tuple of str
+        Names of its rows, for masks and enums.
+    unit : str
+        Of z: one for all rows, or one for each with commas between.
+    meaning : str
+        What z is, as "velocity of the master: z = computed - measured".
+    z : (m,) Matrix, optional
+        z from the inputs; None if the caller brings it, and then it is the measured value.
+    h : (m,) Matrix, optional
+        The z of a state x without noise, from states and inputs; its Jacobian is printed as H.
+    H : (m, n) Matrix, optional
+        A linear measurement matrix, instead of h.
+    first_order : FirstOrder, optional
+        What a given H approximates, of `boresight.derive.model`; `verify` holds it against that.
+    angle : bool or tuple of str, optional
+        The rows that are angles, True for all: z, h and z - h are wrapped to [-pi, pi).
+    equations : tuple of str, optional
+        The source, as "song-lee-2001 (16)".
+    correlated : bool, optional
+        R is (m, m), and not the variances of independent rows.
+    where : str, optional
+        File and line, for messages; filled in.
+
+    Raises
+    ------
+    BoresightError
+        Neither h nor H, or both without a first order; a shape, unit or row that does not fit; a
+        symbol that no struct declares, once it is part of a Model.
+
+    Notes
+    -----
+    When not to use it: for a quantity that is read without being compared, as a lever arm: that is
+    an input.  Do not repeat a row to give it more weight; R does that.
+
+    Examples
+    --------
+    >>> from sympy import Matrix
+    >>> from boresight import Measurement, variable
+    >>> theta = variable("angle", "theta", "rad", "from north", -4.0, 4.0, wraps=True).scalar
+    >>> read = Measurement("encoder", ("angle",), "rad", "the angle", h=Matrix([theta]), angle=True)
+    >>> read.angles
+    (0,)
     """
 
     name: str
@@ -160,7 +317,44 @@ class Measurement:
 
 @dataclass(frozen=True)
 class Output:
-    """low, high: where every component must lie for the function to answer, or () for anywhere."""
+    """One result of a `Function`.
+
+    Parameters
+    ----------
+    name : str
+        In C and in the dict that Python returns.  One that has the name of an input replaces it, in
+        `strapdown` and `feedback`.
+    value : Matrix
+        (rows, columns) or (rows, 1) expression of states and inputs; Matrix([e]) of a scalar.
+    unit : str
+        One for all components, one for each with commas between, or "mixed".
+    meaning : str
+        A few words for the header.
+    frame : str, optional
+        Where the components are resolved.
+    low, high : tuple of float, optional
+        Where every component must lie for the function to answer, one bound for each; () for
+        anywhere.
+    where : str, optional
+        File and line, for messages; filled in.
+
+    Raises
+    ------
+    BoresightError
+        A value that is no Matrix or has no finite form in C, a unit that is not that of the value,
+        bounds of another number.
+
+    Notes
+    -----
+    When not to use it: for what only Python needs; compute that from the others in NumPy.
+
+    Examples
+    --------
+    >>> from sympy import Matrix, Symbol
+    >>> from boresight import Output
+    >>> Output("rise", Matrix([2 * Symbol("l")]), "m", "height over the pivot").value.shape
+    (1, 1)
+    """
 
     name: str
     value: Matrix
@@ -177,7 +371,42 @@ class Output:
 
 @dataclass(frozen=True)
 class Function:
-    """Any other function of the inputs and the state: strapdown and feedback of an error state, other coordinates."""
+    """Any other function of inputs and state that is printed as C.
+
+    A function called `strapdown` carries inputs over a step, one called `feedback` takes the errors
+    x out of them; `Filter` and the C filter call these two by their names.
+
+    Parameters
+    ----------
+    name : str
+        `PREFIX_NAME` in C, an attribute of the `Library` in Python.
+    meaning : str
+        A few words for the header.
+    outputs : tuple of Output
+        What it returns.
+    equations : tuple of str, optional
+        The source, as "song-lee-2001 (16)".
+    where : str, optional
+        File and line, for messages; filled in.
+
+    Raises
+    ------
+    BoresightError
+        A name that the filter or C has taken, no outputs, two of one name.
+
+    Notes
+    -----
+    When not to use it: for z, h and H, which belong to a `Measurement`, or for f, F and Q of the
+    Model.
+
+    Examples
+    --------
+    >>> from sympy import Matrix, sin
+    >>> from boresight import Function, Output, variable
+    >>> theta = variable("angle", "theta", "rad", "from hanging down", -4.0, 4.0).scalar
+    >>> Function("tip", "where the tip is", (Output("x", Matrix([sin(theta)]), "1", "to the right"),)).name
+    'tip'
+    """
 
     name: str
     meaning: str
@@ -203,12 +432,35 @@ class Level:
 
 @dataclass(frozen=True)
 class Mechanics:
-    """What F and G are the first order of: `verify` holds them against it, and nothing of it is printed.
+    """What F and G are the first order of: `verify` holds them against it; nothing of it is printed.
 
-    strapdown: carries inputs, by their names, over dt; feedback: the same inputs once the errors x are taken out; None
-    for the model's own functions of these names.  step: what strapdown reads over a short dt, and its expression, such
-    as increments from rates; what is not given is zero.  driven: a noise, and what of these it adds to each second.
-    level: where the errors stand against the computed axes, as in a psi model.
+    Parameters
+    ----------
+    strapdown : Function, optional
+        Carries inputs, by their names, over dt; None for the model's own function of this name.
+    feedback : Function, optional
+        The same inputs once the errors x are taken out; None for the model's own.
+    step : tuple of (Variable, Matrix), optional
+        What strapdown reads over a short dt, and its expression, such as increments from rates;
+        what is not given is zero.
+    driven : tuple of (Variable, Variable), optional
+        A noise, and what of strapdown's inputs it adds to each second.  A noise that is not named
+        must drive one state by itself.
+    level : Level, optional
+        Of `boresight.derive.model`: where the errors stand against the computed axes, as in a psi
+        model.
+
+    Notes
+    -----
+    When not to use it: for a total state, whose f is the mechanics itself.
+
+    Examples
+    --------
+    >>> from boresight import Mechanics, variable
+    >>> dv = variable("dv", "dv", "m/s", "integral of the specific force", -50.0, 50.0)
+    >>> noise = variable("accel_noise", "accel_noise", "m/s/sqrt(s)", "of the accelerometer", 0.0, 1.0)
+    >>> Mechanics(driven=((noise, dv),)).strapdown is None
+    True
     """
 
     strapdown: Function | None = None
@@ -234,17 +486,93 @@ SPREAD: dict[int, tuple[Node, ...]] = {
 
 @dataclass(frozen=True)
 class Model:
-    """A state of one of two kinds, driven by white noise w of densities `noise` over steps of `dt`.
+    """One description of a filter, from which C, tests and pages are made.
 
-    error-state: F (n, n), x' = F x + G w.  x is what navigation errs by, is zero once `feedback` has taken it out, and
-    is flown by Phi.  total-state: f (n), x' = f(x) + G w, flown by f itself over each step with the inputs held; or, in
-    discrete time, next (n), the state one step later, with Q (n, n), the covariance that the noise adds.
-    G: (n, m).  noise: (m) noise densities, roots of power spectral densities.  Of a total state both may depend on it.
-    dt: symbol of the step, which a model in discrete time need not have.  order: of an
-    error state, the power of F dt to which Phi is taken; Q is right to one more of dt (SPREAD).  structs: the inputs.
-    loops: of a state flown by f, the filter in C takes its step by loops over printed f, F and Qc, which is less code.
-    equations: the source of F, as `song-lee-2001 (20)`.
-    A model without states has functions alone, such as a strapdown integrator: no F, G, noise, dt or measurements.
+    A state of one of two kinds, driven by white noise w of densities `noise` over steps of `dt`.
+
+    - Error state: F, x' = F x + G w.  x is what navigation errs by, is zero once `feedback` has
+    taken it
+      out, and is carried by Phi.
+    - Total state: f, x' = f(x) + G w, carried by f itself over each step with the inputs held; or,
+    in
+      discrete time, next and Q.
+
+    A model without states has functions alone, such as a strapdown integrator: no F, G, noise, dt
+    or measurements.
+
+    Parameters
+    ----------
+    name : str
+        Lower-case words joined by "-": of the folder, the header and the pages.
+    c_prefix : str
+        Of every name in C; no other model in the same program may have it.
+    title : str
+        One line for pages and headers.
+    frame : str
+        In words, as "NED with body axes front-right-down".
+    states : tuple of Variable
+        Blocks of the state, in the order of P.
+    structs : tuple of Struct
+        The inputs.
+    G : (n, m) Matrix, optional
+        What the noises do to the state.
+    noise : (m,) Matrix, optional
+        Noise densities, roots of power spectral densities.  Of a total state both may depend on it.
+    dt : sympy.Symbol, optional
+        The step, which a model in discrete time need not have: of a variable, its `.scalar`.
+    F : (n, n) Matrix, optional
+        Of an error state, from the inputs.
+    f : (n,) Matrix, optional
+        Of a total state, from states and inputs.
+    measurements : tuple of Measurement, optional
+        What the filter is updated by.
+    functions : tuple of Function, optional
+        Others, among them `strapdown` and `feedback`.
+    equations : tuple of str, optional
+        The source of F, as "song-lee-2001 (20)".
+    card : tuple of str, optional
+        Its conventions, a line each, printed at the head of what is generated.
+    mechanics : Mechanics, optional
+        What `verify` holds F and G against.
+    next : (n,) Matrix, optional
+        Of a total state in discrete time, the state one step later.
+    Q : (n, n) Matrix, optional
+        With next, the covariance that the noise adds in a step.
+    order : {2, 1, 3}, optional
+        Of an error state, the power of F dt to which Phi is taken; Q is right to one more of dt.
+    loops : bool, optional
+        Of a state carried by f, the filter in C takes its step by loops over printed f, F and Qc,
+        which is less code and slower.
+    where : str, optional
+        File and line, for messages; filled in.
+
+    Raises
+    ------
+    BoresightError
+        What does not fit together, with file and line: two kinds at once, a symbol that no struct
+        declares, a shape, a name that is taken, `order` or `loops` of a kind that would ignore it.
+        Units are held by `generate`, `verify` and `boresight show`.
+
+    Notes
+    -----
+    When not to use it: where the model changes in flight, as another number of states; generate one
+    for each.  A larger one from a known one is made by `extend`.
+
+    Examples
+    --------
+    >>> from sympy import Matrix
+    >>> from boresight import Measurement, Model, Struct, variable
+    >>> place = variable("place", "x", "m", "place on the line", -100.0, 100.0)
+    >>> dt = variable("dt", "dt", "s", "length of the step", 1e-3, 1.0)
+    >>> walk = variable("walk", "q", "m/sqrt(s)", "noise density of the place", 0.0, 1.0)
+    >>> model = Model(
+    ...     name="walker", c_prefix="wk", title="a walk on a line, 1 state", frame="none",
+    ...     states=(place,), structs=(Struct("step", "one step", (dt, walk)),),
+    ...     f=Matrix([0]), G=Matrix([1]), noise=walk.vector, dt=dt.scalar,
+    ...     measurements=(Measurement("fix", ("x",), "m", "the place that is read", h=place.vector),),
+    ... )
+    >>> model.kind, model.n
+    ('total-state', 1)
     """
 
     name: str
@@ -310,9 +638,40 @@ class Model:
     ) -> "Model":
         """A larger model: new states behind the old ones; what carries a known name replaces it.
 
-        F: (n + k, n + k) to be added to the old F, whose new rows and columns are zero; f: (n + k) to be added to the
-        old f, whose new rows are zero.  G: (n + k, m + j), whose new columns belong to `noise`.  A measurement with an
-        H that is not replaced sees none of the new states.  Raises BoresightError on a model that is given by next.
+        Parameters
+        ----------
+        name, c_prefix : str
+            Of the new model.
+        title : str, optional
+            The old one if left out.
+        states : tuple of Variable, optional
+            k further components.
+        structs, measurements, functions : tuple, optional
+            Added; one with a known name stands in the place of the old one.
+        F : (n + k, n + k) Matrix, optional
+            Added to the old F, whose new rows and columns are zero.
+        f : (n + k,) Matrix, optional
+            Added to the old f, whose new rows are zero.
+        G : (n + k, m + j) Matrix, optional
+            Added to the old G; its new columns belong to `noise`.
+        noise : (j,) Matrix, optional
+            Densities of the new noises.
+        equations : tuple of str, optional
+            Added to the source.
+
+        Returns
+        -------
+        Model
+
+        Raises
+        ------
+        BoresightError
+            A model that is given by next; F for an f, or f for an F; and what `Model` refuses.
+
+        Notes
+        -----
+        A measurement with an H that is not replaced has no part in the new states.  When not to use
+        it: to take states away; write that model anew.
         """
         grown = sum(block.size for block in states)
         if self.next is not None or (F if self.F is None else f) is not None:
