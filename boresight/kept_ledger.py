@@ -62,7 +62,7 @@ def described(target: str, form: str) -> str:
 
     model = load_model(target)
     folder = Path("generated") / model.name.replace("-", "_") if ":" in target else folder_of(target)
-    return write(model_page(model, old_manifest(folder)), form)
+    return write(model_page(model, old_manifest(folder), target), form)
 
 
 def functions() -> dict[str, dict[str, tuple[str, ...]]]:

@@ -229,14 +229,62 @@ class NoFunction(BoresightError, AttributeError):
 
 
 class Library:
-    """The functions of one model as attributes: `load("euler-matching").euler_H(euler_b=..., euler_m=...)`.
+    """The functions of one model as attributes; `load` makes it.
 
-    states: names of the state's components; wraps: the places of those that are kept in [-pi, pi).  measurements: by
-    name, its `rows`, those of them that are an `angle` (True for all), and whether they are `correlated`.
-    ceiling: (n,) the largest variance that a filter of it lets each state have, or None.
-    manifest: what was generated, and the hash of each function.
-    real: the NumPy type of the precision, in which the numbers go to the C and come back.
-    folder: where it was generated.  widest: how many runs its C computes at a time, where there are several.
+    Each takes its fields as keywords, (..., size), or (...,) if it has one component, in the
+    model's units and frames; the leading axes are runs and broadcast.  It returns its output, (...,
+    rows) or (..., rows, columns), or a dict of them if there are several.
+
+    Parameters
+    ----------
+    manifest : dict
+        What was generated: structs, units, boxes, and the hash of each file.
+    dll : ctypes.CDLL
+        The compiled library.
+    precision : {"double", "float"}, optional
+    folder : Path, optional
+        Where it was generated.
+    widest : int, optional
+        How many runs its C computes at a time, where there are several.
+
+    Attributes
+    ----------
+    name : str
+    states : tuple of str
+        Names of the state's components.
+    wraps : list of int
+        The places of those that are kept in [-pi, pi).
+    measurements : dict
+        By name, its `rows`, those of them that are an `angle` (True for all), and whether they are
+        `correlated`.
+    ceiling : (n,) array or None
+        The largest variance that a filter of it lets each state have.
+    field : dict
+        By input, its size, unit, frame, meaning and box.
+    units : dict of str to function
+        All functions by name; `.fields` of one are its keywords.
+    real : type
+        The NumPy type of the precision, in which the numbers go to the C and come back.
+
+    Raises
+    ------
+    BoresightError
+        By a function: an input that is unknown, missing, not finite or outside its box, with the
+        field, component and run; and for a name that is no function.
+
+    Notes
+    -----
+    When not to use it: to make a Library from files of one's own; `load` checks that they are those
+    that were generated.
+
+    Examples
+    --------
+    >>> from boresight import load
+    >>> library = load("euler-matching")
+    >>> library.states[:3], library.units["F"].fields
+    (('eps_n', 'eps_e', 'eps_d'), ('omega_in_n',))
+    >>> library.F(omega_in_n=[[0, 0, 7e-5], [0, 0, 0]]).shape
+    (2, 6, 6)
     """
 
     def __init__(
@@ -348,21 +396,62 @@ class Library:
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self.units]
 
+    def __repr__(self) -> str:
+        states = f"states {', '.join(self.states)}; " if self.states else ""
+        return f"<{self.name}, {self.precision}: {states}functions {', '.join(self.units)}>"
+
 
 def load(model: str | Path, backend: str = "flight", precision: str = "double", lanes: int | None = None) -> Library:
-    """The compiled functions of a model: a built-in name, or a folder that `boresight generate` wrote.
+    """The functions of a model, from its generated C, which is compiled once and kept.
 
-    backend: "flight" for our C, "casadi" for CasADi's own; both have the same functions and give the same bits.
-    precision: "double" or "float"; CasADi's C knows double alone.
-    lanes: 1, 2, 4 or 8, how many runs the C computes at a time, which changes no bit of them; by default as many as the
-    processor has room for.  Fewer where there are fewer runs.  With 1 a function of many runs is the flight C itself.
-    Raises BoresightError on an unknown model, an edited file, a missing compiler, or a library that is out of date.
+    Parameters
+    ----------
+    model : str or Path
+        A built-in model's name, as `boresight models` lists them, or the folder that `generate`
+        wrote.
+    backend : {"flight", "casadi"}, optional
+        Our C, or CasADi's own of the same model: both have the same functions and give the same
+        bits.
+    precision : {"double", "float"}, optional
+        Of the numbers in the C.  CasADi's C knows double alone.
+    lanes : {1, 2, 4, 8}, optional
+        How many runs the flight C in double computes at a time, which changes no bit of them; by
+        default as many as the processor has room for, and fewer where there are fewer runs.  With 1
+        a function of many runs is the exported C itself.
+
+    Returns
+    -------
+    Library
+
+    Raises
+    ------
+    BoresightError
+        An unknown model, a file that was edited, no C compiler, a choice that does not exist or
+        that the backend or precision would ignore.
+
+    Notes
+    -----
+    When not to use it: to fly on a target; `export` writes C that needs nothing of Python.  A
+    Python caller of one function at a time pays some microseconds for each call; `CompiledFilter`
+    and `Epoch` make one call of many.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from boresight import load
+    >>> library = load("euler-matching")
+    >>> library
+    <euler-matching, double: states eps_n, ... functions F, Phi, Q, ...>
+    >>> print(library.euler_angles(q_b2n_wxyz=[1, 0, 0, 0]))
+    [0. 0. 0.]
     """
     for what, given, known in (("backend", backend, BACKENDS), ("precision", precision, tuple(PRECISIONS))):
         if given not in known:
             raise BoresightError(f"no {what} {given!r}; there are {', '.join(known)}")
     if lanes is not None and (not whole(lanes) or lanes not in WIDTHS):
         raise BoresightError(f"no {lanes!r} lanes; there are {', '.join(map(str, WIDTHS))}")
+    if lanes is not None and lanes > 1 and (backend, precision) != ("flight", "double"):
+        raise BoresightError(f"several lanes are of the flight C in double; leave lanes={lanes} out")
     if backend == "casadi" and precision == "float":
         raise BoresightError("CasADi's C computes in double; take the backend 'flight' for float")
     folder = folder_of(model)

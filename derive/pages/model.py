@@ -71,8 +71,8 @@ z_, h_, f_, F_, G_, H_, Q_, Q_c, S_, Phi = (
 class Description:
     """A model's matrices with names put in, and the relations that a reader sees of them."""
 
-    def __init__(self, model: Model):
-        self.model = model
+    def __init__(self, model: Model, target: str = ""):
+        self.model, self.target = model, target or model.name
         self.jacobians: set[str] = set()  # what has been differentiated here
         groups = dict(self.stated())
         self.naming: Naming = naming(model, groups)
@@ -354,9 +354,9 @@ def _case(condition: Any, then: Any, otherwise: Any) -> Any:
 # ---------------------------------------------------------------- the page
 
 
-def model_page(model: Model, manifest: Mapping[str, Any] | None = None) -> Page:
-    """manifest: of the generated C, if there is any."""
-    shown = Description(model)
+def model_page(model: Model, manifest: Mapping[str, Any] | None = None, target: str = "") -> Page:
+    """manifest: of the generated C, if there is any.  target: how a command names the model, if not by its name."""
+    shown = Description(model, target)
     units = (manifest or {}).get("units", {})
     sections = [
         *([Section("States", (_variables(model, model.states),), "states")] if model.n else []),
@@ -498,7 +498,7 @@ def _dynamics(shown: Description, units: Mapping[str, Any]) -> list[Section]:
     if "F" in shown.naming.groups:
         blocks += shown.matrix("F", F_, states, states)
         blocks.append(Prose("Every other entry of F is zero."))
-    F = Section("System matrix F", (*blocks, *_in_c(model, units, "F"), *_stands_on(model.equations)), "F")
+    F = Section("System matrix F", (*blocks, *_in_c(shown, units, "F"), *_stands_on(model.equations)), "F")
     listed = ", ".join(str(part.letter) for part in noises)
     G = Section(
         "Noise",
@@ -508,7 +508,7 @@ def _dynamics(shown: Description, units: Mapping[str, Any]) -> list[Section]:
             *shown.matrix("G", G_, states, noises),
             Prose("Every other entry of G is zero. S is the diagonal matrix of the squares of the root densities."),
             Formulas((form(Q_c, product(G_, S_, transpose(G_))),)),
-            *_in_c(model, units, "Qc"),
+            *_in_c(shown, units, "Qc"),
         ),
         "G",
     )
@@ -548,7 +548,7 @@ def _series(shown: Description, units: Mapping[str, Any]) -> Section:
             Prose("What the noise adds, as a sum of squares, which no step makes indefinite; it is right to the "
                   f"{names[model.order]} power of the step."),
             Formulas((*onward, form(Q_, total(*squares)))),
-            *_in_c(model, units, "Phi", "Q"),
+            *_in_c(shown, units, "Phi", "Q"),
         ),
         "step",
     )  # fmt: skip
@@ -596,7 +596,7 @@ def _flown(shown: Description, units: Mapping[str, Any]) -> Section:
             Prose("Phi is the derivative of x_next by x. What the noise adds is taken at the two nodes of Radau, at a "
                   "third of the step and at its end, so that Q errs by the fourth power of the step."),
             Formulas(noise),
-            *_in_c(model, units, "next", "Phi", "Q"),
+            *_in_c(shown, units, "next", "Phi", "Q"),
             *[Prose("The filter in C computes all three by loops over f, F and Qc = G W G'.")] * model.loops,
         ),
         "step",
@@ -614,7 +614,7 @@ def _discrete(shown: Description, units: Mapping[str, Any]) -> Section:
         blocks.append(Prose("Every other entry of Phi is zero."))
     blocks.append(Prose("Phi is the derivative of x_next by x."))
     blocks += shown.matrix("Q", Q_, states, states)
-    blocks += [Prose("Every other entry of Q is zero."), *_in_c(model, units, "next", "Phi", "Q")]
+    blocks += [Prose("Every other entry of Q is zero."), *_in_c(shown, units, "next", "Phi", "Q")]
     return Section("From step to step", (*blocks, *_stands_on(model.equations)), "step")
 
 
@@ -661,7 +661,7 @@ def _measurement(shown: Description, m: Measurement, units: Mapping[str, Any]) -
         small = f", once {first.small} is zero" if first.small else ""
         blocks.append(Prose(f"H is the Jacobian of the exact h{f' of {first.of}' * bool(first.of)} at x = 0{small}."))
     names = [f"{m.name}_{part}" for part in "zhH"]
-    return Section(f"Measurement {m.name}", (*blocks, *_in_c(model, units, *names), *_stands_on(m.equations)), m.name)
+    return Section(f"Measurement {m.name}", (*blocks, *_in_c(shown, units, *names), *_stands_on(m.equations)), m.name)
 
 
 def _function(shown: Description, function: Any, units: Mapping[str, Any]) -> Section:
@@ -678,16 +678,16 @@ def _function(shown: Description, function: Any, units: Mapping[str, Any]) -> Se
             rows = [shown.called[s].name.rpartition("_")[2] for s in taken[output.name].symbols]
         relations += shown.column(f"{function.name} {output.name}", letter, rows)
     blocks += shown.formulas(relations)
-    made = (*blocks, *_in_c(shown.model, units, function.name), *_stands_on(function.equations))
+    made = (*blocks, *_in_c(shown, units, function.name), *_stands_on(function.equations))
     return Section(f"Function {function.name}", made, f"function-{function.name}")
 
 
-def _in_c(model: Model, units: Mapping[str, Any], *names: str) -> list[Block]:
+def _in_c(shown: Description, units: Mapping[str, Any], *names: str) -> list[Block]:
     found = [units[name] for name in names if name in units]
     if not found:
         return []
     functions = ", ".join(f"{unit['c_name']} ({unit['operations']} operations)" for unit in found)
-    tests = ", ".join([*(f"selftest/test_{unit['file']}.c" for unit in found), f"boresight verify {model.name}"])
+    tests = ", ".join([*(f"selftest/test_{unit['file']}.c" for unit in found), f"boresight verify {shown.target}"])
     return [Prose(functions, "In C", code=True), Prose(tests, "Held by", code=True)]
 
 

@@ -42,18 +42,81 @@ LARGEST = 0.9  # of the model's range for the error state, in one correction
 
 
 class Transfer:
-    """The filter with its past.  `slave` takes increments, one interval or many; `master` takes messages.
+    """Transfer alignment in flight: a filter with its past, and rules for faulty input.
 
-    model: `load("velocity-attitude")` or a composition.  nav, P: as of `Filter`, at `time`; `first` makes them.
-    past: that of `first`, until `time`; without it messages that were measured before are too old.
-    constants: what else the model's functions ask for: lever_b, or lever_m in the master's axes, and the root densities
-    of the noises.
-    matching: the velocity's and the attitude's measurement.
-    way: "buffer" holds a message against the slave as it was then, lag = 0.  "extrapolate" is Kang's: the slave as it
-    is now, moved back along its rate of change by lag = tau_hat + what the message's own time says.
-    every: so many intervals of the slave for one step of the covariance, which besides comes up to date for a message.
-    coning: `load("strapdown").compensated` for coning and sculling by four samples; the step alone does it by two.
-    known: what is known of the slave's sensors, taken off first; the biases of nav are what is left.
+    `slave` takes the slave's increments, `master` the master's messages, late, irregular and
+    sometimes wrong; each message gets a verdict, and nothing is raised for what comes in.  Leading
+    axes are runs.  NED and front-right-down, SI and rad.
+
+    Parameters
+    ----------
+    model : Library
+        `load("velocity-attitude")` or a composition of it.
+    nav : mapping of str to array
+        As of `Filter`, at `time`; `transfer.first` makes it.
+    P : (..., n, n) array
+        Covariance of the state at `time`.
+    constants : mapping of str to array
+        What else the model's functions ask for: `lever_b`, or `lever_m` in the master's axes, m,
+        and the root densities of the noises.
+    time : float, optional
+        s, the slave's clock, of nav and P.
+    past : History, optional
+        That of `transfer.first`, until `time`; without it messages measured before are too old.
+    matching : (str, str), optional
+        The velocity's and the attitude's measurement: "velocity", and "dcm", "quaternion" or
+        "euler".
+    compensation : {"buffer", "extrapolate"}, optional
+        Of the delay.  "buffer" compares a message with the slave as it was then, with lag 0;
+        "extrapolate" is Kang's: the slave as it is now, carried back along its rate of change by
+        lag = tau_hat + what the message's own time says.
+    every : int, optional
+        Intervals of the slave for one step of the covariance, which is also carried to each
+        message.
+    rules : Rules, optional
+        Those of faulty input.
+    known : Calibration, optional
+        What is known of the slave's sensors, taken off first; the biases of nav are what is left.
+    coning : function, optional
+        `load("strapdown").compensated` for coning and sculling by four samples; the step alone does
+        it by two.
+
+    Attributes
+    ----------
+    filter : Filter
+        Its x, P, nav and `considered`.
+    time : float
+        s, of the slave's newest sample.
+
+    Raises
+    ------
+    BoresightError
+        An unknown compensation, a start outside the model's boxes, and what `Filter` refuses.
+
+    Notes
+    -----
+    When not to use it: for a model that is no velocity-attitude, or with messages that never come
+    late; `CompiledFilter` is less and faster.  It exists in Python alone: what is exported as C is
+    the filter without these rules.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from boresight import Message, Transfer, load, transfer
+    >>> model, R = load("velocity-attitude"), np.repeat([0.02, 1e-4], 3) ** 2
+    >>> noises = {"gyro_noise": 6e-5, "accel_noise": 1e-3, "gyro_bias_noise": 1e-8,
+    ...           "accel_bias_noise": 1e-6, "mu_noise": 1e-8}
+    >>> constants = {name: np.full(3, density) for name, density in noises.items()}
+    >>> constants |= {"tau_noise": 1e-7, "lever_b": np.zeros(3)}
+    >>> here = {"v_m_n": [10.0, 0, 0], "q_m2n_wxyz": [1, 0, 0, 0], "position": [0.6, 0.1, 0]}
+    >>> sigmas = {"q_b2m_wxyz": 0.02, "gyro_bias": 2e-3, "accel_bias": 0.05, "tau": 0.02}
+    >>> nav, P, past = transfer.first(Message(0.0, R, **here), model, constants, sigmas=sigmas,
+    ...                               rate_sigma=0.0, acceleration_sigma=0.0)
+    >>> loop = Transfer(model, nav, P, constants, past=past)
+    >>> for k in range(1, 51):
+    ...     loop.slave(0.01 * k, [0, 0, 0], [0, 0, -0.0979], 0.01)
+    >>> bool(loop.master(Message(0.45, R, **here)).taken)
+    True
     """
 
     score: Score | None = None  # of a filter with `Sensors(probed=True)`
@@ -68,15 +131,15 @@ class Transfer:
         time: float = 0.0,
         past: History | None = None,
         matching: tuple[str, str] = ("velocity", "dcm"),
-        way: Literal["buffer", "extrapolate"] = "buffer",
+        compensation: Literal["buffer", "extrapolate"] = "buffer",
         every: int = 1,
         rules: Rules | None = None,
         known: Calibration | None = None,
         coning: Callable[..., Mapping[str, Array]] | None = None,
     ):
-        if way not in ("buffer", "extrapolate"):
-            raise BoresightError(f"transfer: no way {way!r}; there are buffer and extrapolate")
-        self.rules, self.way, self.matching = rules or Rules(), way, matching
+        if compensation not in ("buffer", "extrapolate"):
+            raise BoresightError(f"transfer: compensation is {compensation!r}; give 'buffer' or 'extrapolate'")
+        self.rules, self.compensation, self.matching = rules or Rules(), compensation, matching
         self.every = every
         self.runs = np.shape(P)[:-2]
         whole = {name: np.asarray(value, float) for name, value in nav.items()}
@@ -143,13 +206,27 @@ class Transfer:
     # ---- the slave
 
     def slave(self, time: Any, dtheta_ib_b: Any, dv_b: Any, dt: Any) -> None:
-        """One interval of dt seconds that ends at `time`: increments (..., 3) rad and (..., 3) m/s, biases in them.
+        """Take increments of the slave: one interval, or several one after the other.
 
-        What is missing between two intervals, or is no number, is bridged up to `bridge_s`; beyond it the filter begins
-        anew from the next message.  An interval that begins before the last one ended is left out, and raises nothing.
+        What is missing between two intervals, or is no number, is bridged up to `bridge_s`; beyond
+        it the filter begins anew from the next message.  An interval that begins before the last
+        one ended is left out.  Nothing is raised; a note says what happened.
 
-        Or K intervals, one after the other: time (K,), increments (K, ..., 3), dt (K,) or one number.  That is the same
-        to rounding of P, and takes a fraction of the time where the intervals are as they should be.
+        Parameters
+        ----------
+        time : float or (K,) array
+            s, where the interval ends.
+        dtheta_ib_b : (..., 3) or (K, ..., 3) array
+            Integral of the measured angular rate over the interval, rad, slave body, biases in it.
+        dv_b : (..., 3) or (K, ..., 3) array
+            Integral of the measured specific force over the interval, m/s, likewise.
+        dt : float or (K,) array
+            s, the length of the interval.
+
+        Notes
+        -----
+        K intervals in one call are the same as one by one, to rounding of P, and take a fraction of
+        the time where the intervals are as they should be.
         """
         if np.ndim(time):
             self._intervals(time, dtheta_ib_b, dv_b, dt)
@@ -438,7 +515,7 @@ class Transfer:
         F = loop.call("F", **since)
         # Of the noise before the last message that was taken P has been told: a delay found longer takes none out.
         noisy = np.maximum(np.minimum(lag, self.time - self._told_of), SHORTEST)
-        Q = loop.call("Q", **{**since, "dt": noisy}) if self.way == "buffer" else np.zeros_like(F)
+        Q = loop.call("Q", **{**since, "dt": noisy}) if self.compensation == "buffer" else np.zeros_like(F)
         # of a state that nothing moves the row is that of the identity, and so it is beyond the last that moves
         moving = slice(0, 1 + int(np.max(np.nonzero(F.any(-1))[-1], initial=0)))
         A = F[..., moving, :] * lag[..., None, None]
@@ -673,7 +750,7 @@ class Transfer:
         """The slave so long ago (K, ...), or now, and its rates; and the variance of the first of these rates over the
         gyros' density."""
         kept = np.zeros_like(lag)
-        back, lag = (lag, kept) if self.way == "buffer" else (kept[:1], lag)
+        back, lag = (lag, kept) if self.compensation == "buffer" else (kept[:1], lag)
         at = self.time - back.reshape(len(back), -1)
         state, rate_factor = moment(self.filter, self.history, at, self.rules.half_span_s, self.constants)
         return state | {"lag": lag}, rate_factor[0]

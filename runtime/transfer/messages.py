@@ -32,19 +32,59 @@ class Verdict(IntEnum):
 
 @dataclass(frozen=True)
 class Message:
-    """What the master says.  R, rows: velocity's three rows, then attitude's (axes n, or roll pitch yaw for euler)."""
+    """What a master reports at one time, for `Transfer.master`.
 
-    time: Any  # (...,) s, slave's clock: when it was measured, or, where only that is known, when it arrived
-    R: Any  # (..., 6) variances, (m/s)^2 and rad^2
-    v_m_n: Any = None  # (..., 3) m/s
-    q_m2n_wxyz: Any = None  # (..., 4)
-    euler_m: Any = None  # (..., 3) rad, instead of the quaternion, for the measurement `euler`
-    position: Any = None  # (..., 3) latitude, longitude, height
-    # m, (..., 3) of north, east, up, (..., 1) of all three, or one number; so three numbers are one run's three axes,
-    # also where there are three runs.  10: a plain satellite receiver's
+    Leading axes are runs; a field without them is that of all runs.  NED, SI and rad.
+
+    Parameters
+    ----------
+    time : (...,) array
+        s, by the slave's clock: when it was measured, or, where only that is known, when it
+        arrived.
+    R : (..., 6) array
+        Variances of the velocity's three rows, (m/s)^2, then of the attitude's, rad^2: about north,
+        east, down, or of roll, pitch, yaw with `euler_m`.
+    v_m_n : (..., 3) array, optional
+        Velocity of the master, m/s.
+    q_m2n_wxyz : (..., 4) array, optional
+        Attitude of the master, scalar first, master body to NED.
+    euler_m : (..., 3) array, optional
+        Roll, pitch, yaw of the master, rad, instead of the quaternion, for the measurement `euler`.
+    position : (..., 3) array, optional
+        Latitude and longitude, rad, and height, m.
+    position_sigma : (..., 3) or (..., 1) array, or a number, optional
+        m, of north, east, up, or of all three; so three numbers are one run's three axes, also
+        where there are three runs.  10 is a plain satellite receiver's.
+    rows : (..., 6) bool array, optional
+        False for what is missing, in the order of R; all False: nothing came to this run.
+    count : (...,) array, optional
+        The master's own counter, if it has one: a message with the last one's is its copy.
+
+    Notes
+    -----
+    A Message checks nothing; `Transfer.master` does, and gives a verdict in the place of an error.
+    When not to use it: for other measurements than a master's velocity and attitude, as a GNSS
+    position; write a model with `Measurement` and fly it by `CompiledFilter`.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from boresight import Message
+    >>> R = np.repeat([0.02, 1e-4], 3) ** 2
+    >>> message = Message(12.3, R, v_m_n=[10.0, 0, 0], q_m2n_wxyz=[1, 0, 0, 0])
+    >>> message.time, message.count is None
+    (12.3, True)
+    """
+
+    time: Any
+    R: Any
+    v_m_n: Any = None
+    q_m2n_wxyz: Any = None
+    euler_m: Any = None
+    position: Any = None
     position_sigma: Any = 10.0
-    rows: Any = True  # (..., 6) bool, False for what is missing; all False: nothing came to this run
-    count: Any = None  # (...,) the master's own counter, if it has one: a message with the last one's is its copy
+    rows: Any = True
+    count: Any = None
 
 
 @dataclass(frozen=True)

@@ -25,22 +25,71 @@ STILL = 5.0  # sigmas: chance moves one of six numbers so far once in 300 000 me
 
 @dataclass(frozen=True)
 class Rules:
-    """What the filter does with input that is not as it should be."""
+    """What `Transfer` does with input that is not as it should be.
 
-    buffer_s: float = 0.5  # how much of the slave's past is kept
-    ahead_s: float = 0.02  # how far beyond the newest sample a message may lie; the slave is extrapolated
-    half_span_s: float = 0.02  # rates are means, and rates of change differences, over twice this
-    delay_sigmas: float = 8.0  # how far above their noise the rates are in a message that informs the delay
-    gate: float = 1e-6  # a message is refused if its NIS would be exceeded by chance this often
-    coarse_rad: float = 0.1  # at first the gate is open while the sigma of an angle is above this,
-    coarse_s: float = 0.05  # or that of the delay above this,
-    settle_s: float = 5.0  # and so long after that
-    reopen_after: int = 5  # messages gated in a row
-    silent_s: float = 1.0  # without a message taken, after which a note says so; of a slow master 3.5 of its intervals
-    full_scale: tuple[float, float] | None = None  # of the slave: rad/s, m/s^2
-    overshoot: float = 0.5  # one sigma of what a saturated axis misses, as a part of full scale
-    bridge_s: float = 0.1  # of the slave's data may be missing and is bridged
-    quiet_s: float = 5.0  # the same verdict on the same run is told again only after this
+    Parameters
+    ----------
+    buffer_s : float, optional
+        s: how much of the slave's past is kept; an older message is refused.
+    ahead_s : float, optional
+        s: how far beyond the slave's newest sample a message may lie; the slave is extrapolated.
+    half_span_s : float, optional
+        s: rates are means, and rates of change differences, over twice this.
+    delay_sigmas : float, optional
+        How far above their noise the rates are in a message that informs the delay.
+    gate : float, optional
+        A message is refused if chance alone would exceed its NIS with this probability.
+    coarse_rad, coarse_s : float, optional
+        rad, s: at first the gate is open while the sigma of an angle, or of the delay, is above
+        these.
+    settle_s : float, optional
+        s: and so long after that.
+    reopen_after : int, optional
+        Messages gated in a row, after which velocity and attitude are opened.
+    silent_s : float, optional
+        s without a message taken, after which a note says so; of a slow master 3.5 of its
+        intervals.
+    full_scale : (float, float), optional
+        Of the slave: rad/s and m/s^2; None for sensors without one.
+    overshoot : float, optional
+        One sigma of what a saturated axis misses, as a part of full scale.
+    bridge_s : float, optional
+        s of the slave's data that may be missing and is bridged; at most half of buffer_s.
+    quiet_s : float, optional
+        s: the same verdict on the same run is noted a second time only after this.
+
+    Raises
+    ------
+    BoresightError
+        A span, gate or silence that is not above zero, a bridge beyond half of the buffer,
+        reopen_after below 1.
+
+    Notes
+    -----
+    When not to use it: as a means to make a filter fit a recording.  The rules are for faults;
+    noises and sizes of errors belong to `constants` and to `transfer.sensors`.
+
+    Examples
+    --------
+    >>> from boresight import Rules
+    >>> Rules(full_scale=(5.0, 100.0)).buffer_s
+    0.5
+    """
+
+    buffer_s: float = 0.5
+    ahead_s: float = 0.02
+    half_span_s: float = 0.02
+    delay_sigmas: float = 8.0
+    gate: float = 1e-6
+    coarse_rad: float = 0.1
+    coarse_s: float = 0.05
+    settle_s: float = 5.0
+    reopen_after: int = 5
+    silent_s: float = 1.0
+    full_scale: tuple[float, float] | None = None
+    overshoot: float = 0.5
+    bridge_s: float = 0.1
+    quiet_s: float = 5.0
 
     def __post_init__(self) -> None:
         for name in ("buffer_s", "half_span_s", "gate", "silent_s"):

@@ -32,7 +32,7 @@ class Variant:
     says: str
     kind: str | Callable[[Scenario], hull.Motion] = "slope"
     changes: dict[str, Any] = field(default_factory=dict)
-    way: Literal["extrapolate", "buffer"] = "extrapolate"
+    compensation: Literal["extrapolate", "buffer"] = "extrapolate"
     matching: tuple[str, str] = ("velocity", "dcm")
 
 
@@ -81,7 +81,13 @@ def run(asked: Asked, progress: Progress = silent) -> Result:
         scenario = replace(Scenario(), **variant.changes)
         kind = variant.kind if isinstance(variant.kind, str) else variant.kind(scenario)
         flight = fly(
-            model, kind, scenario, runs=asked.runs, seed=asked.seed, way=variant.way, matching=variant.matching
+            model,
+            kind,
+            scenario,
+            runs=asked.runs,
+            seed=asked.seed,
+            compensation=variant.compensation,
+            matching=variant.matching,
         )
         streams = draw(scenario, asked.seed, asked.runs).streams
         motion = motion_of(kind, scenario, streams) if isinstance(kind, str) else kind

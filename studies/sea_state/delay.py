@@ -115,7 +115,7 @@ def ways(model: Any, scenario: Scenario, *, runs: int, seed: int, flown: Flight 
             if flown is not None and way == "extrapolate" and one == scenario:
                 flight = flown  # whose first filter is that with compensation, as here
             else:
-                flight = fly(model, "slope", one, runs=runs, seed=seed, way=way, belief=only("with"))
+                flight = fly(model, "slope", one, runs=runs, seed=seed, compensation=way, belief=only("with"))
             part["heading_mil"].append((np.abs(flight.heading[-1, 0]).mean(-1) / MIL).tolist())
             part["delay_error_ms"].append((np.sqrt(np.mean(flight.error[-1, 0, ..., 15] ** 2, axis=-1)) * 1e3).tolist())
             part["nis"].append(flight.settled_nis[0].tolist())

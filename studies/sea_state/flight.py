@@ -287,7 +287,7 @@ def fly(
     runs: int,
     seed: int,
     first_run: int = 0,
-    way: Literal["extrapolate", "buffer"] = "extrapolate",
+    compensation: Literal["extrapolate", "buffer"] = "extrapolate",
     matching: tuple[str, str] = ("velocity", "dcm"),
     rows: Any = True,
     mounting: Array | None = None,
@@ -298,7 +298,8 @@ def fly(
     """Closed loops, each run with its own delay, biases and noise, keyed by [seed, run] in every case.
 
     kind: one of MOTIONS, or a motion of shape (cases, 1) or (cases, runs) in the place of the six sea states.
-    way, matching: of `transfer.Transfer`; "extrapolate" and "dcm" are the paper's.  rows: (3,) bool, of the attitude's.
+    compensation, matching: of `transfer.Transfer`; "extrapolate" and "dcm" are the paper's.
+    rows: (3,) bool, of the attitude's.
     mounting: true q_b2m_wxyz, (cases, runs, 4) as it broadcasts; the scenario's if left out.  belief: how the filters
     begin: the paper's two, FILTERS, if left out.  delay_s: instead of the drawn one, as (cases, runs) broadcasts.
     noise: a factor on all that is drawn but the delay; the filter is told the same.
@@ -352,7 +353,7 @@ def fly(
         turned = np.einsum("...ij,...j->...i", rotation.matrix_from_quaternion(nav["q_b2n_wxyz"]), swing)
         nav["v_n"] = opening.v_m_n + turned
         P0 = np.broadcast_to(P0, (*np.broadcast_shapes(nav["v_n"].shape[:-1], P0.shape[:-2]), 16, 16))
-        loop = Transfer(model, nav, P0, given, way=way, matching=matching, every=every, rules=RULES)
+        loop = Transfer(model, nav, P0, given, compensation=compensation, matching=matching, every=every, rules=RULES)
     else:
         past, begun = sensed(1), 1
         sigmas, estimates = told(s, belief)

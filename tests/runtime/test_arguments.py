@@ -44,6 +44,34 @@ def test_an_input_of_a_wrong_name_or_shape_is_named(flown, changes, said):
     np.testing.assert_array_equal(one.P, I)
 
 
+@pytest.mark.parametrize("step", ["strapdown", "predict", "tip"])
+def test_the_state_is_no_input(flown, step):
+    """It would not be read: the filter has its own."""
+    given, loop = {**STEP, "x": X}, flown()
+    with pytest.raises(BoresightError, match=f"{step}: x is the filter's own state; assign it, as loop.x = ..."):
+        loop.update(step, 1.0, z=[0.0], **given) if step == "tip" else getattr(loop, step)(**given)
+
+
+def test_a_filter_begins_with_finite_numbers(flown):
+    with pytest.raises(BoresightError, match="x holds a value that is not finite"):
+        type(flown())(flown().model, NAV, I, x=[0.0, np.nan])
+    with pytest.raises(BoresightError, match="P holds a value that is not finite"):
+        flown(P=np.full((2, 2), np.nan))
+
+
+def test_a_covariance_that_became_no_number_is_not_carried_on(flown):
+    loop = flown()
+    loop.P = np.full((2, 2), np.nan)
+    with pytest.raises(BoresightError, match=r"not finite|no number"):
+        loop.predict(**STEP)
+
+
+def test_the_compiled_filter_refuses_a_jacobian(pendulum_folder):
+    loop = CompiledFilter(load(pendulum_folder), NAV, I, x=X)
+    with pytest.raises(BoresightError, match="the C makes its own jacobian; leave it out, or fly Filter"):
+        loop.update("tip", 1.0, z=[0.0], jacobian=[[1.0, 0.0]])
+
+
 @pytest.mark.parametrize(
     ("nav", "P", "said"),
     [

@@ -262,8 +262,8 @@ def closed_loop(library, motion, extra, *, lever, seconds, update_hz, bending=No
     P[:, :16, :16] = narrow
     P[:, range(16, 16 + k), range(16, 16 + k)] = np.square(extra.sigma)
     constants = {name: value for name, value in constants.items() if name not in extra.start}
-    loop = Transfer(library, {**nav, **extra.start, **extra.constants}, P, constants, way="extrapolate", every=5,
-                    rules=Rules(gate=1e-300, ahead_s=0.2))  # fmt: skip
+    loop = Transfer(library, {**nav, **extra.start, **extra.constants}, P, constants, compensation="extrapolate",
+                    every=5, rules=Rules(gate=1e-300, ahead_s=0.2))  # fmt: skip
     for update in range(1, seconds * update_hz + 1):
         noise = walk * np.sqrt(dt) * np.array([stream.standard_normal((every, 6)) for stream in streams])
         for i in range(every):

@@ -122,13 +122,13 @@ def test_the_alignment_of_kim_is_flown_to_rounding(monkeypatch):
     assert held_together(azimuth_alignment, fly, ("P", "psi_history", "sigma_history"), monkeypatch) == {}
 
 
-@pytest.mark.parametrize("way", ["extrapolate", "buffer"])
-def test_the_sea_of_kang_is_flown_to_rounding(way, monkeypatch):
+@pytest.mark.parametrize("compensation", ["extrapolate", "buffer"])
+def test_the_sea_of_kang_is_flown_to_rounding(compensation, monkeypatch):
     model, scenario = load("velocity-attitude"), sea_flight.Scenario(seconds=4, height_m=(0.1, 2.5))
     monkeypatch.setattr(Stretch, "of", lambda *_: None)  # many intervals at once are flown in C by every kind
 
     def fly():
-        return sea_flight.fly(model, "sea", scenario, runs=1, seed=1, way=way)
+        return sea_flight.fly(model, "sea", scenario, runs=1, seed=1, compensation=compensation)
 
     assert held_together(filter, fly, ("error", "P", "nis"), monkeypatch) == {}
 

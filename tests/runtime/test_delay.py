@@ -100,8 +100,8 @@ def test_a_healthy_flight_says_nothing(stepped):
 
 
 def test_extrapolation_finds_a_delay_that_steps_too():
-    flight = fly(swinging(), runs=RUNS, seconds=10.0, tau=lambda time: 0.01 if time < 6 else 0.05, way="extrapolate",
-                 tau_believed=0.01, tau_sigma=0.01, imu_hz=25)  # fmt: skip
+    flight = fly(swinging(), runs=RUNS, seconds=10.0, tau=lambda time: 0.01 if time < 6 else 0.05,
+                 compensation="extrapolate", tau_believed=0.01, tau_sigma=0.01, imu_hz=25)  # fmt: skip
     assert np.abs(flight.errors[-1, :, 15]).max() < 5e-3
     for run in range(RUNS):
         found = numbers(said_of(flight, run)[0], r"the master's delay has changed from (\d+) to (\d+) ms")

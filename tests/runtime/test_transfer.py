@@ -75,7 +75,7 @@ class Flight:
     times: np.ndarray
 
 
-def fly(ship, *, runs=20, seed=0, heading=2 * DEG, seconds=None, way="buffer", delay=None, known_age=0.0,
+def fly(ship, *, runs=20, seed=0, heading=2 * DEG, seconds=None, compensation="buffer", delay=None, known_age=0.0,
         jitter=0.003, drop=0.1, change=None, slave_change=None, lever_b=LEVER_B, tau_sigma=0.01, master_hz=10,
         **more):  # fmt: skip
     """Sensor errors, delays, jitter and drop-outs run by run.
@@ -105,8 +105,9 @@ def fly(ship, *, runs=20, seed=0, heading=2 * DEG, seconds=None, way="buffer", d
         rate_sigma=0.0, acceleration_sigma=0.0,
     )  # fmt: skip
     loop = Transfer(
-        ship.model, nav, P, {"lever_b": lever_b, **NOISE}, way=way, every=round(0.04 / ship.track.dt), **more
-    )
+        ship.model, nav, P, {"lever_b": lever_b, **NOISE}, compensation=compensation,
+        every=round(0.04 / ship.track.dt), **more,
+    )  # fmt: skip
 
     steps = len(ship.dtheta) if seconds is None else round(seconds / dt)
     stamps = 1 / master_hz * np.arange(1, int(steps * dt * master_hz)) + jitter * np.abs(normals(10000)[:, None, 0])
@@ -160,7 +161,7 @@ def error(loop, ship, sample, bias_g, bias_a, tau):
 @pytest.fixture(scope="module")
 def flights(ship):
     """Both ways, messages that arrive 20 to 30 ms after their stamp: jitter, one in ten lost, and the delay."""
-    return {way: fly(ship, way=way) for way in ("buffer", "extrapolate")}
+    return {one: fly(ship, compensation=one) for one in ("buffer", "extrapolate")}
 
 
 @pytest.mark.parametrize("way", ["buffer", "extrapolate"])
@@ -184,7 +185,7 @@ def test_errors_are_as_large_as_the_filter_says(flights, way):
 # ---- what the two ways do with a message that is old
 
 
-def without_errors(ship, seconds, way, runs=()):
+def without_errors(ship, seconds, compensation, runs=()):
     """A loop that knows everything and has flown ideal sensors up to a time."""
     rate_hz = round(1 / ship.track.dt)
     nav = {
@@ -192,7 +193,7 @@ def without_errors(ship, seconds, way, runs=()):
         "gyro_bias": np.zeros(3), "accel_bias": np.zeros(3), "q_b2m_wxyz": MOUNTING, "tau": 0.0,
     }  # fmt: skip
     P = np.diag(np.repeat([1e-6, 1e-4, 1e-10, 1e-6, 1e-6, 1e-6], [3, 3, 3, 3, 3, 1])) * np.ones((*runs, 1, 1))
-    loop = Transfer(ship.model, nav, P, {"lever_b": LEVER_B, **NOISE}, way=way)
+    loop = Transfer(ship.model, nav, P, {"lever_b": LEVER_B, **NOISE}, compensation=compensation)
     for step in range(round(seconds * rate_hz)):
         loop.slave((step + 1) / rate_hz, ship.dtheta[step], ship.dv[step], ship.track.dt)
     return loop
@@ -313,7 +314,7 @@ def test_runs_side_by_side_are_the_runs_alone(short):
 def test_old_messages_cost_the_buffer_nothing_and_extrapolation_its_consistency(short):
     """Handed over 0.1 s after they were stamped."""
     buffer = fly(short, runs=8, known_age=0.1)
-    extrapolated = fly(short, runs=8, known_age=0.1, way="extrapolate")
+    extrapolated = fly(short, runs=8, known_age=0.1, compensation="extrapolate")
     assert buffer.nees[-50:].mean() < 23
     assert np.nanmean(buffer.nis) == pytest.approx(6, abs=0.25)
     assert extrapolated.nees[-50:].mean() > 2 * 16  # its 95 % band ends at 19
@@ -360,7 +361,7 @@ def test_a_message_without_what_the_matching_needs_is_refused_in_one_line(short)
     loop = without_errors(short, 0.2, "buffer")
     assert loop.master(Message(0.1, R, euler_m=np.zeros(3))).verdict == Verdict.INVALID
     assert loop.notes[-1].text == "message refused: it holds neither v_m_n nor q_m2n_wxyz"
-    with pytest.raises(BoresightError, match="no way 'kalman'"):
+    with pytest.raises(BoresightError, match="compensation is 'kalman'; give 'buffer' or 'extrapolate'"):
         without_errors(short, 0.0, "kalman")
     with pytest.raises(BoresightError, match="buffer_s is 0"):
         Rules(buffer_s=0.0)
