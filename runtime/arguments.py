@@ -45,6 +45,12 @@ def one_run(fields: Mapping[str, Any], nav: Mapping[str, Array]) -> bool:
     return all(np.ndim(value) == (fields[name]["size"] > 1) for name, value in nav.items() if name in fields)
 
 
+def check_own_state(function: str, inputs: Mapping[str, Any]) -> None:
+    """Raise BoresightError on the state among the inputs: it is the filter's own, and would not be read."""
+    if "x" in inputs:
+        raise BoresightError(f"{function}: x is the filter's own state; assign it, as loop.x = ..., and leave x out")
+
+
 def check_taking(measurement: str, rows: Any, gate: Any, joint: Any, iterations: Any) -> None:
     """Raise BoresightError on rows that are neither True nor False, gates of no size, or iterations of no number."""
     if np.asarray(rows).dtype.kind not in "biuf":

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.runtime.arguments import check_inputs, check_shape, check_state, check_taking
+from boresight.runtime.arguments import check_inputs, check_own_state, check_shape, check_state, check_taking
 from boresight.runtime.array import Array
 from boresight.runtime.filter.filter import Filter, Innovation, check_symmetric, of_unit_variances
 from boresight.runtime.filter.memory import Blocks, Memory, Nav, Taking
@@ -85,11 +85,58 @@ class Prepared:
 
 
 class CompiledFilter(Filter):
-    """Predict, update by a named measurement, feed back.  model: a library of `boresight.runtime.library.load`.
+    """The filter of the generated C: `Filter` with the same methods and meaning, equal to rounding.
 
-    nav, P and x are as in `Filter`, and may be assigned, or changed in place, between calls.  They stay in the C: an
-    array that was read holds what the filter held then, and only until the next call what it holds.  `variances` costs
-    less than P.
+    One run or many: each method is one call of C, in which blocks of runs follow one another.  A
+    run has the bits of the scalar C that is exported, whatever stands beside it.  Units, frames and
+    shapes are those of `Filter`.
+
+    Parameters
+    ----------
+    model : Library
+        Of `load`, in double, of a model that has measurements.
+    nav : dict of str to (..., size) array
+        What the strapdown carries and the feedback corrects, by field name; {} for a model without.
+    P : (..., n, n) array
+        Covariance of the state at the start.
+    x : (..., n) array, optional
+        Where a total state begins; an error state begins at zero.
+
+    Attributes
+    ----------
+    x, P, nav
+        As above, now.  They may be assigned, or changed in place, between calls.  They stay in the
+        C: an array that was read holds what the filter held then, and a change of it counts until
+        the next call.
+    considered, at_ceiling
+        As of `Filter`.
+
+    Raises
+    ------
+    BoresightError
+        As `Filter`; and a library in float or by CasADi, a jacobian, or R with correlated rows of a
+        measurement that does not declare `correlated=True`.  Where one run is refused, all stay as
+        they were, and the line names the run.
+
+    See Also
+    --------
+    Epoch : all steps between two epochs in one call.
+
+    Notes
+    -----
+    When not to use it: for a model that is a Python object of one's own, for float (export it and
+    fly the C), or where the caller brings a Jacobian; `Filter` takes these.  `variances` costs less
+    than P.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from boresight import CompiledFilter, load
+    >>> nav = {"q_b2n_wxyz": np.tile([1.0, 0, 0, 0], (5, 1)), "mu": np.zeros(3)}
+    >>> loop = CompiledFilter(load("euler-matching"), nav, P=np.eye(6) * 1e-4)
+    >>> loop.predict(omega_in_n=np.zeros(3), gyro_noise=np.full(3, 1e-4), dt=1.0)
+    >>> loop.variances().shape
+    (5, 6)
     """
 
     def __init__(self, model: Library, nav: dict[str, Array], P: Array, x: Any = None):
@@ -142,20 +189,26 @@ class CompiledFilter(Filter):
         self.memory.nav.update(value)
 
     def variances(self) -> Array:
-        """(..., n) the diagonal of P."""
+        """The diagonal of P, without the rest of it.
+
+        Returns
+        -------
+        (..., n) array
+            A copy, in the squares of the states' units.
+        """
         return self.memory.variances()
 
     def _leading(self) -> tuple[int, ...]:
         return self.memory.runs
 
     def strapdown(self, **inputs: Any) -> None:
-        """Carry nav over one interval of inertial data."""
+        check_own_state("strapdown", inputs)
         if self.described["strapdown"] is None:
             raise BoresightError(f"{self.model.name} has no function 'strapdown'")
         self._fly("strapdown", self.described["strapdown"], inputs)
 
     def predict(self, **inputs: Any) -> None:
-        """Carry x and P over `dt`."""
+        check_own_state("predict", inputs)
         self._fly("propagate", self.described["propagate"], inputs)
 
     def update(
@@ -171,11 +224,10 @@ class CompiledFilter(Filter):
         jacobian: Any = None,
         **inputs: Any,
     ) -> Innovation:
-        """Take one measurement, row after row: see `Filter.update`.  R is (..., m, m) of a correlated one alone.
-
-        jacobian: is not looked at, for the C makes its own.
-        """
         check_taking(measurement, rows, gate, joint, iterations)
+        check_own_state(measurement, inputs)
+        if jacobian is not None:
+            raise BoresightError(f"{measurement}: the C makes its own jacobian; leave it out, or fly Filter")
         kept = self._considered(measurement, considered)
         z = self._brought(measurement, inputs)
         described = self.described["measurements"][measurement]
@@ -200,7 +252,6 @@ class CompiledFilter(Filter):
         return Innovation(nu, S, used, nis)
 
     def feedback(self) -> None:
-        """Correct nav by the estimate and begin again from zero."""
         if self.described["correct"] is None:
             raise BoresightError(f"{self.model.name} has no function 'feedback'")
         self._fly("correct", self.described["correct"], {})

@@ -117,20 +117,67 @@ class Measured(Inputs):
 
 
 class Epoch(Fixed):
-    """One call from one epoch to the next, for all runs of a `CompiledFilter`, bound to arrays of its own.
+    """All that a `CompiledFilter` does from one epoch to the next in one call, for all of its runs.
 
-    Write `strapdown`, `predict` and `measured[NAME]`, call, look at `status`: the strapdown is called for each sample,
-    then once the prediction, the measurements in their order, and the correction.  A run has the bits of these calls
-    one by one.  One that a step refuses stays as the step before it left it, and the others go on.
+    Write `strapdown`, `predict` and `measured[NAME]`, call, look at `status`: the strapdown is
+    called for each sample, then once the prediction, the measurements in their order, and the
+    correction.  A run has the bits of these calls one by one.  A run that a step refuses stays as
+    the step before it left it, and the others go on.
 
-    loop: its state is carried on, and can be read and assigned between calls as ever.
-    samples: how many there are between two epochs; 0 for none.
-    predict, feedback: whether they are part of it.  measurements: their names; one can be left out of a call by
-    `rows`, and one that comes seldom is better in an Epoch of its own.
-    runs: the leading axes, by default those of the loop's x, P and nav.
-    shared: fields, and z, R or rows, that are alike in all runs, and have no axes of them.
+    Parameters
+    ----------
+    loop : CompiledFilter
+        Its state is carried on, and can be read and assigned between calls as before.
+    samples : int
+        How many there are between two epochs; 0 for none.
+    measurements : collection of str, optional
+        Their names.  One can be left out of a call by `rows`; one that comes seldom is better in an
+        Epoch of its own.
+    predict, feedback : bool, optional
+        Whether they are part of it.
+    runs : tuple of int, optional
+        The leading axes, by default those of the loop's x, P and nav.
+    shared : collection of str, optional
+        Fields, and "z", "R" or "rows", that are alike in all runs, and have no axes of them.
 
-    status: (...,) of each run, a `Status`; with AT_CEILING the run went on.
+    Attributes
+    ----------
+    strapdown : mapping of str to (samples, ..., size) array
+        What the strapdown is given, by field; (samples, ...) if it has one component.
+    predict : mapping of str to (..., size) array
+        What the prediction is given.
+    measured : dict of str to Measured
+        By measurement: its fields, R (..., m), z (..., m) where the caller brings it, `rows`,
+        `gates` and `iterations`; after a call its innovation `nu`, `S`, `used` and `nis`.
+    status : (...,) uint8 array
+        Of each run, the number of a status of docs/conventions.md: 0 where all is well.  With
+        BS_AT_CEILING the run went on.
+
+    Raises
+    ------
+    BoresightError
+        A measurement or field that the model does not have, a step that it lacks, a number of
+        samples or runs that is none, a loop with considered states.
+
+    Notes
+    -----
+    When not to use it: where the steps of an epoch change from one to the next, or to read a state
+    between them; the methods of `CompiledFilter` do that.  Arrays are written in place and are
+    never replaced: `epoch.predict["dt"][...] = 0.01` and `epoch.predict["dt"] = 0.01` are the same.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from boresight import CompiledFilter, Epoch, load
+    >>> nav = {"q_b2n_wxyz": [1, 0, 0, 0], "mu": np.zeros(3)}
+    >>> loop = CompiledFilter(load("euler-matching"), nav, P=np.eye(6) * 1e-4)
+    >>> epoch = Epoch(loop, samples=10, feedback=False)
+    >>> epoch.strapdown["dt"] = 0.1
+    >>> epoch.predict["dt"] = 1.0
+    >>> epoch()
+    0
+    >>> print(np.sqrt(loop.variances()).round(4))
+    [0.01 0.01 0.01 0.01 0.01 0.01]
     """
 
     def __init__(
@@ -190,7 +237,13 @@ class Epoch(Fixed):
         self._blocks: Blocks | None = None  # of the last call
 
     def __call__(self) -> int:
-        """How many runs a step refused; 0 is all well."""
+        """Carry all runs to the next epoch.
+
+        Returns
+        -------
+        int
+            How many runs a step refused; 0 where all is well.
+        """
         memory = self.loop.memory
         if memory.lent or self._blocks is not memory.blocks:
             self._check()
@@ -213,7 +266,13 @@ class Epoch(Fixed):
             raise BoresightError(f"the filter has the runs {theirs}, and the Epoch {ours}; make one of these runs")
 
     def refused(self) -> str:
-        """What became of the first run that was refused, in words; nothing where all is well."""
+        """What became of the first run that was refused.
+
+        Returns
+        -------
+        str
+            The run and the name of its status; empty where all is well.
+        """
         bad = np.argwhere((self.status != Status.OK) & (self.status != Status.AT_CEILING))
         if not len(bad):
             return ""

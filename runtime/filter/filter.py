@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from boresight.errors import BoresightError, did_you_mean
-from boresight.runtime.arguments import check_inputs, check_start, check_state, check_taking
+from boresight.runtime.arguments import check_inputs, check_own_state, check_start, check_state, check_taking
 from boresight.runtime.array import Array, wrapped
 
 STILL = 0.01  # sigmas by which an estimate may move and need not be linearised again
@@ -19,15 +19,40 @@ STILL = 0.01  # sigmas by which an estimate may move and need not be linearised 
 
 @dataclass(frozen=True)
 class Innovation:
-    """The innovation of one measurement.  Rows that were masked or gated have used = False and add nothing to nis.
+    """The innovation of one measurement, as `Filter.update` returns it.
 
-    Where the joint gate leaves a measurement out, used is False in every row, and nis is what was held against it.
+    Parameters
+    ----------
+    nu : (..., m) array
+        z - h(x), or z - H x, in the unit of the row: row after row, each given the rows before it,
+        of the last linearisation.
+    S : (..., m) array
+        The variance of nu.
+    used : (..., m) bool array
+        Which rows corrected the state, by the first linearisation.  A row that was masked or gated
+        is False and adds nothing to nis.
+    nis : (...,) array, optional
+        Sum of nu^2 / S over the rows used: chi-square with `used.sum(-1)` degrees of freedom if the
+        filter is consistent.  Computed if left out.
+
+    Notes
+    -----
+    Where the joint gate leaves a measurement out, used is False in every row, and nis is the number
+    that exceeded the gate.  Not for rows of several measurements together: each `update` has its
+    own.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from boresight import Innovation
+    >>> found = Innovation(nu=np.array([0.2, 3.0]), S=np.array([0.04, 1.0]), used=np.array([True, False]))
+    >>> float(round(found.nis, 3))
+    1.0
     """
 
-    nu: Array  # (..., m) z - h(x), or z - H x: row after row, each given the rows before it; of the last linearisation
-    S: Array  # (..., m) the variance of nu
-    used: Array  # (..., m) bool; by the first linearisation
-    # (...,) sum of nu^2 / S over the rows used: chi-square with `used.sum(-1)` degrees of freedom; computed if left out
+    nu: Array
+    S: Array
+    used: Array
     nis: Array = field(default=None)  # type: ignore[arg-type]
 
     def __post_init__(self) -> None:
@@ -37,17 +62,69 @@ class Innovation:
 
 
 class Filter:
-    """Predict, update by a named measurement, feed back.
+    """A Kalman filter in NumPy over a model's functions: predict, update by a measurement, feed back.
 
-    model: offers `Phi`, `Q`, `NAME_H`, `NAME_z` unless the caller brings z, `NAME_h` unless h is H x, `feedback`,
-    `strapdown`, and `next` if its state is total; each is called with the fields that it lists in `.fields`.  It may
-    offer `measurements` and `wraps`, as `boresight.runtime.library.Library` does: which rows and states are angles.
-    nav: the quantities that the strapdown carries and the feedback corrects, by field name, each (..., size).
-    P: (..., n, n) covariance of the state.
-    x: (..., n) where a total state begins.  An error state begins, by default, and after each feedback, at zero.
+    One run, or many side by side: what stands before the last axes are runs, and everything
+    broadcasts.  Units are SI and rad, frames those of the model (`boresight models NAME`).
 
-    considered: None, or (..., n) bool, may be assigned: states that no measurement corrects (a Schmidt filter).  A
-    state of zero variance and zero noise stays as it is by itself: so the states that are not needed are left out.
+    Parameters
+    ----------
+    model : Library, or any object with the same functions
+        Offers `Phi`, `Q`, `NAME_H`, `NAME_z` unless the caller brings z, `NAME_h` unless h is H x,
+        `feedback`, `strapdown`, and `next` if its state is total; each is called with the fields
+        that it lists in `.fields`.  It may offer `measurements` and `wraps`, as a `Library` does:
+        which rows and states are angles.
+    nav : dict of str to (..., size) array
+        What the strapdown carries and the feedback corrects, by field name; {} for a model without.
+    P : (..., n, n) array
+        Covariance of the state at the start: finite, symmetric, no negative eigenvalue.
+    x : (..., n) array, optional
+        Where a total state begins.  An error state begins, by default, and after each feedback, at
+        zero.
+
+    Attributes
+    ----------
+    x, P, nav
+        As above, now; each may be assigned.
+    considered : None or (..., n) bool array
+        May be assigned: states that no measurement corrects (a Schmidt filter).  A state of zero
+        variance and zero noise stays as it is by itself, so that a state that is not needed is left
+        out.
+    at_ceiling : (...,) bool array
+        Whether the last prediction met a ceiling of a variance.
+
+    Raises
+    ------
+    BoresightError
+        A name that the model does not have, a wrong shape, P that is no covariance, x that is not
+        finite or is missing for a total state, a sigma beyond the ceiling that the generated
+        filter's header states.
+
+    See Also
+    --------
+    CompiledFilter : the same in C, equal to rounding: for speed, and to fly what is exported.
+
+    Notes
+    -----
+    When not to use it: for many runs or long flights `CompiledFilter` takes a fraction of the time.
+    This one is for reading, for R with correlated rows of a model that does not declare them, for a
+    Jacobian of one's own, and for models that are plain Python objects.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from boresight import Filter, load
+    >>> nav = {"q_b2n_wxyz": [1, 0, 0, 0], "mu": np.zeros(3)}
+    >>> loop = Filter(load("euler-matching"), nav, P=np.eye(6) * 1e-4)
+    >>> loop.strapdown(dtheta_ib_b=[0, 0, 0.01], omega_in_n=np.zeros(3), dt=1.0)
+    >>> loop.predict(omega_in_n=np.zeros(3), gyro_noise=np.full(3, 1e-4), dt=1.0)
+    >>> angles = {"euler_b": loop.call("euler_angles"), "euler_m": np.zeros(3)}
+    >>> found = loop.update("euler_exact", R=np.full(3, 1e-6), **angles)
+    >>> print(found.nu.round(4), found.used)
+    [0.   0.   0.01] [ True  True  True]
+    >>> loop.feedback()
+    >>> print(loop.nav["mu"].round(4))
+    [0.    0.    0.005]
     """
 
     considered: Any = None
@@ -77,6 +154,8 @@ class Filter:
         n = self.P.shape[-1]
         x = np.zeros(n) if x is None else np.asarray(x, dtype=float)
         check_state(x, n)
+        if not np.isfinite(x).all():
+            raise BoresightError("x holds a value that is not finite; start from a finite state")
         runs = np.broadcast_shapes(self.P.shape[:-2], x.shape[:-1])
         return self.wrapped(np.array(np.broadcast_to(x, (*runs, n))))
 
@@ -84,7 +163,18 @@ class Filter:
         return tuple(self.x.shape[:-1])
 
     def wrapped(self, x: Array) -> Array:
-        """The state x with those of its angles that wrap in [-pi, pi)."""
+        """The state with those of its angles that wrap in [-pi, pi).
+
+        Parameters
+        ----------
+        x : (..., n) array
+            A state, total or error.
+
+        Returns
+        -------
+        (..., n) array
+            x itself if no state of the model wraps.
+        """
         places = getattr(self.model, "wraps", ())
         if places:
             x = x.copy()
@@ -92,7 +182,25 @@ class Filter:
         return x
 
     def call(self, name: str, **inputs: Any) -> Any:
-        """The model's function NAME, fed from nav, the state x and the inputs."""
+        """A function of the model, with nav, the state x and the inputs given.
+
+        Parameters
+        ----------
+        name : str
+            Of the model's function, as "euler_angles" or "position_H".
+        **inputs
+            Its other fields by name, each (..., size) or (...,) if it has one component; they stand
+            above nav and x.
+
+        Returns
+        -------
+        array, or dict of arrays where the function has several outputs
+
+        Raises
+        ------
+        BoresightError
+            No such function or input, an input that is missing, not finite or outside its box.
+        """
         unit = getattr(self.model, name)
         check_inputs(name, self.model, inputs, self.nav, self.P, unit.fields)
         known = {**self.nav, "x": self.x, **inputs}
@@ -102,15 +210,45 @@ class Filter:
         return unit(**{field: known[field] for field in unit.fields})
 
     def strapdown(self, **inputs: Any) -> None:
-        """Carry nav over one interval of inertial data."""
+        """Carry nav over one interval of inertial data, by the model's function `strapdown`.
+
+        Parameters
+        ----------
+        **inputs
+            The other fields of `strapdown` by name, each (..., size) or (...,): increments in rad
+            and m/s, dt in s.
+
+        Raises
+        ------
+        BoresightError
+            A model without a strapdown; an input that is unknown, missing, not finite or outside
+            its box.
+        """
+        check_own_state("strapdown", inputs)
         self.nav.update(named(self.call("strapdown", **inputs), self.nav))
 
     def predict(self, **inputs: Any) -> None:
         """Carry x and P over `dt`: a total state by `next`, an error state by Phi.
 
-        A variance beyond its ceiling, which the generated filter's header says, becomes a quarter as often as it takes,
-        its row and column a half as often; `at_ceiling` says so.
+        A variance beyond its ceiling, which the generated filter's header states, becomes a quarter
+        as often as it takes, its row and column a half as often; `at_ceiling` says so.
+
+        Parameters
+        ----------
+        **inputs
+            The fields of Phi, Q and `next` that nav does not hold, by name, each (..., size) or
+            (...,).  One that another function of the model takes may stand among them, and is left
+            alone.
+
+        Raises
+        ------
+        BoresightError
+            The state x among the inputs, which is the filter's own; an input that is unknown,
+            missing, not finite or outside its box; a P that is not finite.
         """
+        check_own_state("predict", inputs)
+        if not np.isfinite(self.P).all():
+            raise BoresightError("predict: P holds a value that is not finite; assign a finite covariance")
         Phi, Q = self.call("Phi", **inputs), self.call("Q", **inputs)
         after = self.call("next", **inputs) if self.total else np.einsum("...ij,...j->...i", Phi, self.x)
         self.x = self.wrapped(after)
@@ -131,24 +269,53 @@ class Filter:
     ) -> Innovation:
         """Take one measurement, row after row, in Joseph form.
 
-        R: (..., m) variances of the rows, whose errors are independent; or (..., m, m) their covariance L D L', L lower
-        with ones on its diagonal: then the rows are those of L^-1 z, of variances D, and so are nu and S.
-        (For m runs (m, m) are variances, and (1, m, m) is a covariance.)
-        rows: (..., m) bool, False for a row that is absent, which has no part in L.
-        gate: a row whose |nu| exceeds this many sigmas, where it is linearised first, is left out; of correlated rows
-        each is judged by itself, before R is factored without those that are left out.
-        joint: a measurement whose nis, of the rows within their gate, exceeds this quantile of chi-square where it is
-        linearised first is left out as a whole.
-        iterations: how often at most a nonlinear measurement is linearised, about the last estimate and always from the
-        same x and P; 1 is the plain extended filter.  It ends where no state and no row moves by more than .01 sigma.
-        Where one moves by more than a sigma and by more than before, or x leaves its box, the first result is taken.
-        considered: (..., n) bool, states whose rows of the whole measurement's gain are zero, instead of the attribute
-        `considered`: they and their covariance among themselves stay, and their covariance with the others is right.
-        nu and S are those of the optimal filter, so that nis is chi-square.
-        jacobian: (..., m, n) what `NAME_H` gives where the filter is, of a caller who has it already.
-        z: (..., m) the measured value, of a measurement that has no `NAME_z`.
+        Parameters
+        ----------
+        measurement : str
+            Its name in the model.
+        R : (..., m) or (..., m, m) array, or a number
+            Variances of the rows, whose errors are independent; or their covariance L D L', L lower
+            with ones on its diagonal: then the rows are those of L^-1 z, of variances D, and so are
+            nu and S.  For m runs (m, m) are variances, and (1, m, m) is a covariance.
+        rows : (..., m) bool array, optional
+            False for a row that is absent, which has no part in L.
+        gate : float, optional
+            Sigmas: a row whose abs(nu) exceeds as many, where it is linearised first, is left out.
+            Of correlated rows each is judged by itself, before R is factored without those that are
+            left out.
+        joint : float, optional
+            A quantile of chi-square: a measurement whose nis, of the rows within their gate,
+            exceeds it where it is linearised first is left out as a whole.
+        iterations : int, optional
+            How often at most a nonlinear measurement is linearised, about the last estimate and
+            always from the same x and P; 1 is the plain extended filter.  It ends where no state
+            and no row moves by more than 0.01 sigma.  Where one moves by more than a sigma and by
+            more than before, or x leaves its box, the first result is taken.
+        considered : (..., n) bool array, optional
+            In the place of the attribute `considered`: states whose rows of the whole measurement's
+            gain are zero.  They and their covariance among themselves stay, and their covariance
+            with the others is right.  nu and S are those of the optimal filter, so that nis is
+            chi-square.
+        jacobian : (..., m, n) array, optional
+            What `NAME_H` gives where the filter is, of a caller who has it already.  `Filter` alone
+            takes it; `CompiledFilter` refuses it, for its C makes its own.
+        **inputs
+            The fields of the measurement by name, each (..., size) or (...,); z (..., m), the
+            measured value, of a measurement that has no `NAME_z`.
+
+        Returns
+        -------
+        Innovation
+
+        Raises
+        ------
+        BoresightError
+            No such measurement, an input that is unknown, missing, not finite or outside its box,
+            the state x among the inputs, R that is no covariance, an innovation that is no number.
+            The filter stays as it was.
         """
         check_taking(measurement, rows, gate, joint, iterations)
+        check_own_state(measurement, inputs)
         kept = self._considered(measurement, considered)
         z, rows = self._measured(measurement, inputs), np.asarray(rows, dtype=bool)
         if jacobian is not None:
@@ -370,7 +537,15 @@ class Filter:
         return x, P, Innovation(nus, Ss, used)
 
     def feedback(self) -> None:
-        """Correct nav by the estimate and begin again from zero."""
+        """Correct nav by the estimate x of an error state, and begin anew with x = 0; P stays.
+
+        Call it after the measurements of one instant, and not between them and their prediction.
+
+        Raises
+        ------
+        BoresightError
+            A model without a function `feedback`, as one of a total state.
+        """
         self.nav.update(named(self.call("feedback"), self.nav))
         self.x = np.zeros_like(self.x)
 
