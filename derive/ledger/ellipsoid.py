@@ -85,8 +85,8 @@ class Level:
         return self.components((0, 0, -gravity(lat, height)))
 
 
-ENU = Level("ENU", ((0, 1), (1, 1), (2, 1)), (0, 1, 2))
-NED = Level("NED", ((1, 1), (0, 1), (2, -1)), (1, 0, 2))
+ENU: Level = Level("ENU", ((0, 1), (1, 1), (2, 1)), (0, 1, 2))
+NED: Level = Level("NED", ((1, 1), (0, 1), (2, -1)), (1, 0, 2))
 LEVELS = {level.name: level for level in (ENU, NED)}
 
 
