@@ -100,7 +100,7 @@ def tape(function: Any) -> Tape:
     return Tape(tuple(steps), tuple(results))
 
 
-LIBRARY = {"sin", "cos", "exp", "log", "asin", "acos", "atan", "sinh", "cosh", "tanh"}  # of one argument
+LIBRARY: set[str] = {"sin", "cos", "exp", "log", "asin", "acos", "atan", "sinh", "cosh", "tanh"}  # of one argument
 UNARY = {"neg", "sq", "twice", "inv", "sqrt", "fabs", "sign", "not"} | LIBRARY
 BOUNDED = {"exp", "log", "asin", "acos", "sinh", "cosh"}  # with no value, or none that a number holds, for some
 ULPS = {"asin": 2, "acos": 2, "sinh": 3, "cosh": 3, "tanh": 3}  # what our own may err by; 1 of the others

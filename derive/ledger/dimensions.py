@@ -1,11 +1,11 @@
 """Whether the terms of a paper's equations have units that fit, by the algebra of derive/units.
 
 A letter's unit ends its meaning, as in `velocity of the slave, m/s`.  Vectors and matrices of several units are in
-MIXED; every other letter without a unit is a number: an attitude, a quaternion, a count.
+`Paper.units`; every other letter without a unit is a number: an attitude, a quaternion, a count.
 """
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, reduce
@@ -73,9 +73,8 @@ def over(units: Iterable[Unit]) -> tuple[Unit, ...]:
     return tuple(ONE / one for one in units)
 
 
-def of_letter(paper: str, letter: Quantity) -> Grid:
-    """Of a vector or matrix, of each entry."""
-    mixed = MIXED.get(paper, {})
+def of_letter(mixed: Mapping[str, str], letter: Quantity) -> Grid:
+    """Of a vector or matrix, of each entry.  mixed: `Paper.units`."""
     key = letter.symbol.name if letter.symbol.name in mixed else letter.kind
     if key in mixed:
         rows, word, columns = re.split("( by | times |$)", mixed[key], maxsplit=1)
@@ -104,70 +103,6 @@ def of_meaning(meaning: str) -> Unit:
         except BoresightError:
             continue
     return ONE
-
-
-P, P_RATE = "2 rad, m", "2 rad/s, m/s"
-X10, X10_RATE = "3 m/s, 3 rad, 3 rad, s", "3 m/s^2, 3 rad/s, 3 rad/s, 1"
-X15, X15_RATE = f"{P}, 3 m/s, 3 rad, 3 rad/s, 3 m/s^2", f"{P_RATE}, 3 m/s^2, 3 rad/s, 3 rad/s^2, 3 m/s^3"
-Z4 = "3 m/s, rad"
-X9, X9_RATE = f"{P}, 3 m/s, 3 rad", f"{P_RATE}, 3 m/s^2, 3 rad/s"
-X16 = "3 rad, 3 m/s, 3 rad/s, 3 m/s^2, 3 rad, s"
-X16_RATE = "3 rad/s, 3 m/s^2, 3 rad/s^2, 3 m/s^3, 3 rad/s, 1"
-# By a letter's name, or its kind; of a matrix, the units of its rows by those of its columns.
-MIXED: dict[str, dict[str, str]] = {
-    "kim-2018": {
-        "X": X10,
-        "Ẋ": X10_RATE,
-        "F_X": f"{X10_RATE} by {X10}",
-        "H_X": f"3 m/s, 3 rad by {X10}",
-        "x_p": P,
-        "x_v": "3 m/s",
-        "x_φ": "3 rad",
-        "x_Cb": "3 rad/s",
-        "x_Ab": "3 m/s^2",
-        "states": X15,
-        "ξ_k-1": X15,
-        "state rates": X15_RATE,
-        "W_ie": f"3 rad/s by {P}",
-        "W_ep": f"3 rad/s by {P}",
-        "W_g": f"3 m/s^2 by {P}",
-        "A_vp": f"3 m/s^2 by {P}",
-        "A_φp": f"3 rad/s by {P}",
-        "A_v": f"{P_RATE} by 3 m/s",
-        "A_p": f"{P_RATE} by {P}",
-        "F_k": f"{X15_RATE} by {X15}",
-        "Φ_k": f"{X15} by {X15}",
-        "Φ_k-1": f"{X15} by {X15}",
-        "H_v": f"3 m/s by {X15}",
-        "H_k": f"{Z4} by {X15}",
-        "measurement": Z4,
-        "K_k": f"{X15} by {Z4}",
-        "u": X15,
-        "covariance": f"{X15} times {X15}",
-        "Q_k": f"{X15} times {X15}",
-        "Ṗ": f"{X15_RATE} times {X15}",
-        "W": f"{X15_RATE} times {X15}",
-        "R": f"{Z4} times {Z4}",
-        "outputs": "3 m/s^2, 3 rad/s",
-        "Ω_n": "3 m/s^2, 3 rad/s",
-    },
-    "mechanics": {
-        "position": P,
-        "rate of position": P_RATE,
-        "D": f"{P_RATE} by 3 m/s",
-        **dict.fromkeys(("F", "F_φ NED", "F_φ ENU", "F_ψ NED", "F_ψ ENU"), f"{X9_RATE} by {X9}"),
-        **dict.fromkeys(("Ṫ NED", "Ṫ ENU"), f"{X9_RATE} by {X9}"),
-        **dict.fromkeys(("Φ", "T NED", "T ENU"), f"{X9} by {X9}"),
-        "G NED": f"{X9_RATE} by 3 rad/s, 3 m/s^2",
-        "S": f"{X9_RATE} times {X9}",
-        "Q": f"{X9} times {X9}",
-        "F_16": f"{X16_RATE} by {X16}",
-        "H_v": f"3 m/s by {X16}",
-        "H_a": f"3 rad by {X16}",
-        "H_e": "3 rad by 6 rad",
-    },
-    "delay-error": {"x": X16},
-}
 
 
 # ---------------------------------------------------------------- expressions
@@ -323,7 +258,7 @@ def misfits(paper: Paper) -> tuple[int, list[tuple[str, str, str]]]:
     """How many relations there are, and of those that do not fit the equation, the line (0: the equation), and why."""
     count, found = 0, []
     for one in paper.equations:
-        terms = Terms({q.symbol.name: of_letter(paper.name, q) for q in one.alphabet})
+        terms = Terms({q.symbol.name: of_letter(paper.units, q) for q in one.alphabet})
         lines = [("0", relation) for relation in one.derived]
         lines += [(str(i), r) for i, line in enumerate(one.derivation.steps, 1) for r in line.formulas]
         for at, relation in lines:

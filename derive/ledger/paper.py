@@ -52,9 +52,9 @@ class Paper:
     evidence: what the ledger says of an equation beyond its status; findings: what was computed about the text beside.
     letters: those of the derivations that the paper does not print; letters_of: by number, the letters as that equation
     means them, where a spelling of the page is several; structure: what letters are by their nature, see
-    ledger/free.py.  conventions: the paper's own axes and signs, a sentence each.  tests: those of
-    tests/derive/test_PAPER.py that hold single equations, with their numbers.  maps: to the models that make C from it;
-    unflown: the equations of which no function that flies computes a side, each with why.
+    ledger/free.py.  units: of letters with several, or of their kinds; see ledger/dimensions.py.  conventions: the
+    paper's own axes and signs, a sentence each.  maps: to the models that make C from it; unflown: the equations of
+    which no function that flies computes a side, each with why.
     """
 
     name: str
@@ -69,8 +69,8 @@ class Paper:
     letters: Callable[[], tuple[Quantity, ...]] = tuple
     letters_of: Callable[[str], tuple[Quantity, ...]] | None = None
     structure: Mapping[str, Any] = field(default_factory=dict)
+    units: Mapping[str, str] = field(default_factory=dict)
     conventions: tuple[str, ...] = ()
-    tests: Mapping[str, str] = field(default_factory=dict)
     maps: tuple["Map", ...] = ()
     unflown: Mapping[str, str] = field(default_factory=dict)
 

@@ -62,10 +62,10 @@ def _axis(*components: int) -> ImmutableMatrix:
     return ImmutableMatrix(components)
 
 
-NED = Frame("NED", ("n", "e", "d"), "front-right-down", _axis(1, 0, 0), _axis(0, 1, 0), _axis(0, 0, -1),
-            ("lat", "lon", "height"))  # fmt: skip
-ENU = Frame("ENU", ("e", "n", "u"), "right-front-up", _axis(0, 1, 0), _axis(1, 0, 0), _axis(0, 0, 1),
-            ("lon", "lat", "height"))  # fmt: skip
+NED: Frame = Frame("NED", ("n", "e", "d"), "front-right-down", _axis(1, 0, 0), _axis(0, 1, 0), _axis(0, 0, -1),
+                   ("lat", "lon", "height"))  # fmt: skip
+ENU: Frame = Frame("ENU", ("e", "n", "u"), "right-front-up", _axis(0, 1, 0), _axis(1, 0, 0), _axis(0, 0, 1),
+                   ("lon", "lat", "height"))  # fmt: skip
 FRAMES = {frame.name: frame for frame in (NED, ENU)}
 
 

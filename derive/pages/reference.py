@@ -1,19 +1,17 @@
 """The reference of boresight.derive.mechanics, made from signatures and docstrings.
 
-python -m boresight.derive.pages.reference writes docs/reference/mechanics.md anew.
+python -m boresight.derive.pages.reference > docs/reference/mechanics.md
 """
 
 import inspect
 import re
 import textwrap
-from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 from boresight.derive.constant import Constant
 from boresight.derive.mechanics import earth, error_models, mechanization, rotation
 
-PAGE = Path(__file__).resolve().parents[2] / "docs" / "reference" / "mechanics.md"
 MODULES = (rotation, earth, mechanization, error_models)
 WIDTH = 100
 ROW = re.compile(r"^Row: mechanics (.+)\.$", re.MULTILINE)  # of a docstring: where the ledger judges the function
@@ -26,7 +24,7 @@ what holds them, and
 [compose](../how-to/compose.md) shows how a model is made of them. A row is one of
 `boresight equations mechanics`; `boresight show mechanics ROW` derives it.
 
-This page is made from the docstrings by `python -m boresight.derive.pages.reference`.
+This page is made from the docstrings; `python -m boresight.derive.pages.reference` prints it.
 """
 
 
@@ -96,5 +94,4 @@ def page() -> str:
 
 
 if __name__ == "__main__":
-    PAGE.parent.mkdir(parents=True, exist_ok=True)
-    PAGE.write_text(page())
+    print(page(), end="")

@@ -245,8 +245,8 @@ def test_every_equation_and_every_line_of_a_derivation_fits(name):
 def test_a_letter_of_another_unit_is_seen_in_the_equations(name, letter, monkeypatch):
     of_letter = dimensions.of_letter
 
-    def changed(paper, quantity):
-        grid = of_letter(paper, quantity)
+    def changed(mixed, quantity):
+        grid = of_letter(mixed, quantity)
         slower = dimensions.multiplied(dimensions.scalar(SECOND), grid)
         return slower if quantity.symbol.name == letter else grid
 
@@ -258,7 +258,7 @@ def test_a_letter_of_another_unit_is_seen_in_the_equations(name, letter, monkeyp
 def test_units_alone_show_an_erratum_of_a_print():
     """Kim (6) adds a rotation and a rate."""
     (one,) = (e for e in paper("kim-2018").equations if e.number == "6")
-    terms = dimensions.Terms({q.symbol.name: dimensions.of_letter("kim-2018", q) for q in one.alphabet})
+    terms = dimensions.Terms({q.symbol.name: dimensions.of_letter(paper("kim-2018").units, q) for q in one.alphabet})
     with pytest.raises(Mismatch, match="1 and rad/s"):
         for relation in one.read():
             dimensions.added(*map(terms, relation.sides))

@@ -53,6 +53,7 @@ def test_the_reading_of_6_is_there_only_because_an_arcsine_fails():
 # ---- (1): the lever arm ----------------------------------------------------------------------------------------------
 
 
+@pytest.mark.equations("1")
 def test_lever_arm_runs_from_master_to_slave():
     """The other direction refutes (1), both lines of it."""
     one = EQUATIONS["1"]
@@ -66,6 +67,7 @@ def test_lever_arm_runs_from_master_to_slave():
     assert worst(-1, 5e-7) / worst(-1, 1e-6) == pytest.approx(0.5, rel=1e-3)
 
 
+@pytest.mark.equations("1")
 def test_second_line_of_1_is_the_rate_of_the_lever_arm_exactly():
     v = values()
     arm = v["[ω_in_n x]"] * v["C_S2n"] * v["L"] - v["C_S2n"] * v["[ω_ib_b x]"] * v["L"]
@@ -84,6 +86,7 @@ def test_earth_rate_alone_is_exact_in_the_axes_of_one_place():
 
 
 @pytest.mark.parametrize("step, delay", [(1.0, 0.01), (0.1, 0.01), (0.01, 0.005)])
+@pytest.mark.equations("2")
 def test_straight_line_errs_by_half_the_jerk_times_both_parts_of_the_interval(step, delay):
     """Up to the curvature of a sine over the step, 10 % at 1 s of a period of 10 s."""
     error, change = consequences.interpolation(4.0, step, delay)
@@ -92,6 +95,7 @@ def test_straight_line_errs_by_half_the_jerk_times_both_parts_of_the_interval(st
     assert change == pytest.approx(float(4 * surge**2 * delay), rel=0.001)
 
 
+@pytest.mark.equations("3")
 def test_what_3_leaves_out_is_the_acceleration_of_the_lever_arm_times_the_delay():
     v = values(scale=1e-6, small=("delay", "step"))
     (relation,) = EQUATIONS["3"].printed
@@ -113,6 +117,7 @@ def test_what_3_leaves_out_on_a_rolling_hull():
 # ---- (4), (5): the attitude ------------------------------------------------------------------------------------------
 
 
+@pytest.mark.equations("4")
 def test_printed_brackets_of_4_give_one_and_a_half_times_the_turn():
     small = values(scale=1e-6)
     (relation,) = EQUATIONS["4"].printed
@@ -132,6 +137,7 @@ def test_half_of_the_symmetric_part_is_a_second_order():
 
 @pytest.mark.parametrize("sign", [1, -1])
 @pytest.mark.parametrize("frame", ["n", "b"])
+@pytest.mark.equations("5")
 def test_only_minus_and_only_the_body_rate_satisfy_5(sign, frame):
     five = EQUATIONS["5"]
     seen, _ = five.printed[0].sides[1].args
@@ -175,6 +181,7 @@ def test_printed_5_finds_a_delay_of_the_other_sign_and_none_across():
 # ---- The functions against the witness -------------------------------------------------------------------------------
 
 
+@pytest.mark.equations("3 4 5")
 def test_functions_are_the_derived_forms():
     v = values(scale=1e-9)
     C, L, v_S = (symbols_at(v[name]) for name in ("C_S2n", "L", "v_S"))
@@ -227,6 +234,7 @@ def test_measurement_matrices_are_first_order_of_the_residuals(which):
 # ---- The text and the tables -----------------------------------------------------------------------------------------
 
 
+@pytest.mark.equations("6")
 def test_grades_of_the_code_table():
     assert [consequences.grade(h) for h in (0, 0.05, 0.1, 0.11, 0.5, 1.25, 2.5, 4, 4.01, 6, 9, 14, 15)] == [
         0, 1, 1, 2, 2, 3, 4, 5, 6, 6, 7, 8, 9,

@@ -39,6 +39,7 @@ def apart(ours, theirs):
     return largest(ours - theirs) / largest(theirs)
 
 
+@pytest.mark.equations("9")
 def test_no_choice_of_rho_saves_the_position_rows():
     """The text does not define ρ; each component may be either rate with either sign."""
     names = ("ρ_e", "ρ_n")
@@ -62,6 +63,7 @@ def truth():
     return witness.truth(base())
 
 
+@pytest.mark.equations("7 9 10 11")
 def test_system_matrix_of_fifteen_states_is_the_derivative_of_the_exact_rates(truth):
     v = values()
     parts = [symbols_at(x) for x in (truth.position, truth.v_n)]
@@ -72,12 +74,14 @@ def test_system_matrix_of_fifteen_states_is_the_derivative_of_the_exact_rates(tr
         assert largest(ours - theirs) <= 1e-25 * largest(theirs), (i, j)
 
 
+@pytest.mark.equations("2 3")
 def test_system_matrix_of_ten_states_is_the_derivative_of_the_psi_rates(truth):
     v = values()
     parts = [symbols_at(x) for x in (truth.position, truth.v_n, v["f_n"])]
     assert apart(numbers(results.transfer_matrix(*parts)), v["F_X"]) < 1e-25
 
 
+@pytest.mark.equations("6 17 23")
 def test_measurement_matrices_are_derivatives_of_the_residuals(truth):
     v = values()
     C_r2n = Symbols(3, 3, symbols_at(v["C_r2n"]))
@@ -87,12 +91,14 @@ def test_measurement_matrices_are_derivatives_of_the_residuals(truth):
     assert apart(numbers(results.zero_velocity_matrix()), v["H_v"]) < 1e-25
 
 
+@pytest.mark.equations("5")
 def test_d_is_how_the_level_turns_against_the_master(truth):
     v = values()
     omega_nr = v["C_r2n"] * (finite_rotation(base().mounting) * truth.omega) - truth.exact.omega_in_n
     assert apart(-omega_nr, v["d"]) < 1e-25
 
 
+@pytest.mark.equations("4 5 21 29")
 def test_residuals_and_quaternion_error_are_those_of_the_witness():
     v = values()
     hats = [Symbols(3, 3, symbols_at(v[name])) for name in ("Ĉ_r2n", "Ĉ_b2r", "Ĉ_n2b")]
@@ -108,6 +114,7 @@ def test_residuals_and_quaternion_error_are_those_of_the_witness():
     assert float(results.azimuth_error(*M)) == pytest.approx(float(small["φ_u"]), rel=1e-15)
 
 
+@pytest.mark.equations("31 32")
 def test_detector_statistics_are_those_of_the_pairs():
     window = range(witness.WINDOW_AT, witness.WINDOW_AT + witness.WINDOW_OF)
     a, w = zip(*(map(symbols_at, witness._outputs(base(), k)) for k in window), strict=True)
@@ -119,6 +126,7 @@ def test_detector_statistics_are_those_of_the_pairs():
 # ---- What wrong signs and dropped terms do ---------------------------------------------------------------------------
 
 
+@pytest.mark.equations("11")
 def test_printed_sign_of_11_turns_schulers_oscillation_into_growth(entries):
     radius = 6.371e6
     assert consequences._growth(1) < 1e-20
@@ -126,6 +134,7 @@ def test_printed_sign_of_11_turns_schulers_oscillation_into_growth(entries):
     assert "errors grow e-fold in 807 s" in entries["11"].evidence
 
 
+@pytest.mark.equations("6")
 def test_delay_column_of_6_doubles_a_level_delay_and_does_not_see_a_vertical_one():
     assert consequences.delay_estimate("derived") == pytest.approx((0.05, 0.05))
     level, vertical = consequences.delay_estimate("printed")
@@ -144,6 +153,7 @@ def test_feedback_as_printed_doubles_the_error_or_turns_the_attitude_round():
     assert left["the sum, as derived"] < 1e-5 * left["nothing"]
 
 
+@pytest.mark.equations("12")
 def test_first_order_transition_drops_four_orders_more_at_1_hz_than_at_100_hz():
     fast, slow = consequences.transition_error(exact("0.01")), consequences.transition_error(exact(1))
     assert float(slow["velocity from gyro bias"]) == pytest.approx(9.8 / 2, rel=0.01)

@@ -25,24 +25,28 @@ pytestmark = pytest.mark.usefixtures("many_digits")
 phi, theta, psi = symbols("phi theta psi", real=True)
 
 
+@pytest.mark.equations("8 9 12 13")
 def test_inverses_are_inverses():
     assert simplify(results.eps_D_euler(theta, psi) * results.euler_D_eps(theta, psi)) == eye(3)
     assert simplify(results.beta_D_euler(phi, theta) * results.euler_D_beta(phi, theta)) == eye(3)
 
 
 @pytest.mark.parametrize("column, angle", [(0, phi), (1, theta), (2, psi)])
+@pytest.mark.equations("8 12")
 def test_columns_are_the_skew_parts_of_the_differentiated_matrix(column, angle):
     C = dcm_from_euler(phi, theta, psi)
     assert simplify(vee(-C.diff(angle) * C.T) - results.eps_D_euler(theta, psi)[:, column]) == zeros(3, 1)
     assert simplify(vee(C.T * C.diff(angle)) - results.beta_D_euler(phi, theta)[:, column]) == zeros(3, 1)
 
 
+@pytest.mark.equations("8 11 12")
 def test_body_and_navigation_forms_differ_by_the_attitude():
     """(11): beta = -C_n2b eps."""
     C = dcm_from_euler(phi, theta, psi)
     assert simplify(results.beta_D_euler(phi, theta) + C.T * results.eps_D_euler(theta, psi)) == zeros(3, 3)
 
 
+@pytest.mark.equations("19")
 def test_measurement_matrix_is_the_gradient_of_the_measurement():
     """Through (9) for the slave's error; mu_hat = mu + dmu for the misalignment's."""
     b, r, mu = (Matrix(symbols(names, real=True)) for names in ("p:3", "r:3", "m:3"))
@@ -57,6 +61,7 @@ def test_measurement_is_the_difference_of_the_angles_where_nothing_is_misaligned
     assert results.measurement(b, r, (0, 0, 0)) == Matrix(b) - Matrix(r)
 
 
+@pytest.mark.equations("22 23 24 25")
 def test_feedback_of_the_true_errors_ends_at_the_truth():
     """(23), (24) and (25) in the model's own functions."""
     known = values(draw(Base, 3, Conditions()), PAPER.definitions)
@@ -71,6 +76,7 @@ def test_functions_hold_only_what_the_printed_c_knows():
     assert not results.measurement(b, r, mu).has(tan) and not results.measurement_matrix(b, r).has(tan)
 
 
+@pytest.mark.equations("20")
 def test_error_model_turns_back_with_the_navigation_axes():
     omega, eps = symbols("w:3"), Matrix(symbols("e:3"))
     assert results.attitude_error_matrix(omega) == -skew(omega)
@@ -109,6 +115,7 @@ def test_reading_the_error_of_the_misalignment_the_other_way_refutes_19():
 # ---- What the paper drops --------------------------------------------------------------------------------------------
 
 
+@pytest.mark.equations("15 18")
 def test_second_order_term_is_what_the_first_order_misses():
     left = []
     for scale in (1e-3, 5e-4):
@@ -134,6 +141,7 @@ def test_mean_of_master_and_slave_angles_has_no_second_order():
 
 
 @pytest.mark.parametrize("row", [0, 1, 2])
+@pytest.mark.equations("26 27 28")
 def test_slave_angles_in_place_of_master_angles_turn_the_second_order_error_round(row):
     with_master, with_slave = consequences.substitution(row)
     assert with_master * with_slave < 0

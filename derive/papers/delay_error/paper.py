@@ -23,4 +23,5 @@ PAPER = Paper(
     evidence=lambda number: "",
     findings=tuple,
     structure=STRUCTURE,
+    units={"x": "3 rad, 3 m/s, 3 rad/s, 3 m/s^2, 3 rad, s"},
 )

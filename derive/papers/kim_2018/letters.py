@@ -256,3 +256,45 @@ STRUCTURE: Mapping[str, Any] = {
     else rule
     for name, rule in _structure()
 }
+
+P, P_RATE = "2 rad, m", "2 rad/s, m/s"
+X10, X10_RATE = "3 m/s, 3 rad, 3 rad, s", "3 m/s^2, 3 rad/s, 3 rad/s, 1"
+X15, X15_RATE = f"{P}, 3 m/s, 3 rad, 3 rad/s, 3 m/s^2", f"{P_RATE}, 3 m/s^2, 3 rad/s, 3 rad/s^2, 3 m/s^3"
+Z4 = "3 m/s, rad"
+# Of letters, or kinds of them, with several units; of a matrix, the units of its rows by those of its columns.
+UNITS = {
+    "X": X10,
+    "Ẋ": X10_RATE,
+    "F_X": f"{X10_RATE} by {X10}",
+    "H_X": f"3 m/s, 3 rad by {X10}",
+    "x_p": P,
+    "x_v": "3 m/s",
+    "x_φ": "3 rad",
+    "x_Cb": "3 rad/s",
+    "x_Ab": "3 m/s^2",
+    "states": X15,
+    "ξ_k-1": X15,
+    "state rates": X15_RATE,
+    "W_ie": f"3 rad/s by {P}",
+    "W_ep": f"3 rad/s by {P}",
+    "W_g": f"3 m/s^2 by {P}",
+    "A_vp": f"3 m/s^2 by {P}",
+    "A_φp": f"3 rad/s by {P}",
+    "A_v": f"{P_RATE} by 3 m/s",
+    "A_p": f"{P_RATE} by {P}",
+    "F_k": f"{X15_RATE} by {X15}",
+    "Φ_k": f"{X15} by {X15}",
+    "Φ_k-1": f"{X15} by {X15}",
+    "H_v": f"3 m/s by {X15}",
+    "H_k": f"{Z4} by {X15}",
+    "measurement": Z4,
+    "K_k": f"{X15} by {Z4}",
+    "u": X15,
+    "covariance": f"{X15} times {X15}",
+    "Q_k": f"{X15} times {X15}",
+    "Ṗ": f"{X15_RATE} times {X15}",
+    "W": f"{X15_RATE} times {X15}",
+    "R": f"{Z4} times {Z4}",
+    "outputs": "3 m/s^2, 3 rad/s",
+    "Ω_n": "3 m/s^2, 3 rad/s",
+}

@@ -158,3 +158,24 @@ STRUCTURE = {
     "ω_in": of("ω_ie|ω_en", lambda a, b: a + b),
     "δω_in": of("δω_ie|δω_en", lambda a, b: a + b),
 }
+
+P, P_RATE = "2 rad, m", "2 rad/s, m/s"
+X9, X9_RATE = f"{P}, 3 m/s, 3 rad", f"{P_RATE}, 3 m/s^2, 3 rad/s"
+X16 = "3 rad, 3 m/s, 3 rad/s, 3 m/s^2, 3 rad, s"
+X16_RATE = "3 rad/s, 3 m/s^2, 3 rad/s^2, 3 m/s^3, 3 rad/s, 1"
+# Of letters, or kinds of them, with several units; of a matrix, the units of its rows by those of its columns.
+UNITS = {
+    "position": P,
+    "rate of position": P_RATE,
+    "D": f"{P_RATE} by 3 m/s",
+    **dict.fromkeys(("F", "F_φ NED", "F_φ ENU", "F_ψ NED", "F_ψ ENU"), f"{X9_RATE} by {X9}"),
+    **dict.fromkeys(("Ṫ NED", "Ṫ ENU"), f"{X9_RATE} by {X9}"),
+    **dict.fromkeys(("Φ", "T NED", "T ENU"), f"{X9} by {X9}"),
+    "G NED": f"{X9_RATE} by 3 rad/s, 3 m/s^2",
+    "S": f"{X9_RATE} times {X9}",
+    "Q": f"{X9} times {X9}",
+    "F_16": f"{X16_RATE} by {X16}",
+    "H_v": f"3 m/s by {X16}",
+    "H_a": f"3 rad by {X16}",
+    "H_e": "3 rad by 6 rad",
+}

@@ -2,7 +2,7 @@
 
 from boresight.derive.ledger.paper import Paper, Stated, Witness
 from boresight.derive.papers.mechanics.derived import equations
-from boresight.derive.papers.mechanics.letters import STRUCTURE, quantities
+from boresight.derive.papers.mechanics.letters import STRUCTURE, UNITS, quantities
 from boresight.derive.papers.mechanics.maps import MAPS, UNFLOWN
 from boresight.derive.papers.mechanics.witness import CONDITIONS, CONDITIONS_TEXT, ERRORS, Base, Conditions, values
 
@@ -17,6 +17,7 @@ PAPER = Paper(
     evidence=lambda number: "",
     findings=tuple,
     structure=STRUCTURE,
+    units=UNITS,
     maps=MAPS,
     unflown=UNFLOWN,
     conventions=(

@@ -39,14 +39,4 @@ PAPER = Paper(
         "φ, θ, ψ are roll, pitch and yaw: C_b2n(φ, θ, ψ) = Rz(ψ) Ry(θ) Rx(φ).",
         "ε turns the true navigation axes to the computed ones, μ turns r to b.",
     ),
-    tests={
-        "test_inverses_are_inverses": "8 9 12 13",
-        "test_columns_are_the_skew_parts_of_the_differentiated_matrix": "8 12",
-        "test_body_and_navigation_forms_differ_by_the_attitude": "8 11 12",
-        "test_measurement_matrix_is_the_gradient_of_the_measurement": "19",
-        "test_error_model_turns_back_with_the_navigation_axes": "20",
-        "test_feedback_of_the_true_errors_ends_at_the_truth": "22 23 24 25",
-        "test_second_order_term_is_what_the_first_order_misses": "15 18",
-        "test_slave_angles_in_place_of_master_angles_turn_the_second_order_error_round": "26 27 28",
-    },
 )
