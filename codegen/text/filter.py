@@ -13,7 +13,7 @@ from boresight.codegen.functions.tape import evaluate
 from boresight.codegen.functions.unit import Unit, state_variable
 from boresight.codegen.text.covariance import Places, arranged, nonzeros, table
 from boresight.codegen.text.names import beyond, norms_beyond, number, rows_of, shared_tables
-from boresight.derive.model import Model, Variable
+from boresight.derive.model import Measurement, Model, Variable
 
 ENDS = ("low", "high")
 PLACES = {"place": "given_", "held": "flown."}  # of a carried field in the self-test: as given, and in the filter
@@ -35,28 +35,27 @@ def ceilings(model: Model) -> list[float]:
 
 
 class Checks:
-    """The static functions that hold a struct, or a vector, against its box: each once, however many calls need it."""
+    """The static functions that hold a struct, or a vector, against its box: each once, however many calls need it.
 
-    def __init__(self, prefix: str):
-        self.prefix = prefix
+    A call of one is its `function` and what it is given: a `struct`, or of a vector its name in the C.
+    """
+
+    def __init__(self) -> None:
         self.made: dict[tuple[Any, ...], dict[str, Any]] = {}
 
     def carried(self, struct: str, fields: list[Variable]) -> None:
-        parameter = f"{self.prefix}_{struct} *{struct}, int clamp"
-        self._add(("carried", struct), f"check_{struct}", parameter, [box(f"{struct}->{a.name}", a) for a in fields])
+        self._add(("carried", struct), f"check_{struct}", struct, [box(a) for a in fields])
 
-    def given(self, struct: str, fields: list[Variable], caller: str) -> str:
+    def given(self, struct: str, fields: list[Variable], caller: str) -> dict[str, Any]:
         """The call that checks these fields of a struct that a function is given."""
-        parameter = f"const {self.prefix}_{struct} *{struct}"
         name = f"check_{struct}_of_{caller}"
-        read = [box(f"{struct}->{a.name}", a) for a in fields]
-        return f"{self._add((struct, *(a.name for a in fields)), name, parameter, read)}({struct})"
+        return self._add((struct, *(a.name for a in fields)), name, struct, [box(a) for a in fields])
 
-    def vector(self, v: Any, access: str) -> str:
+    def vector(self, v: Any) -> dict[str, Any]:
         """The call that checks x, or a result that has a box of its own."""
         low, high = tuple(map(number, v.low)), tuple(map(number, v.high))
-        one = {"name": v.name, "size": len(low), "access": v.name, "norm": None, "of": v}
-        return f"{self._add(('vector', low, high), f'check_{v.name}', f'const bs_real *{v.name}', [one])}({access})"
+        one = {"name": v.name, "size": len(low), "norm": None, "of": v}
+        return self._add(("vector", low, high), f"check_{v.name}", None, [one])
 
     def tables(self, total: bool) -> list[str]:
         """The tables of all functions: those that two of them read once, in front, and each other in its function."""
@@ -80,188 +79,183 @@ class Checks:
                 a["ends"] = [table.get(f"{a['name']}_{end}") or number(getattr(a["of"], end)[0]) for end in ENDS]
         return lines
 
-    def box_of(self, function: str) -> dict[str, Any] | None:
-        """The box of the vector that a function checks, if there is such a function."""
-        return next((check["fields"][0] for check in self.made.values() if check["function"] == function), None)
-
-    def _add(self, key: tuple[Any, ...], name: str, parameter: str, fields: list[dict[str, Any]]) -> str:
+    def _add(self, key: tuple[Any, ...], name: str, struct: str | None, fields: list[dict[str, Any]]) -> dict[str, Any]:
         if key not in self.made:
             unlike = [a for a in fields if len({*zip(a["of"].low, a["of"].high, strict=True)}) > 1]
             bounds = {f"{a['name']}_{end}": getattr(a["of"], end) for a in unlike for end in ENDS}
             self.made[key] = {
-                "function": name, "parameter": parameter, "fields": fields, "carried": key[0] == "carried",
-                "bounds": bounds,
+                "function": name, "struct": struct, "fields": fields, "carried": key[0] == "carried", "bounds": bounds,
             }  # fmt: skip
-        return str(self.made[key]["function"])
+        return self.made[key]
+
+
+class Wiring:
+    """How the filter of a model calls its units: which structs it carries, which inputs they read, what is judged."""
+
+    def __init__(self, model: Model, made: list[Unit], views: list[dict[str, Any]]):
+        self.model, self.made = model, made
+        self.units = {unit.name: (unit, view) for unit, view in zip(made, views, strict=True)}
+        self.owner = {field.name: struct.name for struct in model.structs for field in struct.fields}
+        moving = [self.units[name][0] for name in ("feedback", "strapdown") if self.writes_fields(name)]
+        written = {self.owner[r.name] for unit in moving for r in unit.results}
+        self.carried = [s.name for s in model.structs if s.name in written]
+        self.checks, self.files = Checks(), dict[str, None]()
+
+    def writes_fields(self, name: str) -> bool:
+        """Whether the model has this function and everything it gives is an input field of the model."""
+        return name in self.units and all(r.name in self.owner for r in self.units[name][0].results)
+
+    def structs(self, *names: str) -> list[str]:
+        """Those that these units read and the filter does not carry."""
+        read = {struct for name in names for struct in self.units[name][1]["reads"]}
+        return [s.name for s in self.model.structs if s.name in read and s.name not in self.carried]
+
+    def fields(self, *names: str) -> list[str]:
+        """The inputs that these units read."""
+        read = {a.name for name in names for a in self.units[name][0].args}
+        return [a.name for a in self.model.inputs if a.name in read]
+
+    def reads_x(self, name: str) -> bool:
+        return any(a.name == "x" for a in self.units[name][0].args)
+
+    def dense(self, name: str) -> dict[str, Any]:
+        """A unit with its own checks, zeros too, as the self-test calls it."""
+        view = self.units[name][1]
+        return {"c_name": view["c_name"], "reads": view["reads"]}
+
+    def called(self, name: str, zeros: bool = True) -> dict[str, Any]:
+        """A unit as the filter calls it: by its kernel, unless zeros are wanted that a kernel does not write."""
+        unit, view = self.units[name]
+        kernel = not (zeros and any(len(r.nonzeros) < r.shape[0] * r.shape[1] for r in unit.results))
+        if kernel:
+            self.files[view["file"]] = None
+        judged = [kernel and shown["checked"] for shown in view["results"]]
+        return self.dense(name) | {
+            "kernel": kernel,
+            "inputs": [{"name": a.name, "size": a.size, "struct": self.owner.get(a.name)} for a in unit.args],
+            "results": [
+                {"count": len(r.nonzeros), "checked": own, "box": self.checks.vector(r) if own and r.low else None}
+                for r, own in zip(unit.results, judged, strict=True)
+            ],
+        }
+
+    def checked(self, caller: str, structs: list[str], fields: list[str], x: bool = False) -> list[dict[str, Any]]:
+        """The calls that check what a function of the filter is given."""
+        found = [self.checks.vector(state_variable(self.model))] if x else []
+        for s in self.model.structs:
+            read = [a for a in s.fields if a.name in fields]
+            if s.name in structs and read:
+                found.append(self.checks.given(s.name, read, caller))
+        return found
+
+    def step(self) -> dict[str, Any]:
+        """dt: the input that has it, and which of its components it is."""
+        dt = next(v for v in self.model.inputs if self.model.dt in v.symbols)
+        place = dt.symbols.index(self.model.dt)
+        return box(dt, place) | {"struct": self.owner[dt.name], "place": place if dt.size > 1 else None}
+
+
+def changing(wiring: Wiring, name: str, caller: str) -> dict[str, Any] | None:
+    """A function whose outputs are fields: it writes into copies of the structs that it changes."""
+    if not wiring.writes_fields(name):
+        return None
+    unit, _ = wiring.units[name]
+    out = [{"name": r.name, "struct": wiring.owner[r.name], "size": len(r.nonzeros)} for r in unit.results]
+    structs, fields, reads_x = wiring.structs(name), wiring.fields(name), wiring.reads_x(name)
+    return {
+        "meaning": unit.meaning, "structs": structs, "fields": fields, "reads_x": reads_x, "out": out,
+        "changed": [s.name for s in wiring.model.structs if s.name in {o["struct"] for o in out}],
+        "written": [o["name"] for o in out],
+        "unit": wiring.called(name), "checks": wiring.checked(caller, structs, fields, reads_x),
+    }  # fmt: skip
+
+
+def measuring(wiring: Wiring, m: Measurement) -> dict[str, Any]:
+    """The function of one measurement.  Raises BoresightError where it has more rows than a mask has bits."""
+    if len(m.rows) > 32:
+        raise BoresightError(f"measurement {m.name} has {len(m.rows)} rows; a filter in C takes 32 at most")
+    (H,), explicit = wiring.units[f"{m.name}_H"][0].results, m.H is None
+    nonlinear = wiring.reads_x(f"{m.name}_H")
+    used = [f"{m.name}_H"] + [f"{m.name}_z"] * (m.z is not None) + [f"{m.name}_h"] * explicit
+    structs, fields = wiring.structs(*used), wiring.fields(*used)
+    places = tuple((i, j) for i in range(len(m.rows)) for j in range(wiring.model.n))  # L^-1 H has zeros nowhere
+    if nonlinear:
+        wiring.checks.vector(state_variable(wiring.model))
+    return {
+        "checks": wiring.checked(f"measure_{m.name}", structs, fields),
+        "z": wiring.called(f"{m.name}_z") if m.z is not None else None,
+        "h": wiring.called(f"{m.name}_h") if explicit else None,
+        "H": wiring.called(f"{m.name}_H", zeros=m.correlated),
+        "name": m.name, "meaning": m.meaning, "names": ", ".join(m.rows), "unit": m.unit, "m": len(m.rows),
+        "equations": m.equations, "nonlinear": nonlinear, "structs": structs, "fields": fields,
+        "all": 2 ** len(m.rows) - 1, "angles": sum(1 << i for i in m.angles), "correlated": m.correlated,
+        "size_R": len(m.rows) ** (2 if m.correlated else 1),
+        # where z - h(x) goes, or a z of the caller's that is changed
+        "target": explicit or (m.z is None and bool(m.angles or m.correlated)),
+        **table(places if m.correlated else H.nonzeros, len(m.rows)),
+    }  # fmt: skip
+
+
+def predicting(wiring: Wiring) -> dict[str, Any]:
+    """How an error state and its covariance are carried over dt."""
+    dt, structs = wiring.step(), wiring.structs("F", "Qc")
+    if dt["struct"] not in (*wiring.carried, *structs):
+        structs = [s.name for s in wiring.model.structs if s.name in (*structs, dt["struct"])]
+    read = [*wiring.fields("F", "Qc"), dt["name"]]
+    return {
+        "structs": structs, "fields": read,
+        "F": wiring.called("F", zeros=False), "Qc": wiring.called("Qc", zeros=False),
+        "checks": wiring.checked("propagate", structs, read),
+    }  # fmt: skip
+
+
+def predicting_total(wiring: Wiring) -> dict[str, Any]:
+    """The same of a total state: by next, Phi and Q, or by loops over f, F and Qc."""
+    model, made = wiring.model, wiring.made
+    read = ("next", "Phi", "Q", *(("f", "F", "Qc") if model.loops else ()))
+    structs, fields = wiring.structs(*read), wiring.fields(*read)
+    checks = wiring.checked("propagate", structs, fields, x=True)
+    return {
+        "structs": structs, "fields": fields, "checks": checks, **arranged(model, made),
+        **scattered(nonzeros(made, "Q")),
+        **{
+            name: wiring.dense(name) if model.loops else wiring.called(name, zeros=name == "next")
+            for name in ("next", "Phi", "Q")
+        },
+    }  # fmt: skip
+
+
+def looping(wiring: Wiring) -> dict[str, Any]:
+    """What a step by loops is made of: its kernels and their places, and what is checked after it."""
+    made = wiring.made
+    return {
+        "check": wiring.checks.vector(wiring.units["next"][0].results[0]), "most": number(LARGEST),
+        "moved": ", ".join(str(i) for i, _ in nonzeros(made, "f")), "count": len(nonzeros(made, "f")),
+        "units": {name: wiring.called(name, zeros=False) for name in ("F", "Qc", "f")},
+        **{name: table(nonzeros(made, name), wiring.model.n) for name in ("F", "Qc")},
+    }  # fmt: skip
 
 
 def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> dict[str, Any]:
-    """The functions of the filter: which structs it carries, which it is given, and how it calls the units."""
-    checks, files = Checks(model.c_prefix), dict[str, None]()
-    by_name = {unit.name: (unit, view) for unit, view in zip(made, views, strict=True)}
-    owner = {field.name: struct.name for struct in model.structs for field in struct.fields}
-    moving = [by_name[name][0] for name in ("feedback", "strapdown") if writes_fields(by_name, name, owner)]
-    written = {owner[r.name] for unit in moving for r in unit.results}
-    carried = [s.name for s in model.structs if s.name in written]
+    """The functions of the filter: which structs it carries, which it is given, and which units it calls."""
+    wiring, total = Wiring(model, made, views), model.kind == "total-state"
     for s in model.structs:
-        if s.name in carried:
-            checks.carried(s.name, list(s.fields))
-    if model.kind == "total-state":
-        checks.vector(state_variable(model), "x")
-
-    def given(*names: str) -> list[str]:
-        read = {struct for name in names for struct in by_name[name][1]["reads"]}
-        return [s.name for s in model.structs if s.name in read and s.name not in carried]
-
-    def fields(*names: str) -> list[str]:
-        """The inputs that these units read."""
-        read = {a.name for name in names for a in by_name[name][0].args}
-        return [a.name for a in model.inputs if a.name in read]
-
-    def reach(struct: str) -> str:
-        return "filter->x" if struct == "x" else f"&filter->{struct}" if struct in carried else struct
-
-    def call(name: str, out: str = "dense") -> str:
-        """The call of a unit with its checks, zeros too: what the self-test holds the filter against."""
-        view = by_name[name][1]
-        return f"{view['c_name']}({', '.join([*(reach(struct) for struct in view['reads']), out])})"
-
-    def path(field: Variable) -> str:
-        struct = owner[field.name]
-        return f"filter->{struct}.{field.name}" if struct in carried else f"{struct}->{field.name}"
-
-    def kernel(name: str, out: list[str], state: str = "filter->x") -> str:
-        """The call of a unit's kernel, whose inputs have been checked."""
-        unit, view = by_name[name]
-        files[view["file"]] = None
-        inputs = [state if a.name == "x" else f"{'&' * (a.size == 1)}{path(a)}" for a in unit.args]
-        return f"{view['c_name']}_kernel({', '.join([*inputs, *out])})"
-
-    def run(name: str, out: list[str], dense: bool = True) -> list[str]:
-        """Lines that call a unit's kernel and judge its answers; dense: whether zeros are wanted too."""
-        unit, view = by_name[name]
-        if dense and any(len(r.nonzeros) < r.shape[0] * r.shape[1] for r in unit.results):
-            arguments = [reach(struct) for struct in view["reads"]] + out
-            return [f"status = {view['c_name']}({', '.join(arguments)});"]
-        lines = [f"{kernel(name, out)};"]
-        for r, shown, at in zip(unit.results, view["results"], out, strict=True):
-            if shown["checked"]:
-                call = checks.vector(r, at) if r.low else f"bs_check_finite({at}, {len(r.nonzeros)})"
-                lines.append(
-                    f"status = {call};" if len(lines) == 1 else f"status = (status == BS_OK) ? {call} : status;"
-                )
-        return lines
-
-    def checked(caller: str, structs: list[str], fields: list[str], x: bool = False) -> list[str]:
-        """The calls that check what a function of the filter is given."""
-        found = [checks.vector(state_variable(model), "filter->x")] if x else []
-        for s in model.structs:
-            read = [a for a in s.fields if a.name in fields]
-            if s.name in structs and read:
-                found.append(checks.given(s.name, read, caller))
-        return found
-
-    def change(name: str) -> dict[str, Any] | None:
-        """A function whose outputs are fields: it writes into copies of the structs that it changes."""
-        if not writes_fields(by_name, name, owner):
-            return None
-        unit, view = by_name[name]
-        caller = "correct" if name == "feedback" else name
-        out = [f"{'&' if len(r.nonzeros) == 1 else ''}next_{owner[r.name]}.{r.name}" for r in unit.results]
-        structs = [s.name for s in model.structs if s.name in {owner[r.name] for r in unit.results}]
-        arguments = ", ".join([*(reach(struct) for struct in view["reads"]), *out])
-        return {
-            "meaning": unit.meaning, "structs": given(name), "changed": structs, "fields": fields(name),
-            "written": [r.name for r in unit.results],
-            "call": f"{view['c_name']}({arguments})", "run": run(name, out),
-            "checks": checked(caller, given(name), fields(name), any(a.name == "x" for a in unit.args)),
-            "reads_x": any(a.name == "x" for a in unit.args),
-        }  # fmt: skip
-
-    measurements = []
-    for m in model.measurements:
-        if len(m.rows) > 32:
-            raise BoresightError(f"measurement {m.name} has {len(m.rows)} rows; a filter in C takes 32 at most")
-        H = by_name[f"{m.name}_H"][0]
-        nonlinear, explicit = any(a.name == "x" for a in H.args), m.H is None
-        used = [f"{m.name}_H"] + [f"{m.name}_z"] * (m.z is not None) + [f"{m.name}_h"] * explicit
-        places = tuple((i, j) for i in range(len(m.rows)) for j in range(model.n))  # L^-1 H has zeros nowhere
-        if nonlinear:
-            checks.vector(state_variable(model), "x")
-        measurements.append(
-            {
-                "checks": checked(f"measure_{m.name}", given(*used), fields(*used)),
-                "run_z": run(f"{m.name}_z", ["z"]) if m.z is not None else None,
-                "run_h": run(f"{m.name}_h", ["target"]) if explicit else None,
-                "run_H": run(f"{m.name}_H", ["filter->work"], dense=m.correlated),
-                "name": m.name, "meaning": m.meaning, "names": ", ".join(m.rows), "unit": m.unit, "m": len(m.rows),
-                "equations": m.equations, "nonlinear": nonlinear, "structs": given(*used), "fields": fields(*used),
-                "z": call(f"{m.name}_z", "z") if m.z is not None else None,
-                "h": call(f"{m.name}_h", "target") if explicit else None,
-                "H_dense": call(f"{m.name}_H"), "all": 2 ** len(m.rows) - 1,
-                "angles": f"{sum(1 << i for i in m.angles)}U", "correlated": m.correlated,
-                "size_R": len(m.rows) ** (2 if m.correlated else 1),
-                # where z - h(x) goes, or a z of the caller's that is changed
-                "target": explicit or (m.z is None and bool(m.angles or m.correlated)),
-                **table(places if m.correlated else H.results[0].nonzeros, len(m.rows)),
-            }
-        )  # fmt: skip
-
-    def length() -> tuple[Variable, int, str]:
-        """dt: the input, the component and how C reaches it."""
-        dt = next(v for v in model.inputs if model.dt in v.symbols)
-        place = dt.symbols.index(model.dt)
-        return dt, place, path(dt) if dt.size == 1 else f"{path(dt)}[{place}]"
-
-    def linear() -> tuple[dict[str, Any], dict[str, Any]]:
-        """How an error state and its covariance are carried over dt, and dt as C."""
-        dt, place, value = length()
-        structs = given("F", "Qc")
-        if owner[dt.name] not in (*carried, *structs):
-            structs = [s.name for s in model.structs if s.name in (*structs, owner[dt.name])]
-        read = [*fields("F", "Qc"), dt.name]
-        return {
-            "structs": structs, "F_dense": call("F"), "Qc_dense": call("Qc"), "fields": read,
-            "run_F": run("F", ["filter->F"], dense=False), "run_Qc": run("Qc", ["filter->Qc"], dense=False),
-            "checks": checked("propagate", structs, read),
-        }, box(value, dt, place) | {"value": value}  # fmt: skip
-
-    def total() -> dict[str, Any]:
-        """The same of a total state."""
-        read = ("next", "Phi", "Q", *(("f", "F", "Qc") if model.loops else ()))
-        printed = not model.loops
-        return {
-            "structs": given(*read), "fields": fields(*read), "next": call("next", "next"),
-            "Phi_dense": call("Phi"), **arranged(model, made), "Q_dense": call("Q"), **scattered(nonzeros(made, "Q")),
-            "checks": checked("propagate", given(*read), fields(*read), x=True),
-            "run_next": run("next", ["next"]) if printed else None,
-            "run_Phi": run("Phi", ["filter->work"], dense=False) if printed else None,
-            "run_Q": run("Q", ["filter->work"], dense=False) if printed else None,
-        }  # fmt: skip
-
-    def looped() -> dict[str, Any]:
-        """What a step by loops is made of: its kernels and their places, and what is checked after it."""
-        return {
-            "kernel": lambda name, state, out: kernel(name, [out], state), "dt": length()[2],
-            "check": checks.vector(by_name["next"][0].results[0], "next"), "most": number(LARGEST),
-            "moved": ", ".join(str(i) for i, _ in nonzeros(made, "f")), "count": len(nonzeros(made, "f")),
-            **{name: table(nonzeros(made, name), model.n) for name in ("F", "Qc")},
-        }  # fmt: skip
-
-    propagate, dt = linear() if model.kind == "error-state" else (total(), None)
-    correct, strapdown = change("feedback"), change("strapdown")
-    loops = looped() if model.loops else None
-    tables = checks.tables(model.kind == "total-state")
-    if loops:
-        for name in ("F", "Qc", "f"):
-            files[by_name[name][1]["file"]] = None
+        if s.name in wiring.carried:
+            wiring.checks.carried(s.name, list(s.fields))
+    if total:
+        wiring.checks.vector(state_variable(model))
+    measurements = [measuring(wiring, m) for m in model.measurements]
+    propagate = predicting_total(wiring) if total else predicting(wiring)
+    correct, strapdown = changing(wiring, "feedback", "correct"), changing(wiring, "strapdown", "strapdown")
+    loops = looping(wiring) if model.loops else None
+    tables, checks = wiring.checks.tables(total), list(wiring.checks.made.values())
     return {
-        "total": model.kind == "total-state",
+        "total": total,
         "loops": loops,
-        "files": list(files),
+        "files": list(wiring.files),
         "tables": tables,
-        "checks": list(checks.made.values()),
-        "box_of_x": checks.box_of("check_x"),
+        "checks": checks,
+        "box_of_x": next((c["fields"][0] for c in checks if c["function"] == "check_x"), None),
         "ceiling": ", ".join(map(number, ceilings(model))),
         "ceilings": [
             (v.name, v.unit, ", ".join(f"{math.sqrt(c):.0e}" for c in part))
@@ -270,23 +264,23 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
         "blocks": [v.size for v in model.states],
         "squares": sum(v.size**2 for v in model.states),
         "snapshot": {
-            "numbers": sum(a.size for s in model.structs if s.name in carried for a in s.fields)
+            "numbers": sum(a.size for s in model.structs if s.name in wiring.carried for a in s.fields)
             + model.n * (model.n + 3) // 2,
             # counts of two bytes, which states are considered, and the checksum
             "bytes": 2 * (len(measurements) + 1) + model.n + 4,
         },
         "wraps": [i for i, wraps in enumerate(v.wraps for v in model.states for _ in v.symbols) if wraps],
         "explicit": any(u["h"] for u in measurements),
-        "angled": any(u["h"] and u["angles"] != "0U" for u in measurements),
-        "turned": any(not u["h"] and u["angles"] != "0U" for u in measurements),
+        "angled": any(u["h"] and u["angles"] for u in measurements),
+        "turned": any(not u["h"] and u["angles"] for u in measurements),
         "iterated": any(u["nonlinear"] for u in measurements),
         "correlated": any(u["correlated"] for u in measurements),
         "separated": any(u["nonlinear"] and u["correlated"] for u in measurements),
-        "carried": carried,
+        "carried": wiring.carried,
         "max_rows": max(len(m.rows) for m in model.measurements),
         "least_R": repr(LEAST_R),
         "most_R": repr(MOST_R),
-        "dt": dt,
+        "dt": None if total and not loops else wiring.step(),
         "propagate": propagate,
         "measurements": measurements,
         "correct": correct,
@@ -345,16 +339,10 @@ def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, An
 
     return {
         "count": FLOWN,
-        "dt": f["dt"]
-        and (
-            f["dt"]["value"].replace("filter->", "flown.")
-            if f["dt"]["value"].startswith("filter->")
-            else f"given_{f['dt']['value'].replace('->', '.')}"
-        ),
         "structs": structs,
         "spoilt": [g for g in spoilt if g["functions"]],
         "checked": [
-            box("", a)
+            box(a)
             | {part: f"{of}{s.name}.{a.name}{'[i]' * (a.size > 1)}" for part, of in PLACES.items()}
             | {"norms": [f"{number(-v)}, {number(v)}" for v in a.norm or ()], "norms_beyond": norms_beyond(a)}
             for s in model.structs
@@ -437,18 +425,12 @@ def answered_by_all(model: Model, made: list[Unit]) -> list[np.ndarray]:
     return [part[chosen] for part in drawn]
 
 
-def writes_fields(by_name: dict[str, Any], name: str, owner: dict[str, str]) -> bool:
-    """Whether the model has this function and everything it gives is an input field of the model."""
-    return name in by_name and all(r.name in owner for r in by_name[name][0].results)
-
-
-def box(access: str, v: Any, place: int | None = None) -> dict[str, Any]:
+def box(v: Any, place: int | None = None) -> dict[str, Any]:
     """A field with its bounds as C; one component of it if `place` is given."""
     chosen = slice(None) if place is None else slice(place, place + 1)
-    size = v.size if place is None else 1
     return {
-        "name": v.name, "size": size, "access": access if v.size > 1 and place is None else f"&{access}",
-        "low": ", ".join(map(number, v.low[chosen])), "high": ", ".join(map(number, v.high[chosen])),
+        "name": v.name, "size": v.size if place is None else 1, "low": ", ".join(map(number, v.low[chosen])),
+        "high": ", ".join(map(number, v.high[chosen])),
         "norm": tuple(number(b * b) for b in v.norm) if v.norm else None,
         # what a vector is scaled to that is none of the norms
         "length": number(1.0 if v.norm[0] <= 1 <= v.norm[1] else sum(v.norm) / 2) if v.norm else None, "of": v,
