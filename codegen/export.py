@@ -110,7 +110,7 @@ def evidence(folder: Path, manifest: dict[str, Any], unproven: str) -> dict[str,
     found = {
         kind: {"tools": of["tools"], "units": of["units"]}
         for kind, of in json.loads(kept.read_text()).items()
-        if of["sources"] == digest
+        if of["folder"] == digest
     }
     return said | ({"evidence": found} if found else {"evidence": "none", "why": OTHER_EVIDENCE})
 

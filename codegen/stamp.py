@@ -29,12 +29,12 @@ def made_from(model: Path | None) -> dict[str, str]:
     return {name: hashed(paths) for name, paths in files.items()}
 
 
-def reached(start: set[Path]) -> set[Path]:
-    """The files, and those of Boresight that they import, at any depth."""
+def reached(start: set[Path], beside: re.Pattern[str] | None = BESIDE) -> set[Path]:
+    """The files, and those of Boresight that they import, at any depth; not what is `beside`."""
     found, waiting = set(start), list(start)
     while waiting:
         path = waiting.pop()
-        names = (name for name in imported(path) if not BESIDE.match(name))
+        names = (name for name in imported(path) if not (beside and beside.match(name)))
         new = {file for name in names for file in located(name)} - found
         found |= new
         waiting += new

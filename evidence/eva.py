@@ -8,6 +8,7 @@ lets pass, the analysis is told so, and the assumption is counted.
 
 import re
 import shutil
+from collections.abc import Collection
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -40,14 +41,14 @@ def version() -> str:
     return run(["frama-c", "-version"]).strip()
 
 
-def eva(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
+def eva(folder: Folder, out: Path, names: Collection[str] | None = None) -> dict[str, dict[str, Any]]:
     """By printed unit: alarms, the kinds of those that there are, and the assumptions made; nothing of a component."""
     if folder.manifest.get("component"):
         return {}
     made = {unit.name: unit for unit in units(load_model(folder.manifest["model"]))}
     return {
         unit.name: of_unit(unit, made[unit.described["name"]], out)
-        for unit in folder.units
+        for unit in folder.chosen(names)
         if unit.described is not None
     }
 

@@ -6,6 +6,7 @@ Cortex-M4F.
 """
 
 import re
+from collections.abc import Collection
 from pathlib import Path
 from typing import Any
 
@@ -31,7 +32,7 @@ SOFT_ULPS = 4.0  # double on a Cortex-M4F: the addition of its soft-float librar
 VECTORS = re.compile(r"^#define N_VECTORS (\d+)$", re.MULTILINE)
 
 
-def golden(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
+def golden(folder: Folder, out: Path, names: Collection[str] | None = None) -> dict[str, dict[str, Any]]:
     """By unit: what its golden vectors did on each target, what it costs there, and the double it holds in float.
 
     `builds` has one entry a target and precision, `cortex-m4f float` and so on: failures of the shipped self-test,
@@ -46,27 +47,26 @@ def golden(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
             "cost": {},
             "text": {},
         }
-        for unit in folder.units
+        for unit in folder.chosen(names)
     }
     for precision in PRECISIONS:
-        here = run_on_host(build(folder, GCC, precision, out))
+        here = run_on_host(build(folder, GCC, precision, out), found)
         note(found, f"x86-64 {precision}", here, here)
-        note(found, f"{CLANG.name} {precision}", run_on_host(build(folder, CLANG, precision, out)), here)
+        note(found, f"{CLANG.name} {precision}", run_on_host(build(folder, CLANG, precision, out), found), here)
         for core in CORES:
             made = build(folder, core, precision, out)
             name = f"{core.name} {precision}"
             # soft-float helpers branch on the numbers: what they cost is no property of the unit
-            costs, there = run_with_costs(made) if core.double or precision == "float" else ({}, plain_run(made))
+            counted = core.double or precision == "float"
+            there, costs = run_with_costs(made, found) if counted else (Machine(made, made.image).run_tests(found), {})
             note(found, name, there, here)
-            for unit in folder.units:
-                found[unit.name]["text"][name] = text_size(made.objects[unit.name])
-                for function in public_functions(made.objects[unit.name]):
-                    if function in costs:
-                        cost = costs[function]
-                        plain = function.removesuffix("_f32")  # one name of both precisions
-                        found[unit.name]["cost"].setdefault(plain, {})[name] = [cost.most, cost.stack]
+            for unit, of in found.items():
+                of["text"][name] = text_size(made.objects[unit])
+                for function, cost in costs.get(unit, {}).items():
+                    plain = function.removesuffix("_f32")  # one name of both precisions
+                    of["cost"].setdefault(plain, {})[name] = [cost.most, cost.stack]
             if precision == "float":
-                for stem, words in doubles(made).items():
+                for stem, words in doubles(made, found).items():
                     found[stem]["doubles"] += [f"{name}: {word}" for word in words]
     return found
 
@@ -89,15 +89,17 @@ def vectors(test: Path) -> int | None:
     return int(match[1]) if match else None
 
 
-def plain_run(made: Build) -> dict[str, Run]:
-    return Machine(made, made.image).run_tests()
-
-
-def run_with_costs(made: Build) -> tuple[dict[str, Cost], dict[str, Run]]:
-    watched = tuple(name for path in made.objects.values() for name in public_functions(path))
-    machine = Machine(made, made.image, watched)
-    runs = machine.run_tests()
-    return machine.costs, runs
+def run_with_costs(made: Build, names: Collection[str]) -> tuple[dict[str, Run], dict[str, dict[str, Cost]]]:
+    """What these units' tests did, and of each unit what its functions cost in its own test."""
+    public = {name: public_functions(path) for name, path in made.objects.items()}
+    machine = Machine(made, made.image, tuple(function for of in public.values() for function in of))
+    runs: dict[str, Run] = {}
+    costs: dict[str, dict[str, Cost]] = {}
+    for name in names:
+        machine.costs = {}
+        runs |= machine.run_tests([name])
+        costs[name] = {function: machine.costs[function] for function in public[name] if function in machine.costs}
+    return runs, costs
 
 
 def note(found: dict[str, dict[str, Any]], name: str, there: dict[str, Run], here: dict[str, Run]) -> None:

@@ -6,6 +6,7 @@ The status must say so, no output may be touched, and every branch of the guards
 import ctypes
 import json
 import subprocess
+from collections.abc import Collection
 from pathlib import Path
 from typing import Any
 
@@ -24,8 +25,9 @@ POINTS = 4000  # random points, so that results outside their own box are met to
 PAINT = -1.2345678e30
 
 
-def guards(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
-    """By unit: bad inputs tried, those that were not refused as they should, and branches not taken."""
+def guards(folder: Folder, out: Path, names: Collection[str] | None = None) -> dict[str, dict[str, Any]]:
+    """By unit: bad inputs tried, those that were not refused as they should, and branches that
+    neither they nor the unit's self-test takes."""
     found: dict[str, dict[str, Any]] = {}
     for precision in PRECISIONS:
         place = out / precision
@@ -34,9 +36,11 @@ def guards(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
         covered = ["gcc", *common, *WARNINGS, "-O0", "--coverage"]
         objects = compile_sources(covered, {unit.path: () for unit in folder.units}, place)
         plain = ["gcc", *common, "-std=c99", "-O1", "-w", "-ffunction-sections", "-I", folder.path / "selftest"]
-        # after a run in the same process the counts have to be asked for
+        # in the same process the counts have to be begun and asked for
         dump = place / "dump.c"
-        dump.write_text("void __gcov_dump(void);\nvoid dump(void);\nvoid dump(void)\n{\n    __gcov_dump();\n}\n")
+        calls = [f"void __gcov_{what}(void);\nvoid {what}(void);\nvoid {what}(void)\n{{\n    __gcov_{what}();\n}}\n"
+                 for what in ("reset", "dump")]  # fmt: skip
+        dump.write_text("".join(calls))
         more = [*folder.files("batch/*.c"), *folder.files("selftest/*.c"), *folder.identity, dump]
         tests = compile_sources(plain, {**dict.fromkeys(more, ()), HARNESS / "quiet.c": ("-fno-builtin",)}, place)
         image = place / f"{folder.name}-guards-{precision}.so"
@@ -44,17 +48,18 @@ def guards(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
         run([*link, *objects.values(), *tests.values(), "-lm", "-o", image])
         library = ctypes.CDLL(str(image))
         compiled = {} if "component" in folder.manifest else callable_units(folder, image, precision)
-        for unit in folder.units:
+        for unit in folder.chosen(names):
+            library.reset()
             tried, wrong = bad_inputs(unit, compiled[unit.name]) if unit.name in compiled else (0, [])
             entry = found.setdefault(unit.name, {"tried": 0, "wrong": [], "not_taken": []})
             entry["tried"] += tried
             entry["wrong"] += wrong
             if unit.test.is_file():
                 getattr(library, unit.test_function)()
-        library.dump()
-        for unit in folder.units:
-            for where in not_taken(unit, place):
-                found[unit.name]["not_taken"].append(f"{precision}, {where}")
+            library.dump()
+            entry["not_taken"] += [f"{precision}, {where}" for where in not_taken(unit, place)]
+            for counts in place.glob("*.gcda"):
+                counts.unlink()
     return found
 
 

@@ -11,7 +11,7 @@ left out: their last coefficients count in the last bit, which tests/codegen/tes
 
 import ctypes
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -245,7 +245,9 @@ def mutated(unit: Source, most: int) -> tuple[str, list[str]]:
     return "#include <math.h>\nextern int evidence_mutant;\n" + text, [words[number] for number in picked]
 
 
-def mutants(folder: Folder, out: Path, most: int = MOST) -> dict[str, dict[str, Any]]:
+def mutants(
+    folder: Folder, out: Path, most: int = MOST, names: Collection[str] | None = None
+) -> dict[str, dict[str, Any]]:
     """By unit: mutants tried, killed by the shipped self-test, equivalent, and the others by name."""
     objects = compile_units(folder, GCC, "double", out)
     common = ["gcc", "-std=c99", "-O1", "-w", "-ffunction-sections", "-I", folder.include]
@@ -257,7 +259,7 @@ def mutants(folder: Folder, out: Path, most: int = MOST) -> dict[str, dict[str, 
     run(["objcopy", "--redefine-sym=main=shipped_main", tests["selftest"]])
     return {
         unit.name: of_unit(unit, objects, list(tests.values()), out, most)
-        for unit in folder.units
+        for unit in folder.chosen(names)
         if unit.test.is_file() and not unit.elementary
     }
 

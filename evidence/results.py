@@ -5,19 +5,14 @@ from pathlib import Path
 from typing import Any
 
 from boresight.evidence.sources import Derivations, Examples, Flights, Folder
-from boresight.runtime import manifest
 
 PLACE = Path(__file__).resolve().parent / "results"
 
 
-def sources_hash(folder: Folder | Derivations | Examples | Flights) -> str:
-    """Of everything that a result depends on: of a folder its C, its headers, its tests; of a paper the derivations, of
-    the examples all that makes and flies them."""
-    return manifest.sources_hash(folder.sources)
-
-
 def read(folder: Folder | Derivations | Examples | Flights) -> dict[str, Any]:
-    """By kind of evidence: `sources` (the hash above), `tools`, and `units` by name.  Empty if nothing is committed."""
+    """By kind of evidence: `sources`, by unit a hash of all that its result depends on, `tools`, `units` by name, and
+    of a folder `folder`, the hash of all its C that was there when each was found to be of it.  Empty if nothing is
+    committed."""
     path = PLACE / f"{folder.name}.json"
     return dict(json.loads(path.read_text())) if path.is_file() else {}
 

@@ -4,6 +4,7 @@ The bound is a running one: at each point it follows every rounding of the print
 float runs at 1e5 random points of the box and at corners; no error may exceed the bound at its point.
 """
 
+from collections.abc import Collection
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +22,7 @@ from boresight.runtime.library import Unit as CompiledUnit
 RUNS, CORNERS, CHUNK = 100_000, 2_000, 4_000
 
 
-def rounding(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
+def rounding(folder: Folder, out: Path, names: Collection[str] | None = None) -> dict[str, dict[str, Any]]:
     """By printed unit: runs, violations of the bound, and of each output what `of_unit` gives; no component has any."""
     if folder.manifest.get("component"):
         return {}
@@ -30,7 +31,7 @@ def rounding(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
     compiled = callable_units(folder, shared_library(folder, "float", out), "float")
     return {
         source.name: of_unit(source, made[source.described["name"]], compiled[source.name])
-        for source in folder.units
+        for source in folder.chosen(names)
         if source.described is not None
     }
 

@@ -2,17 +2,20 @@
 
 import hashlib
 import re
+from collections.abc import Collection
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from boresight.codegen.stamp import GENERATOR, reached
+from boresight.codegen.stamp import GENERATOR, PACKAGE, hashed, reached
 from boresight.derive.papers import DERIVATIONS, PAPERS
-from boresight.runtime.manifest import generated, read_manifest, sources
+from boresight.evidence.reach import WORD, Texts
+from boresight.runtime.manifest import generated, read_manifest, sources, sources_hash
 
 TEST = re.compile(r"^int (test_\w+)\(void\)$", re.MULTILINE)
-INCLUDED = re.compile(r'^#include "(\w+\.h)"', re.MULTILINE)
+HERE = Path(__file__).resolve().parent
+MATCHED = {"velocity", "dcm", "euler"}  # the measurements of the transfer alignment
 
 
 @dataclass(frozen=True)
@@ -39,8 +42,28 @@ class Folder:
 
     @property
     def sources(self) -> list[Path]:
-        """What its results depend on."""
+        """All C, headers and self-tests, but for what tells the version alone."""
         return sources(self.path, self.manifest["files"])
+
+    @property
+    def hash(self) -> str:
+        """Of all of them."""
+        return sources_hash(self.sources)
+
+    @property
+    def code(self) -> str:
+        """Of its C and headers without the self-tests."""
+        return sources_hash(path for path in self.sources if path.parent.name != "selftest")
+
+    @cached_property
+    def texts(self) -> Texts:
+        return Texts(self.sources)
+
+    def filter_hash(self, harness: Path) -> str:
+        """Of the filter, of all that it includes and calls, and of the C of evidence that calls it."""
+        (header,) = (path for path in self.files("include/*_filter.h") if path.name != "boresight_filter.h")
+        roots = {*self.files("src/*_filter.c"), header}
+        return self.texts.hash(roots, WORD.findall(harness.read_text()), [harness])
 
     @property
     def identity(self) -> list[Path]:
@@ -51,6 +74,10 @@ class Folder:
     def units(self) -> list["Source"]:
         return [Source(self, path) for path in self.files("src/*.c") if path not in self.identity]
 
+    def chosen(self, names: Collection[str] | None) -> list["Source"]:
+        """The units of these names, or all."""
+        return [unit for unit in self.units if names is None or unit.name in names]
+
 
 @dataclass(frozen=True)
 class Derivations:
@@ -58,12 +85,12 @@ class Derivations:
 
     name: str
 
-    @property
-    def sources(self) -> list[Path]:
-        """What its results depend on: all that derives and shows, and what judges it."""
-        root = Path(__file__).resolve().parent
-        judges = (root / f"{name}.py" for name in ("formula_tokens", "read_back", "spoilt", "steps"))
-        return [*sorted((root.parent / "derive").rglob("*.py")), *judges]
+    def hash(self, *judges: str) -> str:
+        """Of what its module imports of derive, and of the modules of evidence that judge it and what those import."""
+        paper = PACKAGE / "derive" / "papers" / self.name.replace("-", "_") / "paper.py"
+        own = {HERE / f"{name}.py" for name in judges}
+        begin = {path.resolve() for path in (paper, *own)}
+        return hashed({p for p in reached(begin, beside=None) if p.is_relative_to(PACKAGE / "derive")} | own)
 
 
 @dataclass(frozen=True)
@@ -74,14 +101,13 @@ class Examples:
 
     @property
     def place(self) -> Path:
-        return Path(__file__).resolve().parent.parent / "examples"
+        return PACKAGE / "examples"
 
-    @property
-    def sources(self) -> list[Path]:
-        """What their results depend on: they, all that generates and flies them, and what judges them."""
-        begin = {*self.place.glob("*.py"), Path(__file__).with_name("examples.py")}
+    def hash(self, example: str) -> str:
+        """Of one example, of all that generates and flies it, and of what judges it."""
+        begin = {self.place / f"{example}.py", self.place / f"fly_{example}.py", HERE / "examples.py"}
         begin |= {path for folder in GENERATOR for path in folder.rglob("*") if path.suffix in (".py", ".j2")}
-        return sorted(reached(begin))
+        return hashed(reached({path.resolve() for path in begin}))
 
 
 @dataclass(frozen=True)
@@ -91,16 +117,19 @@ class Flights:
     name: str = "flights"
 
     @property
-    def sources(self) -> list[Path]:
-        """What their results depend on: the filter, what it is tried by, and the C of its models."""
-        begin = set(Path(__file__).with_name("flights").glob("*.py"))
-        models = [
-            path
-            for folder in folders()
-            if folder.name.startswith("velocity_attitude")
-            for path in folder.files("src/*.c")
-        ]
-        return sorted(reached(begin)) + sorted(models)
+    def hash(self) -> str:
+        """Of the filter, of what it is tried by, and of the C of its models that it calls."""
+        python = reached({path.resolve() for path in (HERE / "flights").glob("*.py")})
+        models = [folder for folder in folders() if folder.name.startswith("velocity_attitude")]
+        return hashlib.sha256("\n".join([hashed(python), *map(matched, models)]).encode()).hexdigest()
+
+
+def matched(folder: Folder) -> str:
+    """Hash of the C of a model that the alignment calls: all of it but for measurements that it does not take."""
+    others = "|".join(folder.manifest["measurements"].keys() - MATCHED)
+    other = re.compile(rf"\w+?_(filter_measure_)?({others})(_\w+)?" if others else r"(?!)")
+    code = Texts(path for path in folder.sources if path.parent.name != "selftest")
+    return code.hash((), [name for name in code.by_name if not other.fullmatch(name)])
 
 
 @dataclass(frozen=True)
@@ -132,23 +161,11 @@ class Source:
         (name,) = TEST.findall(self.test.read_text())
         return str(name)
 
-    @cached_property
-    def text(self) -> list[Path]:
-        """The C file and every header of the folder that it includes, directly or not; not the names of identity."""
-        found = [self.path]
-        for path in found:
-            for name in INCLUDED.findall(path.read_text()):
-                for place in (self.path.parent / name, self.folder.include / name):
-                    if place.is_file() and place not in found and not name.endswith("_identity.h"):
-                        found.append(place)
-        return found
-
-    def hash(self, *more: Path) -> str:
-        """Of the unit's text, and of further files."""
-        key = hashlib.sha256()
-        for path in (*self.text, *more):
-            key.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")
-        return key.hexdigest()
+    def hash(self, tested: bool) -> str:
+        """Of the unit's files and of all that they reach, with its self-test or not."""
+        kernel = self.path.with_name(f"{self.name}_kernel.h")
+        roots = [path for path in (self.path, kernel, self.test if tested else kernel) if path.is_file()]
+        return self.folder.texts.hash(set(roots))
 
     @property
     def elementary(self) -> bool:

@@ -7,6 +7,7 @@ error; the self-test's comparison is wrapped so that every number it sees can be
 import ctypes
 import re
 import shutil
+from collections.abc import Collection
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -170,11 +171,12 @@ DOUBLE = re.compile(
 )  # __math_invalidf is of float
 
 
-def doubles(made: Build) -> dict[str, list[str]]:
-    """What of double precision each unit of a float build holds: instructions; without a double FPU, helpers too, also
-    those of the library functions that it calls."""
+def doubles(made: Build, names: Collection[str]) -> dict[str, list[str]]:
+    """What of double precision each of these units of a float build holds: instructions; without a double FPU, helpers
+    too, also those of the library functions that it calls."""
     found = {}
-    for name, path in made.objects.items():
+    for name in names:
+        path = made.objects[name]
         disassembly = run([made.target.tool("objdump"), "-d", path])
         found[name] = sorted({line.split("\t")[2] for line in disassembly.splitlines() if ".f64" in line})
         if not made.target.double:
@@ -196,15 +198,15 @@ def recorded(failures: int, values: np.ndarray, lengths: np.ndarray, count: int,
     return Run(failures, np.split(values, np.cumsum(lengths)[:-1]))
 
 
-def run_on_host(made: Build) -> dict[str, Run]:
-    """Each unit's test in this process, by the unit's name."""
+def run_on_host(made: Build, names: Collection[str] | None = None) -> dict[str, Run]:
+    """The test of each unit, or of those named, in this process, by the unit's name."""
     library = ctypes.CDLL(str(made.image))
     count, groups = (ctypes.c_int.in_dll(library, f"evidence_{name}") for name in ("count", "groups"))
     real = ctypes.c_float if made.precision == "float" else ctypes.c_double
     record = np.ctypeslib.as_array((real * ROOM).in_dll(library, "evidence_record"))
     lengths = np.ctypeslib.as_array((ctypes.c_int * GROUPS).in_dll(library, "evidence_lengths"))
     runs = {}
-    for unit in made.folder.units:
+    for unit in made.folder.chosen(names):
         if not unit.test.is_file():
             continue
         count.value = groups.value = 0

@@ -7,6 +7,7 @@ ways: no statement without an output, no output without a statement, no field un
 
 import re
 import sys
+from collections.abc import Collection
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -133,9 +134,9 @@ def block(unit: Source, result: dict[str, Any], comment: str) -> str:
     return f"{result['name']}[{left}{', ' + right if right else ''}]"
 
 
-def trace(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
+def trace(folder: Folder, out: Path, names: Collection[str] | None = None) -> dict[str, dict[str, Any]]:
     """By printed unit: statements, blocks with how many statements each depends on, equations, and what is missing."""
-    return {unit.name: of_unit(unit) for unit in folder.units if unit.described is not None}
+    return {unit.name: of_unit(unit) for unit in folder.chosen(names) if unit.described is not None}
 
 
 def of_unit(unit: Source) -> dict[str, Any]:

@@ -356,8 +356,8 @@ def test_the_evidence_is_of_exactly_this_c(results, tmp_path):
     source = folder_of("strapdown")
     digest = sources_hash(sources(source, read_manifest(source)["files"]))
     units = {"sd_step": {"alarms": 0}}
-    kinds = {"eva": {"sources": digest, "tools": "25.0", "units": units}}
-    results.write_text(json.dumps(kinds | {"misra": {"sources": "0" * 64, "tools": "2.10", "units": units}}))
+    kinds = {"eva": {"folder": digest, "tools": "25.0", "units": units}}
+    results.write_text(json.dumps(kinds | {"misra": {"folder": "0" * 64, "tools": "2.10", "units": units}}))
     exported_c("strapdown", tmp_path / "out")
     said = json.loads((tmp_path / "out" / "evidence.json").read_text())
     assert said["evidence"] == {"eva": {"tools": "25.0", "units": units}}
@@ -366,7 +366,7 @@ def test_the_evidence_is_of_exactly_this_c(results, tmp_path):
 
 
 def test_other_c_has_no_evidence_and_says_why(results, tmp_path):
-    results.write_text(json.dumps({"eva": {"sources": "0" * 64, "tools": "25.0", "units": {}}}))
+    results.write_text(json.dumps({"eva": {"folder": "0" * 64, "tools": "25.0", "units": {}}}))
     exported_c("strapdown", tmp_path / "out")
     said = json.loads((tmp_path / "out" / "evidence.json").read_text())
     assert said["evidence"] == "none" and "other C" in said["why"]

@@ -1,39 +1,126 @@
-"""What is committed was computed from the C that is committed."""
+"""What is committed was computed from the C and the derivations that are committed, unit by unit."""
+
+from pathlib import Path
 
 import pytest
-from committed import NAMES, folder_of
+from committed import folder_of
 
-from boresight.evidence import results
-from boresight.evidence.kinds import kinds_for, kinds_of
-from boresight.evidence.sources import Examples, Flights, derivations
+from boresight.derive import models
+from boresight.evidence import kinds, results
+from boresight.evidence.kinds import KINDS, all_kinds, kinds_for
+from boresight.evidence.sources import Derivations, Folder
+
+PAIRS = [(kind, subject) for kind, subject in all_kinds() if kind.name not in ("flown", "tried")]  # of these: elsewhere
+ALL = {subject.name: [kind for kind, other in PAIRS if other.name == subject.name] for _, subject in PAIRS}
+SUBJECTS = {subject.name: subject for _, subject in PAIRS}
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", ALL)
 def test_results_are_of_the_committed_sources(name):
-    kept, wanted = results.read(folder_of(name)), results.sources_hash(folder_of(name))
-    stale = [kind.name for kind in kinds_for(folder_of(name)) if kept.get(kind.name, {}).get("sources") != wanted]
-    assert not stale, f"{', '.join(stale)} of {name}: run 'make evidence'"
-
-
-@pytest.mark.parametrize("paper", derivations(), ids=lambda paper: paper.name)
-def test_results_of_a_paper_are_of_the_derivations_here(paper):
-    kept, wanted = results.read(paper), results.sources_hash(paper)
-    stale = [kind.name for kind in kinds_of(paper) if kept.get(kind.name, {}).get("sources") != wanted]
-    assert not stale, f"{', '.join(stale)} of {paper.name}: run 'make evidence'"
+    kept, subject = results.read(SUBJECTS[name]), SUBJECTS[name]
+    stale = []
+    for kind in ALL[name]:
+        of, now = kept.get(kind.name, {}), kind.hashes(subject)
+        before = of.get("sources", {})
+        stale += [f"{kind.name} of {unit}" for unit in now | before if before.get(unit) != now.get(unit)]
+        if isinstance(subject, Folder) and of.get("folder") != subject.hash:
+            stale.append(f"{kind.name} as a whole")
+    assert not stale, f"{', '.join(stale)}: run 'make evidence'"
 
 
 def test_no_result_is_of_a_folder_or_a_paper_that_is_gone():
-    names = [*NAMES, *(paper.name for paper in derivations()), Examples().name, Flights().name]
-    assert {path.stem for path in results.PLACE.glob("*.json")} <= set(names)
+    assert {path.stem for path in results.PLACE.glob("*.json")} <= {subject.name for _, subject in all_kinds()}
 
 
-def test_a_changed_source_changes_the_hash(em_copy):
-    from boresight.evidence.sources import Folder
+def vouched(path):
+    """The copied folder of Euler matching, whose manifest lists what lies there now."""
+    folder, manifest = Folder(path), dict(folder_of("euler_matching").manifest)
+    here = (file.relative_to(path).as_posix() for file in path.rglob("*.[ch]"))
+    folder.__dict__["manifest"] = manifest | {"files": dict.fromkeys(here, "")}
+    return folder
 
-    before = results.sources_hash(Folder(em_copy))
-    assert before == results.sources_hash(folder_of("euler_matching"))
-    header = em_copy / "src" / "em_F_kernel.h"
-    header.write_text(header.read_text() + "\n")
-    folder = Folder(em_copy)
-    folder.__dict__["manifest"] = folder_of("euler_matching").manifest
-    assert results.sources_hash(folder) != before
+
+def changed(folder):
+    """By kind the units whose results would be stale."""
+    before = folder_of("euler_matching")
+    assert kinds_for(folder) == kinds_for(before)
+    found = {}
+    for kind in kinds_for(folder):
+        was, now = kind.hashes(before), kind.hashes(folder)
+        if was != {name.replace(folder.name, before.name): digest for name, digest in now.items()}:
+            found[kind.name] = {name for name in now if was.get(name) != now[name]}
+    return found
+
+
+def test_a_changed_statement_makes_its_unit_stale_and_what_includes_it(em_copy):
+    assert changed(vouched(em_copy)) == {}
+    kernel = em_copy / "src" / "em_F_kernel.h"
+    kernel.write_text(kernel.read_text().replace("-omega_in_n[1]", "omega_in_n[1]"))
+    found = changed(vouched(em_copy))
+    assert {kind.name for kind in KINDS if kind.name != "bits"} == found.keys()
+    assert found["rounding"] == found["eva"] == found["trace"] == {"em_F"}
+    assert found["golden"] == found["guards"] == found["mutants"] == {"em_F", "em_filter"}
+
+
+@pytest.mark.parametrize(
+    ("path", "old", "new", "stale"),
+    [
+        # of a self-test: what runs it alone
+        ("selftest/test_em_F.c", "#define N_VECTORS", "#define MORE 1\n#define N_VECTORS", {"em_F"}),
+        # of what another unit calls
+        ("src/em_math.c", "bs_sincos", "bs_cossin", None),
+        # a declaration that nothing names, and words
+        ("include/euler_matching.h", "\n#endif\n", "\n#define EM_OF_NOBODY 1\n/* words */\n#endif\n", set()),
+    ],
+)
+def test_a_unit_is_stale_by_what_it_names(em_copy, path, old, new, stale):
+    text = (em_copy / path).read_text()
+    assert old in text
+    (em_copy / path).write_text(new.join(text.rsplit(old, 1)))
+    folder, before = vouched(em_copy), folder_of("euler_matching")
+    was, now = kinds.tested(before), kinds.tested(folder)
+    found = {name for name in now if was[name] != now[name]}
+    if stale is None:
+        assert {"em_euler_H", "em_math", "em_filter"} <= found and not {"em_F", "em_covariance"} & found
+    else:
+        assert found == stale
+    assert (kinds.printed(folder) == kinds.printed(before)) == (stale is not None)
+
+
+def test_one_more_measurement_is_one_more_result(em_copy):
+    """As an odometer: the header declares it, the self-test calls it, the filter includes it."""
+    for path, old, new in (
+        (
+            "include/euler_matching.h",
+            "bs_status em_F(",
+            "bs_status em_odometer_z(void);\n\nbs_status em_F(",
+        ),
+        ("selftest/selftest.h", "int test_em_F(void);", "int test_em_F(void);\nint test_em_odometer_z(void);"),
+        ("selftest/selftest.c", "if (test_em_F() == 0) {", "(void)test_em_odometer_z();\n    if (test_em_F() == 0) {"),
+        ("src/em_filter.c", '#include "em_F_kernel.h"', '#include "em_F_kernel.h"\n#include "em_odometer_z_kernel.h"'),
+    ):
+        text = (em_copy / path).read_text()
+        assert old in text
+        (em_copy / path).write_text(text.replace(old, new, 1))
+    for path in ("src/em_F.c", "src/em_F_kernel.h", "selftest/test_em_F.c"):
+        text = (em_copy / path).read_text().replace("em_F", "em_odometer_z").replace("EM_F", "EM_ODOMETER_Z")
+        (em_copy / path.replace("em_F", "em_odometer_z")).write_text(text)
+    found = changed(vouched(em_copy))
+    whole, new = {em_copy.name}, {"em_odometer_z"}
+    # of a new unit that the manifest does not describe nothing is printed
+    assert found == {"attack": whole, "misra": whole} | dict.fromkeys(
+        ("golden", "guards", "mutants", "riscv"), new | {"em_filter"}
+    )
+
+
+def test_a_comment_in_a_derivation_makes_nothing_stale(monkeypatch):
+    paper, place = Derivations("mechanics"), Path(models.__file__).parent.parent
+    before, read = (paper.hash("steps"), Derivations("kang-2025").hash("spoilt")), Path.read_bytes
+
+    def with_comment(path):
+        return read(path) + (b"\n# a comment\n" if place in path.parents else b"")
+
+    monkeypatch.setattr(Path, "read_bytes", with_comment)
+    assert (paper.hash("steps"), Derivations("kang-2025").hash("spoilt")) == before
+    monkeypatch.setattr(Path, "read_bytes", lambda path: read(path) + b"\nMORE = 1\n")
+    assert paper.hash("steps") != before[0]
