@@ -613,6 +613,9 @@ def many(
     from boresight.runtime import runs as r
     from boresight.studies.sea_state import many as sea
 
+    for extra, asked in (("parquet", out), ("cluster", dask)):
+        if asked:
+            need(extra)  # before the C of the model is compiled
     flown = sea.experiment(sea.Sea(motion, grade))
     goal = None if within is None else r.Goal("heading_mil", within)
     with terminal.progress() as progress:
