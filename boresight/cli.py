@@ -539,8 +539,8 @@ class Studies(typer.core.TyperGroup):
         parameters = [*options, asked("out", Out, None), asked("svg", Svg, False), asked("as_json", AsJson, False)]
         command.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
         command.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
-        said = CommandInfo(name, cls=StudyCommand, callback=command, help=STUDIES[name], short_help=STUDIES[name])
-        return get_command_from_info(said, pretty_exceptions_short=True, rich_markup_mode=None)
+        info = CommandInfo(name, cls=StudyCommand, callback=command, help=STUDIES[name], short_help=STUDIES[name])
+        return get_command_from_info(info, pretty_exceptions_short=True, rich_markup_mode=None)
 
 
 def no_study() -> None:
@@ -765,8 +765,8 @@ def replay(
 
         sensors = sized(with_ or (), grade, gyro_instability, accel_instability, correlation, estimated=estimate)
         # what is told of an instability, if only that there is none, is not looked for
-        told = (("gyro_walk", gyro_instability), ("accel_walk", accel_instability))
-        noise |= {walk: np.zeros(1) for walk, text in told if text}
+        walks = (("gyro_walk", gyro_instability), ("accel_walk", accel_instability))
+        noise |= {walk: np.zeros(1) for walk, text in walks if text}
         sensors, name = (None, name) if sensors == Sensors() else (sensors, MODEL)
     settings: dict[str, Any] = {}
     if name == "azimuth-hold":

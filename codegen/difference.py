@@ -223,8 +223,8 @@ def stated(before: dict[str, dict[str, str]], after: dict[str, dict[str, str]]) 
     """A part that is new or gone is one statement, else there is one for each field that differs."""
     for part in dict.fromkeys([*after, *before]):
         if part not in before or part not in after:
-            said = ", ".join(text for text in (before | after)[part].values() if text)
-            yield Statement(part, "", said if part in before else None, said if part in after else None)
+            stated = ", ".join(text for text in (before | after)[part].values() if text)
+            yield Statement(part, "", stated if part in before else None, stated if part in after else None)
         else:
             old, new = before[part], after[part]
             yield from (Statement(part, key, old[key], new[key]) for key in new if old[key] != new[key])

@@ -102,17 +102,17 @@ def evidence(folder: Path, manifest: dict[str, Any], unproven: str) -> dict[str,
 
     unproven: why there can be none, or nothing.
     """
-    said = {"model": manifest["model"], "hash": manifest["hash"]}
+    head = {"model": manifest["model"], "hash": manifest["hash"]}
     kept = RESULTS / f"{folder.name}.json"
     if unproven or not kept.is_file():
-        return said | {"evidence": "none", "why": unproven or NO_EVIDENCE}
+        return head | {"evidence": "none", "why": unproven or NO_EVIDENCE}
     digest = sources_hash(sources(folder, manifest["files"]))
     found = {
         kind: {"tools": of["tools"], "units": of["units"]}
         for kind, of in json.loads(kept.read_text()).items()
         if of["folder"] == digest
     }
-    return said | ({"evidence": found} if found else {"evidence": "none", "why": OTHER_EVIDENCE})
+    return head | ({"evidence": found} if found else {"evidence": "none", "why": OTHER_EVIDENCE})
 
 
 def write(out: Path, files: dict[str, str]) -> list[Path]:

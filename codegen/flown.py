@@ -326,7 +326,7 @@ def check_motion(model: Model, f: Function, level: ellipsoid.Level) -> Mechanics
         parts: list[list[Matrix]] = []
         with precise():
             turning, velocity = uneven(q, rate, force)
-            way, sums = integrated(velocity), [integrated(series) for series in (rate, force)]
+            distance, sums = integrated(velocity), [integrated(series) for series in (rate, force)]
             for s in (TURNED, TURNED / 2):
                 now: Values = dict.fromkeys(read, arb(0)) | {inputs["dt"].scalar: STEP}
                 increments = [at(series, s) for series in sums] + [-at(series, -s) for series in sums]
@@ -336,7 +336,7 @@ def check_motion(model: Model, f: Function, level: ellipsoid.Level) -> Mechanics
                 for variable, column in columns:
                     now.update(zip(variable.symbols, column, strict=True))
                 made = run(now)
-                mean = position_rate(p, v + at(way, s) / s, level)
+                mean = position_rate(p, v + at(distance, s) / s, level)
                 exact = (mean, v + at(velocity, s), at(turning, s))
                 found = ((made[0] - p) / STEP, *made[1:])
                 parts.append([mine - theirs for mine, theirs in zip(found, exact, strict=True)])

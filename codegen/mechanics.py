@@ -401,10 +401,10 @@ def check_own_rate(model: Model, F_of: Reference) -> MechanicsCheck:
         for hat, state in zip(points(model, "F"), drawn.tolist(), strict=True):
             here = hat | dict(zip(model.x, map(arb, state), strict=True))
 
-            def moved(x: Sequence[Any], here: Values = here) -> Matrix:
+            def displaced(x: Sequence[Any], here: Values = here) -> Matrix:
                 return f(plus(here, model, x))[0]
 
-            found = slope(moved, scale)
+            found = slope(displaced, scale)
             F = filled((n, n), F_of(fields(model, here) | {"x": state})[0])
             verdict.compare(scaled(F, scale), found, names, names, scale, row_sizes(found, scale))
     return verdict.check(model, "F", "f")

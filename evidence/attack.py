@@ -180,11 +180,11 @@ def boxes(manifest: dict[str, Any]) -> Iterator[str]:
         ranges = [field["norm"] or (0.0, 0.0) for field in fields]
         rows = [f"{{ {s}, {f['size']}, {a!r}, {b!r} }}" for s, f, (a, b) in zip(starts, fields, ranges, strict=True)]
         yield f"static const attack_field {name}_fields[] = {{ {', '.join(rows)} }};"
-        told = f"{size}, {name}_low, {name}_high, {name}_fields, {len(fields)}"
+        where = f"{size}, {name}_low, {name}_high, {name}_fields, {len(fields)}"
         yield f"static {prefix}_{name} given_{name};"
-        yield f"static const attack_struct box_{name} = {{ (bs_real *)&given_{name}, {told} }};"
+        yield f"static const attack_struct box_{name} = {{ (bs_real *)&given_{name}, {where} }};"
         if name in carried:
-            at.append(f"{{ (bs_real *)&filter.{name}, {told} }}")
+            at.append(f"{{ (bs_real *)&filter.{name}, {where} }}")
     yield "static attack_filter filter;"
     yield f"static const attack_struct carried[] = {{ {', '.join(at) or '{ NULL, 0, NULL, NULL, NULL, 0 }'} }};"
 

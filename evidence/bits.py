@@ -88,11 +88,11 @@ def bits(folder: Folder, out: Path, samples: int = SAMPLES) -> dict[str, dict[st
         if precision == "double":
             flights["Python"] = in_python(samples)
         first = next(iter(flights.values()))
-        found |= {name: told(flight, first) for name, flight in flights.items()}
+        found |= {name: compared(flight, first) for name, flight in flights.items()}
     return found
 
 
-def told(flight: Flown, first: Flown) -> dict[str, Any]:
+def compared(flight: Flown, first: Flown) -> dict[str, Any]:
     """A flight as it is kept."""
     return {
         "sha256": flight.digests[-1],

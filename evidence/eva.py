@@ -59,10 +59,10 @@ def of_unit(unit: Source, made: Unit, out: Path) -> dict[str, Any]:
     source.write_text(driver(unit, assumed))
     # with the library's functions named, which eva.h replaces, and none of ours
     include = f"-DBORESIGHT_LIBM -I{unit.folder.include} -I{unit.path.parent} -I{HARNESS}"
-    said = run(["frama-c", *OPTIONS, f"-cpp-extra-args={include}", source])
-    (alarms,) = ALARMS.findall(said) or ["-1"]
+    printed = run(["frama-c", *OPTIONS, f"-cpp-extra-args={include}", source])
+    (alarms,) = ALARMS.findall(printed) or ["-1"]
     kinds: dict[str, int] = {}
-    for _, text in ALARM.findall(said):
+    for _, text in ALARM.findall(printed):
         kind = " ".join(text.split(". ")[0].split()[:4])
         kinds[kind] = kinds.get(kind, 0) + 1
     return {"alarms": int(alarms), "kinds": kinds, "assumed": assumed}

@@ -31,7 +31,7 @@ def rate_of(x):
     return np.stack([rate, -9.81 / LENGTH * np.sin(angle) - DAMPING * rate], axis=-1)
 
 
-def moved(x, dt, rng):
+def next_state(x, dt, rng):
     """The truth one step of the filter later: midpoint rule in short steps, each with its share of the noise."""
     h = dt / FINE
     for _ in range(FINE):
@@ -48,7 +48,7 @@ def fly(library, runs=RUNS, seed=0):
     judged = Consistency(SHOWN)
 
     for k in range(1, round(SECONDS / DT) + 1):
-        truth = moved(truth, DT, rng)
+        truth = next_state(truth, DT, rng)
         loop.predict(rod=[LENGTH, DAMPING], dt=DT, torque=JITTER)
         if k % EVERY == 0:
             z = rotation.wrapped(truth[:, :1] + ENCODER * rng.standard_normal((runs, 1)))

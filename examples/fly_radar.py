@@ -34,7 +34,7 @@ SHOWN = {
 }
 
 
-def moved(x, rng):
+def next_state(x, rng):
     """The truth one step of the filter later: midpoint rule in short steps, each with its share of the noise."""
     h = DT / FINE
     density = np.array([0, 0, *NOISE["agility"], NOISE["turn_noise"]])
@@ -58,7 +58,7 @@ def fly(library, runs=RUNS, seed=0):
     judged = Consistency(SHOWN)
 
     for k in range(1, round(SECONDS / DT) + 1):
-        truth = moved(truth, rng)
+        truth = next_state(truth, rng)
         loop.predict(dt=DT, **NOISE)
 
         north, east = truth[:, 0], truth[:, 1]

@@ -65,8 +65,8 @@ class Store:
         if isinstance(ours, dict) and isinstance(theirs, dict):
             inner = next(key for key in {**ours, **theirs} if ours.get(key) != theirs.get(key))
             name, ours, theirs = f"{name}, {inner}", ours.get(inner), theirs.get(inner)
-        said = f": {theirs!s:.40} there, {ours!s:.40} here"
-        raise BoresightError(f"{folder} holds runs of another {name}{said}; choose another folder")
+        differs = f": {theirs!s:.40} there, {ours!s:.40} here"
+        raise BoresightError(f"{folder} holds runs of another {name}{differs}; choose another folder")
 
     def _found(self, path: Path) -> None:
         number = path.stem.removeprefix("block-")
@@ -94,8 +94,8 @@ class Store:
             if (number < 0).any() or (number >= BLOCK).any():  # NumPy would count a negative one from the end
                 raise ValueError("it holds runs of another block")
             rows[number], there[number] = values, True
-            said = (table.schema.metadata or {}).get(SUM)  # which an older file has not
-            if said is not None and said != checksum(rows, there):
+            differs = (table.schema.metadata or {}).get(SUM)  # which an older file has not
+            if differs is not None and differs != checksum(rows, there):
                 raise ValueError("its numbers are not those that were written")
         # of a damaged file pyarrow raises plain OSError as well
         except (OSError, LookupError, TypeError, ValueError, pyarrow.ArrowException) as error:

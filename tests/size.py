@@ -1,4 +1,4 @@
-"""Statements of the syntax tree by room: `python tests/size.py`, or of another checkout `python tests/size.py FOLDER`."""
+"""Statements of the syntax tree by room: `python tests/size.py`, or `python tests/size.py FOLDER` of another."""
 
 import ast
 import sys

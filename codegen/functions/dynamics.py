@@ -270,7 +270,7 @@ def total_state(maker: UnitMaker) -> Iterator[Unit]:
     def slopes(values: Values, state: Sequence[Any]) -> Rows:
         return by_rows(F_exact({**values, "x": state})[0], n)
 
-    def moved(state: Sequence[Any], weight: Any, by: Sequence[Any]) -> list[Any]:
+    def displaced(state: Sequence[Any], weight: Any, by: Sequence[Any]) -> list[Any]:
         return [arb(a) + weight * b for a, b in zip(state, by, strict=True)]
 
     def stages(values: Values) -> tuple[list[list[Any]], list[list[Any]]]:
@@ -278,7 +278,7 @@ def total_state(maker: UnitMaker) -> Iterator[Unit]:
         h, x = dt_exact(values), start(values)
         states, rates = [x], [rate(values, x)]
         for share in (h / 2, h / 2, h):
-            states.append(moved(x, share, rates[-1]))
+            states.append(displaced(x, share, rates[-1]))
             rates.append(rate(values, states[-1]))
         return states, rates
 
@@ -288,7 +288,7 @@ def total_state(maker: UnitMaker) -> Iterator[Unit]:
     def end(values: Values) -> list[Any]:
         h, (states, rates) = dt_exact(values), stages(values)
         total = [a + 2 * b + 2 * c + d for a, b, c, d in zip(*rates, strict=True)]
-        return moved(states[0], h / 6, total)
+        return displaced(states[0], h / 6, total)
 
     def next_exact(values: Values) -> list[Entries]:
         with precise():
@@ -308,8 +308,8 @@ def total_state(maker: UnitMaker) -> Iterator[Unit]:
     def Q_exact(values: Values) -> list[Entries]:
         with precise():
             h, x = dt_exact(values), start(values)
-            node = moved(x, h / 3, rate(values, moved(x, h / 6, rate(values, x))))
-            middle = slopes(values, moved(node, h / 3, rate(values, node)))
+            node = displaced(x, h / 3, rate(values, displaced(x, h / 6, rate(values, x))))
+            middle = slopes(values, displaced(node, h / 3, rate(values, node)))
             inner = by_rows(weighted((1, identity(n)), (h / 3, slopes(values, node))), n)
             B = by_rows(weighted((1, identity(n)), (2 * h / 3, times(middle, inner))), n)
             terms = []

@@ -33,7 +33,7 @@ def scaled(operation: Callable[..., Any], share: float, *operands: Any) -> Any:
     return share * operation(*operands)
 
 
-def moved(operation: Callable[..., Any], share: float, i: int, *operands: Any) -> Any:
+def altered(operation: Callable[..., Any], share: float, i: int, *operands: Any) -> Any:
     """With a share of operand i."""
     return operation(*(x * share if j == i else x for j, x in enumerate(operands)))
 
@@ -52,13 +52,13 @@ def mutants(program: Tape) -> list[Mutant]:
         for share in (1 - OFF, 1 + OFF):
             changed += [partial(scaled, plain, share)] if step.op in SCALED else []
             constants = (i for i, arg in enumerate(step.args) if program.steps[arg].op == "const")
-            changed += [partial(moved, plain, share, i) for i in constants]
+            changed += [partial(altered, plain, share, i) for i in constants]
         made += [(k, change) for change in changed]
     return made
 
 
 @np.errstate(all="ignore")
-def told(
+def distinguished(
     program: Tape, tried: list[Mutant], points: list[np.ndarray], granted: list[np.ndarray], turning: list[bool]
 ) -> np.ndarray:
     """(mutants, points) whether the point tells the mutant from the list.
@@ -112,7 +112,9 @@ def telling(
     left, count = mutants(program), len(points[0])
     for start, stop in ((0, 1), (1, LEAST), (LEAST, count)):
         some = slice(start, stop)
-        found = told(program, left, [part[some] for part in points], [limit[some] for limit in granted], turning)
+        found = distinguished(
+            program, left, [part[some] for part in points], [limit[some] for limit in granted], turning
+        )
         if stop < count:
             left = [mutant for mutant, row in zip(left, found, strict=True) if not row.any()]
     needs = needs[~needs[:, :LEAST].any(axis=1), LEAST:]

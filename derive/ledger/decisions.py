@@ -198,7 +198,7 @@ def _written(expression) -> str:
 
 def _meaning(paper: Paper, equation: Equation, meaning: Meaning) -> Iterator[str]:
     sense, *others = meaning.senses
-    source = f"{meaning.said} says it" if meaning.said else "the paper leaves it open"
+    source = f"{meaning.stated_in} says it" if meaning.stated_in else "the paper leaves it open"
     if len(others) > 1:
         yield f"It is taken that {sense[0]} ({source}); {len(others)} other meanings are tried."
     else:

@@ -166,7 +166,7 @@ class Meaning:
     """
 
     senses: tuple[tuple[str, tuple[tuple[str, str], ...]], ...]
-    said: str = ""
+    stated_in: str = ""
 
 
 @dataclass(frozen=True)

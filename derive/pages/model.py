@@ -565,20 +565,20 @@ def _flown(shown: Description, units: Mapping[str, Any]) -> Section:
     f, F, spread = (Letter(name) for name in ("f", "F", "Q_c"))
     I, half, third, sixth, quarter = identity(model.n), Rational(1, 2), Rational(1, 3), Rational(1, 6), Rational(1, 4)
 
-    def moved(start: Any, share: Any, by: Any) -> Any:
+    def displaced(start: Any, share: Any, by: Any) -> Any:
         return total(start, product(share, dt, by))
 
     ends = product(sixth, dt, total(k[0], product(Integer(2), k[1]), product(Integer(2), k[2]), k[3]))
     steps = (
         form(k[0], f(x)),
-        form(k[1], f(moved(x, half, k[0]))),
-        form(k[2], f(moved(x, half, k[1]))),
+        form(k[1], f(displaced(x, half, k[0]))),
+        form(k[2], f(displaced(x, half, k[1]))),
         form(k[3], f(total(x, product(dt, k[2])))),
         form(x_next, total(x, ends)),
     )
-    onward = product(Rational(2, 3), dt, F(moved(x_m, third, f(x_m))), total(I, product(third, dt, F(x_m))))
+    onward = product(Rational(2, 3), dt, F(displaced(x_m, third, f(x_m))), total(I, product(third, dt, F(x_m))))
     noise = (
-        form(x_m, moved(x, third, f(moved(x, sixth, k[0])))),
+        form(x_m, displaced(x, third, f(displaced(x, sixth, k[0])))),
         form(B, total(I, onward)),
         form(
             Q_,

@@ -70,10 +70,10 @@ def documented(name: str, value: Any, level: str) -> str:
     """Heading, docstring and ledger rows of one function."""
     text = inspect.cleandoc(value.__doc__ or "")
     rows = ROW.search(text)
-    said = prose(ROW.sub("", text).strip())
+    described = prose(ROW.sub("", text).strip())
     if rows:
-        said += "\n\nDerived in " + " and ".join(f"`{row}`" for row in rows[1].split(", ")) + "."
-    return f"{level} `{signature(name, value)}`\n\n{said}\n"
+        described += "\n\nDerived in " + " and ".join(f"`{row}`" for row in rows[1].split(", ")) + "."
+    return f"{level} `{signature(name, value)}`\n\n{described}\n"
 
 
 def page() -> str:

@@ -117,8 +117,8 @@ def main() -> int:
         listed = of_unit(source, made(folder.manifest["model"])[source.described["name"]], options.seconds, known)
         entry = {"list": source.described["hash"], "tool": tool, "outputs": listed}
         kept.write(folder, {**kept.read(folder), source.name: entry})
-        said = kept.outputs(entry)
-        shares = f"{sum(o.bounded for o in said)} of {len(said)} bounded, {sum(o.tight for o in said)} tight"
+        outputs = kept.outputs(entry)
+        shares = f"{sum(o.bounded for o in outputs)} of {len(outputs)} bounded, {sum(o.tight for o in outputs)} tight"
         print(f"{source.name}: {shares}, {time.monotonic() - start:.0f} s", flush=True)
     if options.coq:
         check_by_coq([(folder, source) for operations, folder, source in work if operations <= coq.LARGEST])

@@ -48,8 +48,8 @@ ASSUMED = re.compile(r"^([\w.]+)\s*:", re.MULTILINE)
 def version() -> str:
     if MISSING:
         return MISSING
-    said = subprocess.run(["coqc", "--version"], capture_output=True, text=True).stdout
-    return said.splitlines()[0].strip()
+    printed = subprocess.run(["coqc", "--version"], capture_output=True, text=True).stdout
+    return printed.splitlines()[0].strip()
 
 
 def proof(tape: Tape, position: int, args: tuple[Variable, ...], claimed: float) -> str:

@@ -75,8 +75,8 @@ def written(tape: Tape, position: int, args: tuple[Variable, ...], seconds: floa
 def ask(made: Script, expressions: list[str], seconds: float) -> list[Range]:
     """What Gappa encloses each expression in."""
     asked = " /\\ ".join(f"{expression} in ?" for expression in expressions)
-    said = gappa(made.question(asked), seconds).stderr
-    found = [(number(low), number(high)) for low, high in ENCLOSED.findall(said)]
+    printed = gappa(made.question(asked), seconds).stderr
+    found = [(number(low), number(high)) for low, high in ENCLOSED.findall(printed)]
     if len(found) != len(expressions) or not all(isfinite(v) for pair in found for v in pair):
         raise Unproved("Gappa finds none: as far as it can tell a divisor or the operand of a root may vanish")
     return found

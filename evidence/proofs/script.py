@@ -89,7 +89,7 @@ def literal(made: Script, k: int, constant: float) -> None:
 
 
 def operation(made: Script, k: int, step: Step) -> None:
-    def said(which: int) -> str:
+    def line(which: int) -> str:
         names = [made.pairs[a][which] for a in step.args]
         if step.op in ROUNDED:
             return f"{names[0]} {ROUNDED[step.op]} {names[1]}"
@@ -102,7 +102,7 @@ def operation(made: Script, k: int, step: Step) -> None:
             "fabs": f"|{names[0]}|",
         }[step.op]
 
-    computed, exact = said(0), said(1)
+    computed, exact = line(0), line(1)
     made.lines.append(f"e{k} = {exact};")
     if step.op in ("neg", "twice", "fabs") and computed == exact:  # rounds nothing
         made.pairs[k] = (f"e{k}", f"e{k}")
@@ -121,9 +121,9 @@ def quotient(made: Script, step: Step) -> None:
     (a, c), (b, d) = (made.pairs[k] for k in step.args)
     first = f"({a} - {c}) / {b}" if a != c else ""
     second = f"({c} / {b}) * (({b} - {d}) / {d})" if b != d else ""
-    said = f"{first} - {second}" if first and second else first or f"-({second})"
+    line = f"{first} - {second}" if first and second else first or f"-({second})"
     needs = f"{b} <> 0, {d} <> 0" if b != d else f"{b} <> 0"
-    made.rewritten.append(f"{a} / {b} - {c} / {d} -> {said} {{ {needs} }};")
+    made.rewritten.append(f"{a} / {b} - {c} / {d} -> {line} {{ {needs} }};")
 
 
 def turned(made: Script, k: int, step: Step, argument: Range, error: float) -> None:

@@ -107,12 +107,12 @@ class Flight:
         a_n = (late - early) / (2 * HALF * s.dt)
         inputs = {**self.then(k), "position": message[1:4], "a_n": a_n, "lag": age - ticks * s.dt}
         used = {}
-        for name, sigma, said in (
+        for name, sigma, given in (
             ("velocity", s.velocity_sigma, {"v_m_n": message[4:7]}),
             ("dcm", s.attitude_sigma, {"q_m2n_wxyz": message[7:11]}),
         ):
             try:
-                used[name] = loop.update(name, np.full(3, sigma**2), gate=GATE, **inputs, **said).used
+                used[name] = loop.update(name, np.full(3, sigma**2), gate=GATE, **inputs, **given).used
             except BoresightError as error:
                 print(f"{self.now * s.dt:8.4f}: {error}")
         loop.feedback()
@@ -152,5 +152,5 @@ def fly(path: Path) -> np.ndarray:
 if __name__ == "__main__":
     if len(sys.argv) != 2:
         sys.exit("usage: python flight.py FILE")
-    for second, *said in fly(Path(sys.argv[1])):
-        print(LINE.format(int(second), *said))
+    for second, *given in fly(Path(sys.argv[1])):
+        print(LINE.format(int(second), *given))

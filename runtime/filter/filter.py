@@ -451,7 +451,7 @@ class Filter:
         """The result of the first linearisation, linearised again about itself; each run ends by itself."""
         used = innovation.used
 
-        def moved(by: Array, P: Array, H: Array) -> Array:
+        def corrected(by: Array, P: Array, H: Array) -> Array:
             """(...,) by how many sigmas a state or a row moved at most."""
             variance = np.einsum("...ii->...i", P)
             states = np.where(variance > 0, by**2 / np.where(variance > 0, variance, 1.0), 0.0)
@@ -460,7 +460,7 @@ class Filter:
 
         first: tuple[Array, ...] = (x, P, innovation.nu, innovation.S)
         last = first
-        before = moved(x - self.x, P, H)
+        before = corrected(x - self.x, P, H)
         going = before > STILL
         for _ in range(iterations):
             inside = self._inside(last[0])
@@ -470,7 +470,7 @@ class Filter:
             at = np.where(going[..., None], last[0], self.x)  # a run that has ended stays where there is an answer
             target, H = linear(at)
             x, P, innovation = self._rows(target, H, R, used, None, kept)
-            step = moved(x - at, P, H)
+            step = corrected(x - at, P, H)
             diverges = ~(step <= np.maximum(before, 1.0))
             last = chosen(going, (x, P, innovation.nu, innovation.S), last)
             last = chosen(going & diverges, first, last)

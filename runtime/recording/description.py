@@ -162,21 +162,21 @@ def keys(place: list[str]) -> list[str]:
     return [field.alias or name for name, field in part.model_fields.items()]
 
 
-def shared(said: Description) -> str:
+def shared(described: Description) -> str:
     """What is wrong where a column is named for two quantities, or twice for one; "" where nothing is."""
     taken: dict[tuple[str | None, str], str] = {}
-    for section, part in (("imu", said.imu), ("master", said.master)):
+    for section, part in (("imu", described.imu), ("master", described.master)):
         for name, quantity in part or ():
             if not isinstance(quantity, Column):
                 continue
             what = f"{section}.{name}"
             for column in [quantity.columns] if isinstance(quantity.columns, str) else quantity.columns:
-                before = taken.setdefault(((part and part.file) or said.file, column), "")
+                before = taken.setdefault(((part and part.file) or described.file, column), "")
                 if before == what:
                     return f"{what}: column {column!r} is named twice; name one for each component"
                 if before and not (before.endswith(".time") and name == "time"):  # one clock may serve both
                     return f"column {column!r} is named for {before} and {what}; each has columns of its own"
-                taken[(part and part.file) or said.file, column] = what
+                taken[(part and part.file) or described.file, column] = what
     return ""
 
 

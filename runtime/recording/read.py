@@ -67,16 +67,16 @@ def read(
     found = find(path)
     tables: dict[Path, dict[str, Array]] = {}
     if found.suffix == ".toml":
-        said = description.load(found)
-        default = _beside(found, said.file) if said.file else None
+        described = description.load(found)
+        default = _beside(found, described.file) if described.file else None
     elif found.with_suffix(".toml").is_file():
-        said, default = description.load(found.with_suffix(".toml")), found
+        described, default = description.load(found.with_suffix(".toml")), found
     else:
         columns = table(found)
-        said, default = _built_in(found, columns), found
+        described, default = _built_in(found, columns), found
         tables[found] = columns
 
-    if wrong_columns := description.shared(said):
+    if wrong_columns := description.shared(described):
         raise BoresightError(f"{found}: {wrong_columns}")
 
     def source(section: Any) -> _Source:
@@ -86,45 +86,50 @@ def read(
         if file is None:
             raise BoresightError(f'{found}: no data file is named; add file = "NAME" at the top or in each section')
         if file not in tables:
-            tables[file] = table(file, delimiter=said.delimiter, decimal=said.decimal, header=said.header)
+            tables[file] = table(
+                file, delimiter=described.delimiter, decimal=described.decimal, header=described.header
+            )
         return _Source(file, tables[file])
 
-    at = source(said.imu)
-    since = at.epoch("imu.time", said.imu.time)
+    at = source(described.imu)
+    since = at.epoch("imu.time", described.imu.time)
     notes = [f"times count from {times.shown(since)}, if the file's count from 1970"] if since else []
-    imu = _imu(said, at, since, notes)
-    master = _master(said, source(said.master), since, notes) if said.master else None
+    imu = _imu(described, at, since, notes)
+    master = _master(described, source(described.master), since, notes) if described.master else None
     span = [
         times.instant(value, since, f"{found}: {key}") if value is not None else None
-        for key, value in (("from", said.begin if begin is None else begin), ("to", said.end if end is None else end))
+        for key, value in (
+            ("from", described.begin if begin is None else begin),
+            ("to", described.end if end is None else end),
+        )
     ]
     if any(value is not None for value in span):
         low, high = (limit if value is None else value for limit, value in zip((-np.inf, np.inf), span, strict=True))
         imu, master = _cut(found, imu, master, low, high)
         notes.append(f"cut to {imu.time[0]:.3f} s to {imu.time[-1]:.3f} s")
-    if regular or said.imu.clock == "regular":
+    if regular or described.imu.clock == "regular":
         imu, line = _fitted(imu)
         notes.append(line)
-    limit = said.bridge if bridge is None else bridge
+    limit = described.bridge if bridge is None else bridge
     limit = float(quantity(limit, "time")[0]) if isinstance(limit, str) else limit
     if not 0 <= limit < np.inf:
         raise BoresightError(f"{found}: bridge is {limit:g} s; it must be 0 or more")
     imu, lines = bridged(imu, limit)
     notes += lines
-    if said.calibration:
-        imu = _calibrated(said, source(said.calibration), imu, notes)
-    if said.imu.time_marks == "point":
+    if described.calibration:
+        imu = _calibrated(described, source(described.calibration), imu, notes)
+    if described.imu.time_marks == "point":
         imu = joined(imu)
         notes.append("imu: rates at instants joined to increments between them, by cubics")
     recording = Recording(
         name=found.stem,
-        title=said.title,
+        title=described.title,
         imu=imu,
         master=master,
-        reference=_reference(said, source(said.reference)) if said.reference else {},
+        reference=_reference(described, source(described.reference)) if described.reference else {},
         epoch=since,
         notes=tuple(notes),
-        allow=(*said.allow, *allow),
+        allow=(*described.allow, *allow),
     )
     if strict:
         wrong = [finding for finding in check(recording) if finding.level == "error"]
@@ -145,9 +150,9 @@ def template(path: str | None = None) -> str:
     found = find(path)
     columns = table(found)
     maps = [file for file in sorted(BUILT_IN.glob("*.toml")) if kind_of(found) in description.load(file).serves]
-    said = (maps[0] if maps else BUILT_IN / "template.toml").read_text(encoding="utf-8")
+    described = (maps[0] if maps else BUILT_IN / "template.toml").read_text(encoding="utf-8")
     held = [f"#   {name} {'x'.join(map(str, values.shape))}" for name, values in columns.items()]
-    lines = [line for line in said.splitlines() if not line.startswith(("serves", "file"))]
+    lines = [line for line in described.splitlines() if not line.startswith(("serves", "file"))]
     named = [f'file = "{found.name}"', ""]
     at = next(i for i, line in enumerate(lines) if line.startswith("["))
     return "\n".join([*lines[:at], *named, *lines[at:], "", f"# What {found.name} holds:", *held, ""])
@@ -165,13 +170,13 @@ def _built_in(path: Path, columns: dict[str, Array]) -> "Description":
 
     lacking: list[str] = []
     for candidate in sorted(BUILT_IN.glob("*.toml")):
-        said = description.load(candidate)
-        if columns and set(said.recognised_by) == set(columns):
-            return said
-        if kind_of(path) in said.serves:
-            lacking = [name for name in description.named(said) if name not in columns]
+        described = description.load(candidate)
+        if columns and set(described.recognised_by) == set(columns):
+            return described
+        if kind_of(path) in described.serves:
+            lacking = [name for name in description.named(described) if name not in columns]
             if not lacking:
-                return said
+                return described
     toml = path.with_suffix(".toml").name
     lacks = f"it lacks {lacking[0]}" if lacking else "its columns are not described"
     raise BoresightError(
@@ -291,8 +296,8 @@ class _Source:
         if values is None or values.shape != shape:
             found = "no such array of numbers" if values is None else f"shape {values.shape}"
             wanted = "3 numbers" if shape == (3,) else "3 rows of 3 numbers"
-            told = repr(known.columns) if known.columns is not None else "values"
-            raise BoresightError(f"{self.path}: {what} needs {wanted}; {told}: {found}")
+            listed = repr(known.columns) if known.columns is not None else "values"
+            raise BoresightError(f"{self.path}: {what} needs {wanted}; {listed}: {found}")
         if not np.isfinite(values).all():
             raise BoresightError(f"{self.path}: {what} is not finite: {values.tolist()}")
         return values * factor
@@ -318,8 +323,8 @@ def _advice(values: Array) -> str:
 # ---------------------------------------------------------------- sections
 
 
-def _imu(said: "Description", at: _Source, since: int, notes: list[str]) -> Inertial:
-    part = said.imu
+def _imu(described: "Description", at: _Source, since: int, notes: list[str]) -> Inertial:
+    part = described.imu
     kinds = ("angular rate", "acceleration") if part.kind == "rates" else ("angle", "velocity")
     if part.kind == "increments" and part.time_marks == "point":
         raise BoresightError(f"{at.path}: imu.time_marks: an increment has no instant; use start, middle or end")
@@ -367,8 +372,8 @@ def _near(own: Array, time: Array) -> Array:
     return near
 
 
-def _master(said: "Description", at: _Source, since: int, notes: list[str]) -> Master:
-    part = said.master
+def _master(described: "Description", at: _Source, since: int, notes: list[str]) -> Master:
+    part = described.master
     assert part is not None
     to_ned = _framed(at, "master.navigation", frames.navigation_to_ned, part.navigation)
     to_frd = _framed(at, "master.body", frames.body_to_frd, part.body)
@@ -522,16 +527,16 @@ def _fitted(imu: Inertial) -> tuple[Inertial, str]:
     return replace(imu, time=line.time), text + f"{line.jitter_s * 1e3:.3f} ms"
 
 
-def _calibrated(said: "Description", at: _Source, imu: Inertial, notes: list[str]) -> Inertial:
+def _calibrated(described: "Description", at: _Source, imu: Inertial, notes: list[str]) -> Inertial:
     """true = matrix @ ((delivered - bias) / (1 + scale)), in the body axes of the file."""
-    assert said.calibration is not None
-    to_frd = frames.body_to_frd(said.imu.body)
+    assert described.calibration is not None
+    to_frd = frames.body_to_frd(described.imu.body)
     done: list[str] = []
     known: dict[str, Array] = {}
     for sensor, kind in (("gyro", "angular rate"), ("accel", "acceleration")):
         matrix, bias = np.eye(3), np.zeros(3)
         for name, what, shape in (("matrix", "matrix", (3, 3)), ("scale", "scale factor", (3,)), ("bias", kind, (3,))):
-            given = getattr(said.calibration, f"{sensor}_{name}")
+            given = getattr(described.calibration, f"{sensor}_{name}")
             if given is None:
                 continue
             value = at.known(f"calibration.{sensor}_{name}", given, what, shape)
@@ -552,12 +557,12 @@ def _calibrated(said: "Description", at: _Source, imu: Inertial, notes: list[str
     return replace(imu, gyro=gyro, accel=accel)
 
 
-def _reference(said: "Description", at: _Source) -> dict[str, Array]:
-    to_frd = frames.body_to_frd(said.imu.body)
+def _reference(described: "Description", at: _Source) -> dict[str, Array]:
+    to_frd = frames.body_to_frd(described.imu.body)
     kinds = {
         "gyro_bias": "angular rate", "accel_bias": "acceleration", "misalignment": "angle", "lever_arm": "length"
     }  # fmt: skip
-    given = {name: getattr(said.reference, name) for name in kinds}
+    given = {name: getattr(described.reference, name) for name in kinds}
     return {
         name: to_frd @ at.known(f"reference.{name}", known, kinds[name])
         for name, known in given.items()

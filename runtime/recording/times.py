@@ -57,17 +57,17 @@ def shown(since: int) -> str:
     return datetime.fromtimestamp(since, UTC).isoformat().replace("+00:00", "Z")
 
 
-def instant(said: float | str | datetime, since: int, what: str) -> float:
+def instant(given: float | str | datetime, since: int, what: str) -> float:
     """s, an instant that a person names: "12.5 s" as tables show it, or a date or UNIX time as the file has it."""
-    told = said
-    if isinstance(said, str):
-        said = _read(said.strip(), what)
-    if isinstance(said, datetime):
+    original = given
+    if isinstance(given, str):
+        given = _read(given.strip(), what)
+    if isinstance(given, datetime):
         if not since:
             raise BoresightError(f"{what} is a date and the recording's times are not; give it in s")
-        said = (said if said.tzinfo else said.replace(tzinfo=UTC)).timestamp()
-    if not np.isfinite(value := float(said)):
-        raise BoresightError(f"{what} is {told!r}, not finite")
+        given = (given if given.tzinfo else given.replace(tzinfo=UTC)).timestamp()
+    if not np.isfinite(value := float(given)):
+        raise BoresightError(f"{what} is {original!r}, not finite")
     # Dates were counted anew from the epoch; what is as large as a date is one.
     return value - (since if abs(value) >= DATE else 0)
 

@@ -86,11 +86,11 @@ def increments(step: Unit, position: Array, v_n: Array, q_b2n_wxyz: Array, dt: f
             )  # fmt: skip
             # C_made = exp(-[e x]) C_wanted: the body has to turn by e more, here in its own axes
             turn = rotated(to_body[now], attitude_error(made["q_b2n_wxyz"], q[then]))
-            push = rotated(to_body[now], v_n[then] - made["v_n"])
+            dv_step = rotated(to_body[now], v_n[then] - made["v_n"])
             dtheta[then] += turn
-            dv[then] += push
+            dv[then] += dv_step
             np.subtract(made["position"], p[now], out=gone[then])
-            away = max(away, np.abs(turn).max(), np.abs(push).max() / fastest)
+            away = max(away, np.abs(turn).max(), np.abs(dv_step).max() / fastest)
         # one position after the other, as the integrator adds them up
         moved = np.cumsum(gone, axis=0)
         away, p = max(away, np.abs(moved - p).max() * 1e-3), moved

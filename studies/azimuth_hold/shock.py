@@ -174,10 +174,10 @@ def run(scenario: Disturbed, progress: Progress = silent, models: Models | None 
             np.concatenate([past, np.moveaxis(raw / dt, 0, -2)], -2)
             for past, raw in zip(tail, (raw_dtheta, raw_dv), strict=True)
         ]
-        said = detector.evaluate(settings, seen[0], seen[1], dll=dll)
+        detected = detector.evaluate(settings, seen[0], seen[1], dll=dll)
         tail = [one[..., -(WINDOW - 1) :, :] for one in seen]
-        full = said.status == Status.OK
-        moving = (full & ~said.rest_by(*SAYS_MOTION)).any(-1)
+        full = detected.status == Status.OK
+        moving = (full & ~detected.rest_by(*SAYS_MOTION)).any(-1)
         quiet = np.where(moving, 0, quiet + 1)
         rest = (quiet > WAIT_S)[None] | ~has_detector
 

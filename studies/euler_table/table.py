@@ -282,7 +282,7 @@ def fly(model: Any, scenario: Scenario, seconds: float, *, runs: int, seed: int,
         return now
 
     def lose(sample: int) -> None:
-        lost[outside(loop)] = True
+        lost[out_of_box(loop)] = True
         if lost.any():  # a lost run waits at rest on the truth, so that the others can go on
             loop.nav["q_b2n_wxyz"][lost] = rotation.turned(q_m[sample][:, None], mu)[lost]
             loop.nav["mu"][lost], loop.x[lost], loop.P[lost] = 0.0, 0.0, P0[lost]
@@ -309,7 +309,7 @@ def fly(model: Any, scenario: Scenario, seconds: float, *, runs: int, seed: int,
     return Flight(np.array(error), np.array(sigma), nees(full, loop.P), np.array(nis), lost)
 
 
-def outside(loop: Filter) -> Array:
+def out_of_box(loop: Filter) -> Array:
     """(...,) bool: runs whose estimate is not finite or has left the model's box (0.5 rad; a pitch of 80 degrees)."""
     angles = np.concatenate([loop.nav["mu"], loop.x], axis=-1)
     finite = np.isfinite(angles).all(-1) & np.isfinite(loop.P).all((-1, -2))

@@ -95,13 +95,13 @@ def run(scenario: Asked, progress: Progress = silent) -> Result:
     ]
     zero, zaru = [], []
     zupt, reference = MODES.index("zupt"), MODES.index("reference")
-    for told in ZERO_SIGMAS_M_S:
-        progress(f"zero velocity to {told:g} m/s")
-        one = replace(scenario, zupt_sigma_m_s=told)
+    for sigma in ZERO_SIGMAS_M_S:
+        progress(f"zero velocity to {sigma:g} m/s")
+        one = replace(scenario, zupt_sigma_m_s=sigma)
         held = hold(models, one, alignment.align(models, one, runs=runs, seed=seed), seconds)
         zero.append(
             {
-                "zupt_sigma_m_s": told,
+                "zupt_sigma_m_s": sigma,
                 "nis": float(held.nis_zupt[seconds // 2 :, zupt].mean()),
                 "level_error_arcmin": float(root_mean_square(held.phi[-1, zupt, :, :2].ravel()) / ARCMIN),
                 "level_sigma_arcmin": float(root_mean_square(held.sigma[-1, zupt, :, :2].ravel()) / ARCMIN),

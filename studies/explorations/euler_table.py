@@ -276,7 +276,7 @@ def report(result: Result) -> str:
     lines = ["Cells out of 147; largest ratio of the paper's estimated, smallest of the others"]
     for part in (part for part in TITLES if part in result):
         rows = [
-            (row["name"], *(row[way][key] for way in ("linear", "monte_carlo") for key in SUMMARY), row["lost_runs"])
+            (row["name"], *(row[kind][key] for kind in ("linear", "monte_carlo") for key in SUMMARY), row["lost_runs"])
             for row in result[part]
         ]
         head = (TITLES[part], "(a)", "O <=", "X >=", "(b)", "O <=", "X >=", "lost")

@@ -426,7 +426,7 @@ def claims(result: Result) -> list[Claim]:
     product = [row["velocity_change_m_s"] * row["heading_mil"]
                for kind in ("turns", "surges") for row in result["manoeuvres"][kind]]  # fmt: skip
     level = {row["way"]: row for row in result["matchings"] if row["place"] == "level"}
-    whole = [level[way]["nees"] for way in ("DCM", "quaternion", "Euler angles")]
+    whole = [level[form]["nees"] for form in ("DCM", "quaternion", "Euler angles")]
     bank = result["starts"]["bank"]
     low, high = bank["nees_band"]
     return [
@@ -505,10 +505,10 @@ def heading_figure(manoeuvre: dict[str, Any], start: dict[str, Any], sheets: She
         axes[0].minorticks_off()
         axes[0].legend()
         axes[0].set_title("one manoeuvre in a calm", loc="left")
-        for way, color, marker in (("dcm", BLUE, "o"), ("quaternion", ORANGE, "s")):
-            rows = [row for row in start["single"] if row["way"] == way]
+        for form, color, marker in (("dcm", BLUE, "o"), ("quaternion", ORANGE, "s")):
+            rows = [row for row in start["single"] if row["way"] == form]
             axes[1].loglog([row["unknown_deg"] for row in rows], [row["nees"] for row in rows], color=color,
-                           marker=marker, markersize=4, label=f"one filter, {way.replace('dcm', 'DCM')}")  # fmt: skip
+                           marker=marker, markersize=4, label=f"one filter, {form.replace('dcm', 'DCM')}")  # fmt: skip
         axes[1].axhline(start["bank"]["nees"], color="0.25", linestyle=(0, (5, 2)),
                         label=f"likeliest of {start['bank']['filters']}, any heading")  # fmt: skip
         axes[1].axhspan(*start["bank"]["nees_band"], color="0.85", linewidth=0, label="95 % band")

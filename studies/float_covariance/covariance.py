@@ -248,8 +248,8 @@ def compare(
     rows = []
     for precision, form, rate_hz in wanted:
         flown = fly(precision, form, start, kind, rate_hz, noise)
-        told = {"start": start.name, "motion": kind, "form": form, "precision": precision, "rate_hz": rate_hz}
-        row = told | judge(flown, reference, form)
+        labels = {"start": start.name, "motion": kind, "form": form, "precision": precision, "rate_hz": rate_hz}
+        row = labels | judge(flown, reference, form)
         if keep:
             at = np.unique(np.geomspace(1, len(flown.P), 200).round().astype(int)) - 1
             row["history"] = {
@@ -285,10 +285,10 @@ def estimates(start: Start, form: str, seed: int, runs: int) -> dict[str, Any]:
         worst = np.nan_to_num(np.abs(single.left - double.left) / sigma, nan=np.inf).max(axis=1)
         apart.append((worst[:early].max(), worst[early:].max(initial=0.0)))
         weighed.append([nees(left, double.P).mean() for left in (double.left, single.left)])
-    told = {"start": start.name, "form": form, "runs": runs}
+    labels = {"start": start.name, "form": form, "runs": runs}
     (first, later), (double_nees, float_nees) = np.max(apart, axis=0), np.mean(weighed, axis=0)
     found = {"first_10_s": first, "later": later, "nees_double": double_nees, "nees_float": float_nees}
-    return told | {name: float(value) if value < 1e6 else None for name, value in found.items()}
+    return labels | {name: float(value) if value < 1e6 else None for name, value in found.items()}
 
 
 def navigations(start: Start, seed: int) -> list[dict[str, Any]]:
@@ -471,7 +471,7 @@ def histories(result: Result, starts: tuple[str, ...], name: str, sheets: Sheets
     """Smallest eigenvalue of the correlations, and below the worst deviation of a sigma; a column a start."""
     from matplotlib.lines import Line2D
 
-    told = {start["name"]: start for start in result["starts"]}
+    labels = {start["name"]: start for start in result["starts"]}
     lived = set()
     with sheets(f"float-{name}", 9.0, 5.6, nrows=2, ncols=len(starts), sharex=True, sharey="row") as (drawing, axes):
         for (above, below), start in zip(axes.T, starts, strict=True):
@@ -489,7 +489,7 @@ def histories(result: Result, starts: tuple[str, ...], name: str, sheets: Sheets
                         y = 1 - height if ax is below else height  # towards zero, and away from double
                         ax.plot(row["dies_s"], y, "x", color=colour, transform=ax.get_xaxis_transform(), clip_on=False)
             below.axhline(0.005, color="0.3", linewidth=0.8, linestyle=(0, (1, 1.5)))
-            one = told[start]
+            one = labels[start]
             above.set_title(
                 f"{start}: {one['position_m']:g} m, {one['azimuth_deg']:g} deg, {one['gyro_bias_deg_h']:g} deg/h\n"
                 f"measured to {one['zupt_m_s'] * 1e3:g} mm/s, {one['hold_rad'] * 1e6:g} microrad",

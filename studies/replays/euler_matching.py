@@ -231,8 +231,8 @@ def _noise(name: str, given: Any) -> Array | None:
 
 def nis(w: Array) -> dict[str, Any]:
     """`consistency` of (K, 3) normalised innovations of the master's angles."""
-    said = consistency(w)
-    return {"per_angle": said.pop("per_row"), **said}
+    judged = consistency(w)
+    return {"per_angle": judged.pop("per_row"), **judged}
 
 
 def observability(leg: Leg, P: Array, q_b2n_wxyz: Array) -> dict[str, Any]:

@@ -123,7 +123,7 @@ def fly(
     R = spread[..., 6:] ** 2
     q = rotation.quaternion_from_euler(master.euler)
 
-    said = [
+    reported = [
         Message(time, R, v_m_n=v_n, q_m2n_wxyz=q, position=position)
         for time, v_n, q, position in zip(master.time, master.v_n, q, master.position, strict=True)
     ]
@@ -151,7 +151,7 @@ def fly(
         del sigmas["lever_b"]
     begin, end, dtheta, dv = imu.increments
     i = int(np.searchsorted(end, master.time[0] + HOLD_S - 1e-6 * imu.dt)) + 1
-    nav, P, past = first(said[0], model, constants, **how, estimates=estimated, matching=MATCHING,
+    nav, P, past = first(reported[0], model, constants, **how, estimates=estimated, matching=MATCHING,
                          increments=Increments(begin[:i], end[:i], dtheta[:i], dv[:i]))  # fmt: skip
     reach = HOLD_S + float(np.max(tau)) + 3 * float(np.max(delay_sigma)) + 0.1
     loop = Transfer(
@@ -169,7 +169,7 @@ def fly(
             loop.filter.P = loop.filter.P + np.diag(np.concatenate([np.repeat(imu.doubt[j] ** 2, 3), np.zeros(rest)]))
         while k < len(master.time) and end[j] >= master.time[k] + HOLD_S - 1e-6 * imu.dt:
             try:
-                result = loop.master(said[k])
+                result = loop.master(reported[k])
             except BoresightError as error:
                 advice = "the filter, or the one beside it without a delay, is driven off: take another stretch"
                 raise BoresightError(f"{recording.name}, {end[j]:.2f} s: {error}; {advice}") from None
@@ -265,8 +265,8 @@ def run(
     late = slice(len(track["nu"]) // 2, None)
     whole = track["used"][late, 0].all(-1)
     if whole.sum() < 3:
-        said = ", ".join(f"{name} {count}" for name, count in refused(track["verdict"][late, 0]).items())
-        raise BoresightError(f"{recording.name}: hardly a message of its second half was used; refused: {said}")
+        reported = ", ".join(f"{name} {count}" for name, count in refused(track["verdict"][late, 0]).items())
+        raise BoresightError(f"{recording.name}: hardly a message of its second half was used; refused: {reported}")
     scatter = np.std(np.diff(track["nu"][late, 0][whole], axis=0), axis=0) / np.sqrt(2)
     near = np.array([*noises[:2], scatter[:2].max(), scatter[2], scatter[3:5].max(), scatter[5], *noises[6:]])
     noises = np.where(free, np.clip(near, low, high), noises)
@@ -369,15 +369,15 @@ def noise_vector(given: Mapping[str, Any]) -> tuple[Array, Array]:
         raise BoresightError(f"no noise {sorted(unknown)[0]!r}; there are {', '.join(NOISES)}")
     values, free = [], []
     for name, one in NOISES.items():
-        said = given.get(name)
-        value = np.resize(np.asarray(one.first if said is None else said, float), len(one.parts))
+        reported = given.get(name)
+        value = np.resize(np.asarray(one.first if reported is None else reported, float), len(one.parts))
         value = np.where(value == 0, LEAST.get(name, 0.0), value)
         if not ((value >= one.limits[0]) & (value <= one.limits[1])).all():
             low, high = (f"{limit / UNITS[one.kind][one.unit]:.2g}" for limit in one.limits)
             shown = ", ".join(f"{v / UNITS[one.kind][one.unit]:.3g}" for v in value)
             raise BoresightError(f"{name} noise {shown} {one.unit} is out of range: {low} to {high}")
         values.append(value)
-        free += [said is None] * len(one.parts)
+        free += [reported is None] * len(one.parts)
     return np.concatenate(values), np.array(free)
 
 
@@ -430,8 +430,8 @@ def states(
                 "difference_sigmas": None if stated is None else (estimate - stated) / sigma,
                 "without_delay": bare, "without_delay_sigma": bare_sigma,
             }  # fmt: skip
-            said = {name: None if value is None else float(value) for name, value in numbers.items()}
-            out.append({"state": group.name, "axis": axis, "unit": group.unit} | said)
+            reported = {name: None if value is None else float(value) for name, value in numbers.items()}
+            out.append({"state": group.name, "axis": axis, "unit": group.unit} | reported)
     return out
 
 
@@ -472,10 +472,10 @@ def report(result: Mapping[str, Any]) -> str:
     checks = [
         ("NIS per row", "mean", "95 % band", "by quarter of the time", "largest correlation of neighbours", "bound"),
         *((
-            label, f"{said['mean']:.3f}", "[{:.3f}, {:.3f}]".format(*said["band"]),
-            " ".join("none" if value is None else f"{value:.2f}" for value in said["by_quarter"]),
-            f"{max(said['lag1'], key=abs):+.3f}", f"{said['lag1_bound']:.3f}",
-        ) for label, said in (("delay a state", nis["with"]), ("delay taken as 0", nis["without"]))),
+            label, f"{reported['mean']:.3f}", "[{:.3f}, {:.3f}]".format(*reported["band"]),
+            " ".join("none" if value is None else f"{value:.2f}" for value in reported["by_quarter"]),
+            f"{max(reported['lag1'], key=abs):+.3f}", f"{reported['lag1_bound']:.3f}",
+        ) for label, reported in (("delay a state", nis["with"]), ("delay taken as 0", nis["without"]))),
     ]  # fmt: skip
     rows = [
         ("mean NIS", *ROWS),

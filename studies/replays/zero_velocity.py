@@ -54,8 +54,8 @@ def bridge(loop: Filter, seconds: float, metres: Array) -> None:
     velocity = slice(3, 6)
     loop.P[velocity, :] = loop.P[:, velocity] = 0.0
     loop.P[velocity, velocity] = np.diag(np.full(3, GAP["speed_m_s"] ** 2))
-    way, turn = GAP["speed_m_s"] * seconds / metres, np.full(3, np.radians(GAP["turn_deg_s"]) * seconds)
-    loop.P[:9, :9] += np.diag(np.concatenate([way, np.zeros(3), turn]) ** 2)
+    distance, turn = GAP["speed_m_s"] * seconds / metres, np.full(3, np.radians(GAP["turn_deg_s"]) * seconds)
+    loop.P[:9, :9] += np.diag(np.concatenate([distance, np.zeros(3), turn]) ** 2)
 
 
 def run(

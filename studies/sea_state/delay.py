@@ -108,14 +108,14 @@ def ways(model: Any, scenario: Scenario, *, runs: int, seed: int, flown: Flight 
     """
     delays = [scenario.delay_ms, (10 * scenario.delay_ms[0], 10 * scenario.delay_ms[1])]
     out: dict[str, Any] = {"grades": list(GRADES), "delay_ms": [list(delay) for delay in delays]}
-    for name, way in WAYS.items():
+    for name, compensation in WAYS.items():
         part: dict[str, list] = {key: [] for key in KEYS}
         for delay in delays:
             one = replace(scenario, delay_ms=delay, delay_sigma_ms=delay[1])
-            if flown is not None and way == "extrapolate" and one == scenario:
+            if flown is not None and compensation == "extrapolate" and one == scenario:
                 flight = flown  # whose first filter is that with compensation, as here
             else:
-                flight = fly(model, "slope", one, runs=runs, seed=seed, compensation=way, belief=only("with"))
+                flight = fly(model, "slope", one, runs=runs, seed=seed, compensation=compensation, belief=only("with"))
             part["heading_mil"].append((np.abs(flight.heading[-1, 0]).mean(-1) / MIL).tolist())
             part["delay_error_ms"].append((np.sqrt(np.mean(flight.error[-1, 0, ..., 15] ** 2, axis=-1)) * 1e3).tolist())
             part["nis"].append(flight.settled_nis[0].tolist())

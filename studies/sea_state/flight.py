@@ -209,7 +209,7 @@ def only(name: str) -> Belief:
 
 def begin(model: Any, message: Message, scenario: Scenario, belief: Belief) -> tuple[dict[str, Array], Array]:
     """nav and P (..., n, n) from the master's first message; the scenario says what motion and delay do to it."""
-    sigmas, estimates = told(scenario, belief)
+    sigmas, estimates = believed(scenario, belief)
     nav, P, _ = transfer.first(message, model, constants(scenario), sigmas=sigmas, estimates=estimates,
                                rate_sigma=0.0, acceleration_sigma=0.0)  # fmt: skip
     P[..., DV, DV] += np.eye(3) * (belief.velocity_sigma or scenario.start_velocity_m_s) ** 2
@@ -217,7 +217,7 @@ def begin(model: Any, message: Message, scenario: Scenario, belief: Belief) -> t
     return nav, P
 
 
-def told(scenario: Scenario, belief: Belief) -> tuple[dict[str, Any], dict[str, Any]]:
+def believed(scenario: Scenario, belief: Belief) -> tuple[dict[str, Any], dict[str, Any]]:
     """What a start is told of the slave: sigmas and estimates, as of `transfer.first`."""
     s = scenario
     heading = np.asarray(s.misalignment_deg * DEG if belief.heading_sigma is None else belief.heading_sigma, float)
@@ -356,7 +356,7 @@ def fly(
         loop = Transfer(model, nav, P0, given, compensation=compensation, matching=matching, every=every, rules=RULES)
     else:
         past, begun = sensed(1), 1
-        sigmas, estimates = told(s, belief)
+        sigmas, estimates = believed(s, belief)
         loop = Headings(message(1), model, given, sigmas=sigmas, estimates=estimates, increments=past, every=every,
                         rules=RULES)  # fmt: skip
     shape = loop.P.shape[:-2]

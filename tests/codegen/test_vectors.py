@@ -13,7 +13,7 @@ import sympy as sp
 
 from boresight.codegen.functions.convert import to_casadi
 from boresight.codegen.functions.elementary import arctangent2, hypotenuse, norm, sine_and_cosine
-from boresight.codegen.functions.mutants import LEAST, mutants, telling, told
+from boresight.codegen.functions.mutants import LEAST, distinguished, mutants, telling
 from boresight.codegen.functions.tape import COMPUTE, LIBRARY, computed, evaluate, tape
 from boresight.codegen.text.covariance_vectors import total
 from boresight.codegen.text.names import three_digits
@@ -66,7 +66,7 @@ def test_the_kept_points_tell_every_mutant_that_any_point_tells():
     listed = program(x + 1e-13 * y * sp.sin(z), sp.cos(x) ** 2 / (2 + z), sp.atan2(1e-14 * z, y + 3))
     points = np.random.default_rng(2).uniform(-1, 1, (64, 3)) * 4.0 ** -np.arange(64)[::-1, None]
     chosen, granted, turning = kept(listed, points)
-    every = told(listed, mutants(listed), [points], granted, turning)
+    every = distinguished(listed, mutants(listed), [points], granted, turning)
     some = every[:, :LEAST].any(axis=1).sum()
     assert LEAST < len(chosen) < 16 and some < every.any(axis=1).sum() == every[:, chosen].any(axis=1).sum()
 
@@ -84,15 +84,15 @@ def test_the_kept_points_tell_every_mutant_that_any_point_tells():
 )
 def test_a_mutant_is_told_where_its_result_moves(expression, point, seen):
     listed = program(expression)
-    found = told(listed, mutants(listed), [np.array([point])], [np.array([1e-12])], [False])
+    found = distinguished(listed, mutants(listed), [np.array([point])], [np.array([1e-12])], [False])
     assert found[:, 0].tolist() == seen
 
 
 def test_an_angle_is_the_same_after_a_turn():
     listed = program(sp.atan2(x, y))
     at = [np.array([[1e-14, -1.0, 0.0]])]  # the sign of an angle of 180 degrees
-    assert told(listed, mutants(listed), at, [np.array([1e-12])], [False]).all()
-    assert not told(listed, mutants(listed), at, [np.array([1e-12])], [True]).any()
+    assert distinguished(listed, mutants(listed), at, [np.array([1e-12])], [False]).all()
+    assert not distinguished(listed, mutants(listed), at, [np.array([1e-12])], [True]).any()
 
 
 def test_three_digits_are_never_less():

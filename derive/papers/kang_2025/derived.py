@@ -103,7 +103,7 @@ HEIGHT = Meaning(
         ("a is the height of the wave, crest to trough", ()),
         ("a is its amplitude, as the heights of Table 1 need it", (("a", r"\frac{a}{2}"),)),
     ),
-    said="the text under (6)",
+    stated_in="the text under (6)",
 )
 STRUCTURE = {
     **dict.fromkeys(("C_S2n", "C_M2S", "C_M2n", "C_S2e", "C_e2n"), rotation),

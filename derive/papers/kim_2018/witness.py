@@ -379,11 +379,11 @@ def _known_place(base: Base) -> list:
 def _slopes(true: Truth) -> list:
     with digits(WORKING):
 
-        def moved(x) -> navigation.Navigator:
+        def displaced(x) -> navigation.Navigator:
             return true.hat(stack(x, zeros(9, 1)), zeros(6, 1))
 
         names = ("omega_ie_n", "omega_en_n", "gravity_n")
-        ie, en, g = (ellipsoid.jacobian(lambda x, name=name: getattr(moved(x), name), 6) for name in names)
+        ie, en, g = (ellipsoid.jacobian(lambda x, name=name: getattr(displaced(x), name), 6) for name in names)
         return [ie[:, 0:3], en[:, 0:3], en[:, 3:6], g[:, 0:3]]
 
 
@@ -439,11 +439,11 @@ PREDICTED = exact("0.5")  # s, of (13) and (14)
 def _predicted(base: Base) -> list:
     before, F = errors(base), matrices(truth(base))[0]
 
-    def moved(x) -> Matrix:
+    def displaced(x) -> Matrix:
         return series(x, lambda term: F * term, PREDICTED / 4)
 
     with digits(WORKING):
-        return [before, moved(moved(moved(moved(before))))]
+        return [before, displaced(displaced(displaced(displaced(before))))]
 
 
 @lru_cache(maxsize=64)

@@ -172,7 +172,7 @@ ERROR_OF_MU = Meaning(
             (("δμ(k)", r"-\delta\mu^r(k)"), *((f"δμ_{axis}", rf"-\delta\mu_{axis}") for axis in "xyz")),
         ),
     ),
-    said="line 126",
+    stated_in="line 126",
 )
 
 

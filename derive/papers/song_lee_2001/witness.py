@@ -190,17 +190,17 @@ def _attitudes(base: Base, definitions: tuple[tuple[Relation, ...], ...]) -> dic
     # (20), (21)  rates, along the exact motion of n and b; the mounting is rigid.
     omega_in_n, omega_ib_b = Matrix(base.omega_in_n), Matrix(base.omega_ib_b)
 
-    def moved(matrix, body_rate, t):
+    def displaced(matrix, body_rate, t):
         return finite_rotation(-omega_in_n * t) * matrix * finite_rotation(body_rate * t)
 
     def C_at(t):
-        return moved(C, omega_ib_b, t)
+        return displaced(C, omega_ib_b, t)
 
     def C_hat_at(t):
-        return moved(C_hat, omega_ib_b + values["δω_b"], t)
+        return displaced(C_hat, omega_ib_b + values["δω_b"], t)
 
     def mu_at(t):
-        return rotation_vector(moved(C_r, finite_rotation(mu) * omega_ib_b, t).T * C_at(t))
+        return rotation_vector(displaced(C_r, finite_rotation(mu) * omega_ib_b, t).T * C_at(t))
 
     eps_rate, mu_rate = rate(lambda t: -rotation_vector(C_hat_at(t) * C_at(t).T)), rate(mu_at)
     rates = {
