@@ -5,7 +5,7 @@ This is the witness of the generated C: it shares the SymPy expressions with it 
 differentiation nor the search for common subexpressions.
 """
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 import sympy as sp
@@ -55,20 +55,52 @@ def evaluator(
     expressions.  Raises BoresightError on a function that it does not know.
     """
     matrices = [numeric(matrix) for matrix in matrices]
-    lines: list[str] = []
-    known: dict[Any, str] = {symbol: f"x[{i}]" for i, symbol in enumerate(symbols)}
-    slopes: dict[tuple[Any, Any], str] = {}
+    program = Program(symbols)
+    if by:
+        outputs = [
+            {(i, j): name for i, entry in enumerate(m) for j, s in enumerate(by) if (name := program.slope(entry, s))}
+            for m in matrices
+        ]
+    else:
+        outputs = [{place: program.value(e) for place, e in sp.Matrix(m).todok().items()} for m in matrices]
+    run = program.compiled(outputs)
 
-    def named(text: str) -> str:
-        lines.append(f"    t{len(lines)} = {text}")
-        return f"t{len(lines) - 1}"
+    def evaluate(values: Sequence[Any]) -> list[Entries]:
+        with precise():
+            results = run([arb(value) for value in values])
+            return [{place: value for place, value in one.items() if not value.is_zero()} for one in results]
 
-    def visit(e: Any) -> str:
-        if e not in known:
-            known[e] = named(printed(e))
-        return known[e]
+    return evaluate
 
-    def printed(e: Any) -> str:
+
+class Program:
+    """Straight-line Python: each expression, and each slope of one by a symbol, is a line with a name of its own."""
+
+    def __init__(self, symbols: Sequence[sp.Symbol]):
+        self.lines: list[str] = []
+        self.values: dict[Any, str] = {symbol: f"x[{i}]" for i, symbol in enumerate(symbols)}
+        self.slopes: dict[tuple[Any, Any], str] = {}
+
+    def compiled(self, outputs: Sequence[Mapping[tuple[int, int], str]]) -> Callable[[list[Any]], list[Entries]]:
+        """The function of x that returns what the names of `outputs` hold."""
+        body = "\n".join(self.lines)
+        listed = ", ".join("{" + ", ".join(f"{place}: {name}" for place, name in one.items()) + "}" for one in outputs)
+        namespace: dict[str, Any] = {"arb": arb}
+        exec(compile(f"def run(x):\n{body}\n    return [{listed}]\n", "<reference>", "exec"), namespace)
+        run: Callable[[list[Any]], list[Entries]] = namespace["run"]
+        return run
+
+    def named(self, text: str) -> str:
+        self.lines.append(f"    t{len(self.lines)} = {text}")
+        return f"t{len(self.lines) - 1}"
+
+    def value(self, e: Any) -> str:
+        """The name of what holds the expression."""
+        if e not in self.values:
+            self.values[e] = self.named(self.printed(e))
+        return self.values[e]
+
+    def printed(self, e: Any) -> str:
         if e.is_Integer:
             return f"arb({int(e)})"
         if e.is_Rational:
@@ -81,79 +113,67 @@ def evaluator(
         if e in (sp.true, sp.false):
             return str(bool(e))
         if isinstance(e, sp.Piecewise):
-            return chosen((visit(value), visit(test)) for value, test in e.args)
-        if e.is_Add:
-            return " + ".join(visit(part) for part in e.args)
-        if e.is_Mul:
-            return " * ".join(visit(part) for part in e.args)
+            return chosen((self.value(value), self.value(test)) for value, test in e.args)
+        if e.is_Add or e.is_Mul:
+            return (" + " if e.is_Add else " * ").join(self.value(part) for part in e.args)
         if e.is_Pow:
-            exponent = sp.Rational(e.exp) if e.exp.is_Float else e.exp
-            if not exponent.is_Rational or exponent.q > 2:
-                return f"({visit(exponent)} * {visit(e.base)}.log()).exp()"
-            base = visit(e.base) if exponent.q == 1 else named(f"{visit(e.base)}.sqrt()")
-            power = whole(base, abs(exponent.p))
-            return power if exponent.p > 0 else f"1 / ({power})"
+            return self.power(e.base, sp.Rational(e.exp) if e.exp.is_Float else e.exp)
         if isinstance(e, sp.Max | sp.Min):
-            first, *others = map(visit, e.args)
+            first, *others = map(self.value, e.args)
             return first + "".join(f".{e.func.__name__.lower()}({other})" for other in others)
         if e.func in FUNCTIONS:
-            return FUNCTIONS[e.func].format(*(visit(part) for part in e.args))
+            return FUNCTIONS[e.func].format(*(self.value(part) for part in e.args))
         raise BoresightError(f"the reference cannot evaluate {e.func.__name__} in {e}; write it with what C has")
 
-    def whole(base: str, n: int) -> str:
+    def power(self, base: Any, exponent: Any) -> str:
+        if not exponent.is_Rational or exponent.q > 2:
+            return f"({self.value(exponent)} * {self.value(base)}.log()).exp()"
+        root = self.value(base) if exponent.q == 1 else self.named(f"{self.value(base)}.sqrt()")
+        power = self.whole(root, abs(exponent.p))
+        return power if exponent.p > 0 else f"1 / ({power})"
+
+    def whole(self, base: str, n: int) -> str:
+        """A power as products: FLINT's own power of a ball at zero knows nothing."""
         if n <= 8:
-            return " * ".join([base] * n)  # FLINT's own power of a ball at zero knows nothing
-        half = named(whole(base, n // 2))
+            return " * ".join([base] * n)
+        half = self.named(self.whole(base, n // 2))
         return " * ".join([half, half] + [base] * (n % 2))
 
-    def chosen(cases: Iterable[tuple[str, str]]) -> str:
-        return " else ".join(f"{value} if {test}" for value, test in cases) + " else arb.nan()"
+    def slope(self, e: Any, s: sp.Symbol) -> str:
+        """The name of what holds d(e) / d(s); empty where e does not depend on s."""
+        if (e, s) not in self.slopes:
+            self.slopes[e, s] = self.named("arb(1)") if e == s else self.differentiated(e, s)
+        return self.slopes[e, s]
 
-    def slope(e: Any, s: sp.Symbol) -> str:
-        """What holds d(e) / d(s); empty where e does not depend on s."""
-        if (e, s) not in slopes:
-            slopes[e, s] = named("arb(1)") if e == s else differentiated(e, s)
-        return slopes[e, s]
-
-    def differentiated(e: Any, s: sp.Symbol) -> str:
-        if isinstance(e, sp.Piecewise):
-            cases = [(slope(value, s), visit(test)) for value, test in e.args]
-            return named(chosen((value or "arb(0)", test) for value, test in cases)) if any(v for v, _ in cases) else ""
+    def differentiated(self, e: Any, s: sp.Symbol) -> str:
         if isinstance(e, sp.sign):
             return ""
+        if isinstance(e, sp.Piecewise):
+            cases = [(self.slope(value, s), self.value(test)) for value, test in e.args]
+            if not any(value for value, _ in cases):
+                return ""
+            return self.named(chosen((value or "arb(0)", test) for value, test in cases))
         if isinstance(e, sp.Max | sp.Min):
-            value, rate = visit(e.args[0]), slope(e.args[0], s)
-            for part in e.args[1:]:  # where both are one, half of either slope
-                other, by = visit(part), slope(part, s)
-                a, b = (value, other) if isinstance(e, sp.Max) else (other, value)
-                rate, by = rate or "arb(0)", by or "arb(0)"
-                cases = [(rate, f"{a} > {b}"), (by, f"{a} < {b}"), (f"({rate} + {by}) / 2", f"{a} == {b}")]
-                rate = named(chosen(cases))
-                value = named(f"{value}.{e.func.__name__.lower()}({other})")
-            return rate
-        terms = [(i, slope(part, s)) for i, part in enumerate(e.args)]
-        parts = [name if e.is_Add else f"{visit(partial(e, i))} * {name}" for i, name in terms if name]
-        return named(" + ".join(parts)) if parts else ""
+            return self.extreme(e, s)
+        terms = [(i, self.slope(part, s)) for i, part in enumerate(e.args)]
+        parts = [name if e.is_Add else f"{self.value(partial(e, i))} * {name}" for i, name in terms if name]
+        return self.named(" + ".join(parts)) if parts else ""
 
-    if by:
-        outputs = [
-            {(i, j): name for i, entry in enumerate(m) for j, s in enumerate(by) if (name := slope(entry, s))}
-            for m in matrices
-        ]
-    else:
-        outputs = [{place: visit(entry) for place, entry in sp.Matrix(m).todok().items()} for m in matrices]
-    body = "\n".join(lines)
-    listed = ", ".join("{" + ", ".join(f"{place}: {name}" for place, name in one.items()) + "}" for one in outputs)
-    namespace: dict[str, Any] = {"arb": arb}
-    exec(compile(f"def run(x):\n{body}\n    return [{listed}]\n", "<reference>", "exec"), namespace)
-    run = namespace["run"]
+    def extreme(self, e: Any, s: sp.Symbol) -> str:
+        """The slope of a Max or Min: where two parts are one, half of either's."""
+        value, rate = self.value(e.args[0]), self.slope(e.args[0], s)
+        for part in e.args[1:]:
+            other, by = self.value(part), self.slope(part, s)
+            a, b = (value, other) if isinstance(e, sp.Max) else (other, value)
+            rate, by = rate or "arb(0)", by or "arb(0)"
+            cases = [(rate, f"{a} > {b}"), (by, f"{a} < {b}"), (f"({rate} + {by}) / 2", f"{a} == {b}")]
+            rate = self.named(chosen(cases))
+            value = self.named(f"{value}.{e.func.__name__.lower()}({other})")
+        return rate
 
-    def evaluate(values: Sequence[Any]) -> list[Entries]:
-        with precise():
-            results = run([arb(value) for value in values])
-            return [{place: value for place, value in one.items() if not value.is_zero()} for one in results]
 
-    return evaluate
+def chosen(cases: Iterable[tuple[str, str]]) -> str:
+    return " else ".join(f"{value} if {test}" for value, test in cases) + " else arb.nan()"
 
 
 def partial(e: Any, i: int) -> Any:
