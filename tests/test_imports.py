@@ -122,8 +122,12 @@ def test_nothing_that_flies_imports_what_is_simulated():
 
 
 def test_no_module_is_found_by_a_string():
-    """A reader, and what looks for who uses a name, follows imports; a user's own file is run by its path."""
-    for path in (path for layer in LAYERS for path in files(layer)):
+    """A reader, and what looks for who uses a name, follows imports; a user's own file is run by its path.
+
+    The models and the papers are found by the names that their packages list, so that nothing of one stands on another.
+    """
+    listed = [ROOT / "derive" / package / "__init__.py" for package in ("models", "papers")]
+    for path in (path for layer in LAYERS for path in files(layer) if path not in listed):
         assert not re.search(r"\bimport_module\(|\b__import__\(", path.read_text()), path
 
 

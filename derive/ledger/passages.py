@@ -334,15 +334,15 @@ def _carried(paper: Paper, passage: Passage, before: Relation, relation_of, poin
         for letter, other in zip(named, others, strict=True):
             if isinstance(other, Symbol) and paper.letter(other.name).kind != paper.letter(letter.name).kind:
                 raise ValueError(f"{other} is another kind of quantity than {letter}")
-        said = before.replaced(dict(zip(named, others, strict=True)))
-        return [evaluate(side, point) for side in said.sides]
+        renamed = before.replaced(dict(zip(named, others, strict=True)))
+        return [evaluate(side, point) for side in renamed.sides]
     if name == "put in":
         rows = [relation_of(row) for row in passage.using]
         for row in rows:
             if not any(row.sides[0] in side.free_symbols for side in before.sides):
                 raise ValueError(f"{row.sides[0]} does not stand in the line")
-        said = before.replaced({row.sides[0]: row.sides[-1] for row in rows})
-        return [evaluate(side, point) for side in said.sides]
+        renamed = before.replaced({row.sides[0]: row.sides[-1] for row in rows})
+        return [evaluate(side, point) for side in renamed.sides]
     if name == "differentiate":
         letters = [symbol.name for symbol in _symbols(paper, passage.letters)]
         given = [_expression(paper, rate) for rate in passage.with_]
@@ -351,10 +351,10 @@ def _carried(paper: Paper, passage: Passage, before: Relation, relation_of, poin
                 raise ValueError(f"{latex} is no letter: a line must say which rate it is")
         rates = [evaluate(rate, point) for rate in given]
 
-        def moved(t) -> Point:
+        def shifted(t) -> Point:
             return point.changed({x: point.values[x] + r * t for x, r in zip(letters, rates, strict=True)})
 
-        return [(evaluate(side, moved(STEP)) - evaluate(side, moved(-STEP))) / (2 * STEP) for side in before.sides]
+        return [(evaluate(side, shifted(STEP)) - evaluate(side, shifted(-STEP))) / (2 * STEP) for side in before.sides]
     return [_TAKE[name](value, passage) for value in values]
 
 
