@@ -14,7 +14,7 @@ import numpy as np
 from boresight import BoresightError
 from boresight.codegen.boxes import with_boxes
 from boresight.codegen.functions.samples import generator
-from boresight.codegen.generate import generate, generated_folder, load_model
+from boresight.codegen.generate import generate, generated_folder, load_model, unchanged
 from boresight.codegen.stamp import PACKAGE
 from boresight.codegen.text.files import identity_files, rendered
 from boresight.codegen.text.names import snake
@@ -60,10 +60,9 @@ def export(target: str, out: Path, precision: str, folder: Path | None = None, b
     if ":" in target:
         folder = generated_folder(target, folder)
     folder = folder or folder_of(target)  # from wherever the command is run
-    report = generate(target, folder, check=True)
-    if report.written:
-        raise BoresightError(f"{report.folder} is not what {target} says now; run 'boresight generate {target}' first")
-    return exported(report.folder, out, precision, NO_EVIDENCE if ":" in target else "")
+    if not unchanged(target, folder) and generate(target, folder, check=True).written:
+        raise BoresightError(f"{folder} is not what {target} says now; run 'boresight generate {target}' first")
+    return exported(folder, out, precision, NO_EVIDENCE if ":" in target else "")
 
 
 def exported(folder: Path, out: Path, precision: str, unproven: str) -> Exported:

@@ -81,6 +81,19 @@ def versions() -> dict[str, str]:
     return {name: importlib.metadata.version(name) for name in VERSIONED}
 
 
+def stamp(target: str, read: Collection[str] = ()) -> dict[str, Any]:
+    """What a manifest says of how its folder was made.
+
+    read: of a model of one's own the files that its file read, by their paths from there.  Raises OSError where one of
+    them is gone.
+    """
+    source = source_of(target)
+    made: dict[str, Any] = dict(made_from(source, [source.parent / path for path in read] if source else []))
+    if ":" in target and source:
+        made |= {"of": f"{source.name}:{target.rsplit(':', 1)[1]}", "read": sorted(read)}
+    return {"made_from": made, "versions": versions(), "version": __version__}
+
+
 def default_folder(target: str, model: Any = None) -> Path:
     """generated/ of the checkout for a built-in model, from any folder; ./generated/ for a user's own."""
     name = (model or load_model(target)).name if ":" in target else target
@@ -114,16 +127,17 @@ def own_model(target: str) -> Any:
     file, name = target.rsplit(":", 1)
     path = source_of(target)
     assert path is not None
-    module = user_file.run(path)
-    if not hasattr(module, name):
-        raise BoresightError(f"{file} has no {name!r}{did_you_mean(name, vars(module))}; {models_in(module)}")
-    value: Any = getattr(module, name)
-    try:
-        model = value() if callable(value) else value
-    except BoresightError:
-        raise
-    except Exception as error:
-        user_file.explain(error, path)
+    with user_file.noting(path):
+        module = user_file.run(path)
+        if not hasattr(module, name):
+            raise BoresightError(f"{file} has no {name!r}{did_you_mean(name, vars(module))}; {models_in(module)}")
+        value: Any = getattr(module, name)
+        try:
+            model = value() if callable(value) else value
+        except BoresightError:
+            raise
+        except Exception as error:
+            user_file.explain(error, path)
     if not isinstance(model, Model):
         raise BoresightError(f"{target} is a {type(model).__name__}, not a Model; {models_in(module)}")
     if model.name in target_names():
@@ -219,7 +233,11 @@ def generate(
     """
     if ":" not in target:
         known(target, target_names())
-    folder = folder or default_folder(target)
+    if not check and model is None and (report := unchanged(target, folder)):
+        return report
+    if folder is None:
+        model = model or (load_model(target) if ":" in target else None)
+        folder = default_folder(target, model)
     before = old_manifest(folder)
     by_hand = edited(folder, before)
     if by_hand and not check:
@@ -227,21 +245,17 @@ def generate(
             f"{folder / by_hand[0]} was edited since it was generated; put the change into the model, delete the file, "
             "and generate again"
         )
-    origin = made_from(source_of(target) if ":" not in target else None)
-    stamp = {"made_from": origin, "versions": versions(), "version": __version__}
-    complete = before and all((folder / path).is_file() for path in before["files"])
-    if not check and ":" not in target and complete and all(before.get(key) == value for key, value in stamp.items()):
-        strange = strange_files(folder, {*before["files"], "manifest.json"})
-        return Report(before["model"], folder, (), (), up_to_date=True, strange=strange)
     if check and before and before.get("versions") != versions():
         return Report(before["model"], folder, (), (), up_to_date=False, comparable=False)
     if check and not before:
         generated_folder(target, folder)
 
-    document, files = make(target, folder, not check and same_generator(before, stamp), model)
-    refuse_taken(document["c_prefix"], document["model"], folder)
+    if target not in COMPONENTS:
+        model = model or load_model(target)
+        refuse_taken(model.c_prefix, model.name, folder)
+    document, files = make(target, folder, not check and same_generator(before, stamp(target)), model)
     hashes = {path: hashlib.sha256(text.encode()).hexdigest() for path, text in files.items()}
-    document |= {"files": hashes, **stamp}
+    document |= {"files": hashes, **stamp(target, read_by(target, folder))}
     files["manifest.json"] = json.dumps(document, indent=1, sort_keys=True) + "\n"
     counted = "operations" if target not in COMPONENTS else "lines"
     old_units, new_units = before.get("units", {}), document["units"]
@@ -257,6 +271,40 @@ def generate(
             write(folder, {path: files[path] for path in differing}, stale)
     strange = strange_files(folder, {*files, *stale}) if before else ()
     return Report(document["model"], folder, changes, tuple(sorted(differing + stale)), False, strange=strange)
+
+
+def unchanged(target: str, folder: Path | None = None) -> Report | None:
+    """The report on a folder that was made of what is here now, as its manifest says; None if there is none.
+
+    Nothing is derived, and a file of one's own is not run: what it read is known by the manifest.
+    """
+    own = ":" in target
+    beside = (path.parent for path in sorted(Path("generated").glob("*/manifest.json")))
+    for one in [folder] if folder else beside if own else [default_folder(target)]:
+        try:
+            before = old_manifest(one)
+            made = before.get("made_from", {})
+            now = stamp(target, made.get("read", ()) if own else ())
+        except (BoresightError, OSError):  # which is told where it is made anew
+            continue
+        named = not own or folder or one.name == before.get("model", "").replace("-", "_")
+        complete = before and all((one / path).is_file() for path in before["files"]) and not edited(one, before)
+        if named and complete and all(before.get(key) == value for key, value in now.items()):
+            strange = strange_files(one, {*before["files"], "manifest.json"})
+            return Report(before["model"], one, (), (), up_to_date=True, strange=strange)
+    return None
+
+
+def read_by(target: str, folder: Path) -> list[str]:
+    """What the file of a model of one's own read when it was run last, by paths from there; not what was made of it."""
+    if ":" not in target:
+        return []
+    from boresight.codegen.user_file import READ
+
+    source = source_of(target)
+    assert source is not None
+    read = (path for path in READ.get(source, ()) if not path.is_relative_to(folder.resolve()))
+    return sorted(Path(os.path.relpath(path, source.parent)).as_posix() for path in read)
 
 
 def refuse_taken(prefix: str, name: str, folder: Path) -> None:
@@ -302,7 +350,6 @@ def make(target: str, folder: Path, keep: bool, model: Any = None) -> tuple[dict
 
     if target in COMPONENTS:
         return detector_files()
-    model = model or load_model(target)
     try:
         return folder_files(model, kept)
     except BoresightError as error:

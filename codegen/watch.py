@@ -133,7 +133,7 @@ def look(target: str, good: str, writing: Lock, sender: Connection) -> None:
 
             model = load_model(target)
         finally:
-            sender.send(("files", own_files(opened)))
+            sender.send(("files", watched(opened)))
         sender.send(("good", compared(model, good, line)))
         mechanics(model, line)
         line(f"  equations and mechanics in {time.monotonic() - start:.1f} s")
@@ -145,17 +145,12 @@ def look(target: str, good: str, writing: Lock, sender: Connection) -> None:
         line(f"{target}: {type(error).__name__}: {' '.join(str(error).split())}")
 
 
-def own_files(opened: Iterable[str]) -> set[Path]:
+def watched(opened: Iterable[str]) -> set[Path]:
     """What an edit may change: the sources that were imported and the files that were opened, but for libraries."""
+    from boresight.codegen.user_file import own_files
+
     modules = (getattr(module, "__file__", None) for module in list(sys.modules.values()))
-    paths = {Path(name).resolve() for name in (*modules, *opened) if name}
-    libraries = [Path(folder).resolve() for folder in {sys.prefix, sys.base_prefix, "/dev", "/proc", "/etc", "/usr"}]
-    return {
-        path
-        for path in paths
-        if path.suffix != ".pyc" and path.is_file() and "site-packages" not in path.parts
-        and not any(path.is_relative_to(folder) for folder in libraries)
-    }  # fmt: skip
+    return own_files(name for name in (*modules, *opened) if name)
 
 
 def compared(model: Any, good: str, line: Say) -> str:

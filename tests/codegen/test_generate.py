@@ -145,14 +145,57 @@ def test_a_stamp_is_moved_by_code_and_by_no_comment_and_no_place(tmp_path):
     assert hashes[1]["generator"] == hashes[2]["generator"]
 
 
-def test_a_model_of_ones_own_is_made_anew_whatever_it_reads(tmp_path):
-    (tmp_path / "constants.txt").write_text("9.81")
-    text = (ROOT / "tests" / "pendulum.py").read_text()
-    read = f'__import__("pathlib").Path({str(tmp_path / "constants.txt")!r}).read_text()'
-    (tmp_path / "mine.py").write_text(text.replace('"9.81"', read))
-    generate(f"{tmp_path / 'mine.py'}:PENDULUM", tmp_path / "out")
-    (tmp_path / "constants.txt").write_text("1.62")
-    assert generate(f"{tmp_path / 'mine.py'}:PENDULUM", tmp_path / "out").changes
+OWN = """
+from pathlib import Path
+
+from sympy import Matrix
+
+from boresight.derive.model import Function, Model, Output, Struct, constant, variable
+from spring_of_mine import stiffness
+
+stretch = variable("stretch", "s", "m", "stretch", -1.0, 1.0)
+rest = constant("rest", (Path(__file__).parent / "rest.txt").read_text(), "m", "length at rest")
+force = Function("force", "force", (Output("N", Matrix([stiffness * (stretch.scalar - rest)]), "N", "force"),))
+SPRING = Model(name="spring", c_prefix="sp", title="a spring", frame="none", states=(),
+               structs=(Struct("given", "given", (stretch,)),), functions=(force,))
+"""
+STIFFNESS = """from boresight.derive.model import constant
+
+stiffness = constant("k", "{}", "N/m", "stiffness")
+"""
+
+
+def test_a_model_of_ones_own_is_made_anew_by_all_that_its_file_reads_and_else_not_run(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "own.py").write_text(OWN)
+    helper, data = tmp_path / "spring_of_mine.py", tmp_path / "rest.txt"
+    helper.write_text(STIFFNESS.format("3"))
+    data.write_text("2")
+    assert generate("own.py:SPRING").changes
+    manifest = json.loads((tmp_path / "generated" / "spring" / "manifest.json").read_text())
+    assert manifest["made_from"]["read"] == ["rest.txt", "spring_of_mine.py"]
+    for file, text, changed in (
+        (helper, STIFFNESS.format("3") + "# a comment\n", False),
+        (helper, STIFFNESS.format("30"), True),
+        (data, "20", True),
+        (tmp_path / "own.py", OWN + "# a comment\n", False),
+        (tmp_path / "own.py", OWN.replace('"a spring"', '"an old spring"'), True),
+    ):
+        file.write_text(text)
+        report = generate("own.py:SPRING")
+        assert report.up_to_date != changed and bool(report.written) == changed, file
+        assert generate("own.py:SPRING").up_to_date
+    monkeypatch.setattr("boresight.codegen.text.files.folder_files", lambda *_: pytest.fail("it is derived"))
+    assert generate("own.py:SPRING", tmp_path / "generated" / "spring").up_to_date
+    with pytest.raises(pytest.fail.Exception):  # a check believes nothing
+        generate("own.py:SPRING", check=True)
+
+
+def test_nothing_heavy_is_imported_to_see_that_a_model_of_ones_own_is_unchanged(pendulum_folder):
+    code = "import sys; from pathlib import Path; from boresight.codegen.generate import generate; " \
+        f"assert generate({PENDULUM!r}, Path({str(pendulum_folder)!r})).up_to_date; " \
+        "assert not {'sympy', 'casadi', 'numpy'} & set(sys.modules), 'imported'"  # fmt: skip
+    subprocess.run([sys.executable, "-c", code], check=True)
 
 
 def test_a_file_edited_by_hand_is_neither_overwritten_nor_flown(em_copy):

@@ -18,11 +18,12 @@ def test_names_and_prefixes_are_those_of_one_model_alone():
     assert len(set(prefixes)) == len(prefixes), sorted(prefixes)
 
 
-def test_a_prefix_of_a_model_in_a_neighbouring_folder_is_refused(tmp_path):
+def test_a_prefix_of_a_model_in_a_neighbouring_folder_is_refused_before_c_is_made(tmp_path, monkeypatch):
     text = Path(PENDULUM.rsplit(":", 1)[0]).read_text()
     for name in ("pendulum", "double-pendulum"):
         (tmp_path / f"{name[:6]}.py").write_text(text.replace('name="pendulum"', f'name="{name}"'))
     generate(f"{tmp_path}/pendul.py:PENDULUM", tmp_path / "one")
+    monkeypatch.setattr("boresight.codegen.text.files.folder_files", lambda *_: pytest.fail("C is made"))
     with pytest.raises(BoresightError, match=r"double-pendulum: c_prefix 'pd' is that of pendulum in .*one"):
         generate(f"{tmp_path}/double.py:PENDULUM", tmp_path / "two")
     assert not (tmp_path / "two").exists()

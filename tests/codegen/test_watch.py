@@ -99,6 +99,6 @@ def test_what_may_change_is_watched_and_no_library(own):
     import numpy
 
     (own / "numbers.toml").write_text("")
-    files = w.own_files([str(own / "numbers.toml"), numpy.__file__, "/etc/hostname", str(own / "gone.py")])
+    files = w.watched([str(own / "numbers.toml"), numpy.__file__, "/etc/hostname", str(own / "gone.py")])
     assert own / "numbers.toml" in files and ROOT / "codegen" / "generate.py" in files
     assert not [path for path in files if "site-packages" in path.parts or path.name in ("hostname", "gone.py")]
