@@ -14,10 +14,11 @@ import numpy as np
 from boresight import BoresightError
 from boresight.codegen.boxes import with_boxes
 from boresight.codegen.functions.samples import generator
-from boresight.codegen.generate import generate, generated_folder, load_model, unchanged
+from boresight.codegen.generate import generate, generated_folder, load_model, named, unchanged
 from boresight.codegen.stamp import PACKAGE
 from boresight.codegen.text.files import identity_files, rendered
 from boresight.codegen.text.names import snake
+from boresight.derive.model import Model
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import Library, load
 from boresight.runtime.manifest import folder_of, read_manifest, sources, sources_hash
@@ -42,25 +43,70 @@ class Exported:
     warning: str
 
 
-def export(target: str, out: Path, precision: str, folder: Path | None = None, boxes: tuple[str, ...] = ()) -> Exported:
-    """Write the folder `out`, which must not exist or be empty.
+def export(
+    target: str | Model,
+    out: str | Path,
+    precision: str = "double",
+    folder: str | Path | None = None,
+    boxes: tuple[str, ...] = (),
+) -> Exported:
+    """Write a model's C as one folder that needs nothing of Python, with self-test and example.
 
-    target, folder: as for `generate`, whose output must be what the model says now.  boxes: see `with_boxes`; the C is
-    then generated anew, has another hash, and of it there is no evidence.
+    Parameters
+    ----------
+    target : str or Model
+        A built-in name, FILE.py:NAME, or the Model itself; its C must have been generated and be
+        what the model says now.
+    out : str or Path
+        The new folder, which must not exist, or be empty.
+    precision : {"double", "float"}, optional
+        Of the numbers; in float the covariance is kept as UD factors.
+    folder : str or Path, optional
+        Where its C was generated, by default as for `generate`.
+    boxes : tuple of str, optional
+        Other boxes of inputs, as "dt=0.001..0.02"; the C is then generated anew, has another hash,
+        and there is no evidence of it.
+
+    Returns
+    -------
+    Exported
+        `files`, the paths that were written, and `warning`, what single precision costs this model,
+        or nothing.
+
+    Raises
+    ------
+    BoresightError
+        An unknown precision, a folder that is not empty, C that is not there or is not what the
+        model says now.
+
+    Notes
+    -----
+    When not to use it: to fly in Python; `load` does that.  Of two models in one program the
+    prefixes must differ.
+
+    Examples
+    --------
+    The model of the example of `generate`, which has been generated:
+
+    >>> from boresight import export
+    >>> exported = export(model, "flight", precision="float")
+    >>> sorted(path.name for path in exported.files if path.parent.name == "flight")[:2]
+    ['CMakeLists.txt', 'LICENSE']
     """
+    (target, model), out = named(target), Path(out)
     if precision not in PRECISIONS:
         raise BoresightError(f"there is no precision {precision!r}; choose {' or '.join(PRECISIONS)}")
     if out.exists() and (not out.is_dir() or any(out.iterdir())):
         raise BoresightError(f"{out} is not empty; choose another folder with -o, or remove it first")
     if boxes:
         with tempfile.TemporaryDirectory() as aside:
-            model = with_boxes(load_model(target), boxes)
+            model = with_boxes(model or load_model(target), boxes)
             made = generate(target, Path(aside) / snake(model.name), model=model).folder
             return exported(made, out, precision, OTHER_BOXES.format(", ".join(boxes)))
     if ":" in target:
-        folder = generated_folder(target, folder)
-    folder = folder or folder_of(target)  # from wherever the command is run
-    if not unchanged(target, folder) and generate(target, folder, check=True).written:
+        folder = generated_folder(target, Path(folder) if folder else None, model)
+    folder = Path(folder) if folder else folder_of(target)  # from wherever the command is run
+    if (model or not unchanged(target, folder)) and generate(target, folder, check=True, model=model).written:
         raise BoresightError(f"{folder} is not what {target} says now; run 'boresight generate {target}' first")
     return exported(folder, out, precision, NO_EVIDENCE if ":" in target else "")
 

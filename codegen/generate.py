@@ -13,12 +13,15 @@ from collections.abc import Collection
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from boresight import __version__
 from boresight.codegen.stamp import PACKAGE, made_from
 from boresight.derive.models import MODELS, built_in
 from boresight.errors import BoresightError, did_you_mean
+
+if TYPE_CHECKING:
+    from boresight.derive.model import Model
 
 VERSIONED = ("casadi", "numpy", "sympy")  # what the bytes of the output depend on, beside Boresight itself
 COMPONENTS = ("stationary-detector",)  # C that comes from no model
@@ -192,9 +195,9 @@ def strange_files(folder: Path, files: Collection[str]) -> tuple[str, ...]:
     return tuple(sorted(name for path in found if (name := path.relative_to(folder).as_posix()) not in files))
 
 
-def generated_folder(target: str, folder: Path | None = None) -> Path:
+def generated_folder(target: str, folder: Path | None = None, model: Any = None) -> Path:
     """The folder that a model of one's own was generated in: the one given, or that of its name."""
-    folder = folder or default_folder(target)
+    folder = folder or default_folder(target, model)
     if not (folder / "manifest.json").is_file():
         raise BoresightError(
             f"{folder} holds no generated model; run 'boresight generate {target}', or name the folder it was "
@@ -218,21 +221,86 @@ def old_manifest(folder: Path) -> dict[str, Any]:
 # ---------------------------------------------------------------- generate
 
 
+def named(target: "str | Model", model: Any = None) -> tuple[str, Any]:
+    """How the target is named, as FILE.py:NAME where it is a Model itself, and the model as far as it is there."""
+    from boresight.derive.dimensions import check_units
+    from boresight.derive.model import Model
+
+    if isinstance(target, str):
+        return target, model
+    if not isinstance(target, Model):
+        raise BoresightError(f"{target!r} is no model; give a built-in name, FILE.py:NAME or a Model")
+    if target.name in target_names():
+        raise BoresightError(f"{target.where}: model {target.name}: that is a model of Boresight; choose another name")
+    check_units(target)
+    return f"{target.where.rpartition(':')[0]}:{target.name}", target
+
+
 def generate(
-    target: str,
-    folder: Path | None = None,
+    target: "str | Model",
+    folder: str | Path | None = None,
     check: bool = False,
     model: Any = None,
     writing: AbstractContextManager[Any] = nullcontext(),  # noqa: B008
 ) -> Report:
-    """Make the folder of one model agree with its source; with `check`, only say what would change.
+    """Make the folder of one model's C agree with its source.
 
-    model: what `target` names, if it is loaded already.  writing: held while files are put in their places.
-    Raises BoresightError on a model that does not fit together, a generated file edited by hand, a folder that cannot
-    be written to.  Nothing is left half written.
+    Parameters
+    ----------
+    target : str or Model
+        A built-in name, FILE.py:NAME with NAME a Model or a function that makes one, or the Model
+        itself.
+    folder : str or Path, optional
+        Where to write: by default ./generated/NAME, of a built-in model in a checkout its own
+        folder.
+    check : bool, optional
+        Write nothing, and report what would change.
+    model : Model, optional
+        What `target` names, if it is loaded already.
+    writing : context manager, optional
+        Held while files are put in their places.
+
+    Returns
+    -------
+    Report
+        `folder`; `changes`, each function that is new, changed or removed with its operations
+        before and after; `written`, the files that were, or would be, written or removed;
+        `up_to_date`.
+
+    Raises
+    ------
+    BoresightError
+        A model that does not fit together, a term of the wrong unit, a prefix that a model beside
+        it has, a generated file that was edited by hand, a folder that cannot be written to.
+        Nothing is left half written.
+
+    Notes
+    -----
+    When not to use it: in flight or in a loop; it takes seconds.  Generate once, then `load` the
+    folder.
+
+    Examples
+    --------
+    >>> from sympy import Matrix
+    >>> from boresight import Measurement, Model, Struct, generate, variable
+    >>> place = variable("place", "x", "m", "place on the line", -100.0, 100.0)
+    >>> dt = variable("dt", "dt", "s", "length of the step", 1e-3, 1.0)
+    >>> walk = variable("walk", "q", "m/sqrt(s)", "noise density of the place", 0.0, 1.0)
+    >>> model = Model(
+    ...     name="walker", c_prefix="wk", title="a walk on a line, 1 state", frame="none",
+    ...     states=(place,), structs=(Struct("step", "one step", (dt, walk)),),
+    ...     f=Matrix([0]), G=Matrix([1]), noise=walk.vector, dt=dt.scalar,
+    ...     measurements=(Measurement("fix", ("x",), "m", "the place that is read", h=place.vector),),
+    ... )
+    >>> report = generate(model)
+    >>> print(report.folder, report.changes[0].name)
+    generated/walker F
     """
+    if not isinstance(target, str):
+        target, model = named(target)
     if ":" not in target:
         known(target, target_names())
+    folder = Path(folder) if folder else None
     if not check and model is None and (report := unchanged(target, folder)):
         return report
     if folder is None:

@@ -29,7 +29,7 @@ from boresight.codegen.functions.samples import answered, generator, sample
 from boresight.codegen.functions.tape import evaluate
 from boresight.codegen.functions.unit import Unit
 from boresight.codegen.functions.units import units
-from boresight.codegen.generate import load_model
+from boresight.codegen.generate import generated_folder, known, load_model, model_names, named
 from boresight.codegen.mechanics import MechanicsCheck, check_mechanics
 from boresight.derive.model import Measurement, Model
 from boresight.runtime.library import Library, load
@@ -83,16 +83,64 @@ class FirstOrderCheck:
 
 
 def verify(
-    target: str, folder: str | Path | None = None, points: int = POINTS, progress: Progress | None = None
+    target: str | Model, folder: str | Path | None = None, points: int = POINTS, progress: Progress | None = None
 ) -> list[Check]:
-    """Every check of one model: a built-in name, or FILE.py:NAME with the folder that was generated from it."""
-    return verify_all([(target, folder)], points, progress)
+    """Prove the generated C of a model, and hold the model against exact mechanics.
+
+    Parameters
+    ----------
+    target : str or Model
+        A built-in name, FILE.py:NAME, or the Model itself.
+    folder : str or Path, optional
+        Where its C was generated, by default as for `generate`.
+    points : int, optional
+        Random points in the box of each function's inputs, 1 or more; its corners come besides.
+    progress : function, optional
+        Called with the number of functions done, that of all, and the name of the last one.
+
+    Returns
+    -------
+    list of checks
+        Of each, `ok` says whether it holds.  `UnitCheck`: our C has CasADi's bits and lies within
+        the rounding of 50 digits.  `FirstOrderCheck`: a linear H is the first order of an exact
+        measurement.  `MechanicsCheck`: F, G, Phi, Q and H against mechanics; where there is nothing
+        to hold them against, `ok` is None.
+
+    Raises
+    ------
+    BoresightError
+        A model or folder that is not there, a file that was edited, no C compiler, points below 1.
+
+    Notes
+    -----
+    When not to use it: as a test of a filter's tuning; that is `Consistency`.  It takes seconds to
+    minutes and all processors: run it after an edit of the model, not in a loop.
+
+    Examples
+    --------
+    The model of the example of `generate`, which has been generated:
+
+    >>> from boresight import verify
+    >>> checks = verify(model, points=10)
+    >>> [check.unit for check in checks if not check.ok]  # f says nothing of the noise
+    ['G']
+    """
+    if not isinstance(points, int) or points < 1:
+        raise BoresightError(f"verify: points is {points!r}; give a whole number of 1 or more")
+    if isinstance(target, str) and ":" not in target:
+        known(target, model_names())
+        return verify_all([(target, folder)], points, progress)
+    name, model = named(target)
+    return verify_all([(name, folder or generated_folder(name, model=model))], points, progress, {name: model})
 
 
 def verify_all(
-    targets: Sequence[tuple[str, str | Path | None]], points: int = POINTS, progress: Progress | None = None
+    targets: Sequence[tuple[str, str | Path | None]],
+    points: int = POINTS,
+    progress: Progress | None = None,
+    models: Mapping[str, Model] | None = None,
 ) -> list[Check]:
-    """Every check of the models, each with its folder (None: that of a built-in model).
+    """Every check of the models, each with its folder (None: that of a built-in model).  models: those loaded already.
 
     The points of a model are shared out to as many processes as there are processors; meanwhile this one prepares the
     next model.
@@ -115,7 +163,7 @@ def verify_all(
     with ExitStack() as stack:
         before: Underway | None = None
         for (target, _), (flight, casadi) in zip(targets, libraries, strict=True):
-            model = load_model(target)
+            model = (models or {}).get(target) or load_model(target)
             made = units(model)
             cases = [prepare(model, unit, flight, casadi, points) for unit in made]
             if before:

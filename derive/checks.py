@@ -413,6 +413,9 @@ def check_given(model: "Model") -> None:
                 fail(f, f"{f.name} belongs to an error state, given by F; {flown} and holds what {f.name} would carry")
         if model.mechanics is not None:
             fail(model, f"mechanics belongs to an error state, given by F; {flown}")
+    for item in model.inputs:
+        if item.wraps:
+            fail(item, "only a state wraps; an input is read as the caller gives it: leave wraps out")
     for block in model.states:
         if block.wraps and block.unit != "rad":
             fail(block, f"it wraps, but its unit is {block.unit!r}; angles in rad wrap")

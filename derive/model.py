@@ -43,14 +43,12 @@ class Variable:
     wide : bool, optional
         An angle whose box goes beyond two turns, which without this word is taken for one in
         degrees.
-    where : str, optional
-        File and line, for messages; filled in.
 
     Raises
     ------
     BoresightError
-        A name that C has taken, a unit that is not SI, a box that is empty, not finite or in
-        degrees.
+        A box that is empty or not finite, a norm that no point of the box has.  Names that C has
+        taken are refused by `Model`; units that are not SI, and degrees, by `generate` and `verify`.
 
     Notes
     -----
@@ -192,13 +190,12 @@ class Struct:
         A few words for the header.
     fields : tuple of Variable
         Its members, in this order.
-    where : str, optional
-        File and line, for messages; filled in.
 
     Raises
     ------
     BoresightError
-        No fields, a name that C has taken, a field that is no Variable or is there twice.
+        No fields, or one that is no Variable.  Names that C has taken or that are there twice are
+        refused by `Model`.
 
     Notes
     -----
@@ -268,14 +265,12 @@ class Measurement:
         The source, as "song-lee-2001 (16)".
     correlated : bool, optional
         R is (m, m), and not the variances of independent rows.
-    where : str, optional
-        File and line, for messages; filled in.
 
     Raises
     ------
     BoresightError
-        Neither h nor H, or both without a first order; a shape, unit or row that does not fit; a
-        symbol that no struct declares, once it is part of a Model.
+        A matrix that is none.  Neither h nor H, both without a first order, a shape or row that does
+        not fit, and a symbol that no struct declares are refused by `Model`, a unit by `generate`.
 
     Notes
     -----
@@ -335,14 +330,12 @@ class Output:
     low, high : tuple of float, optional
         Where every component must lie for the function to answer, one bound for each; () for
         anywhere.
-    where : str, optional
-        File and line, for messages; filled in.
 
     Raises
     ------
     BoresightError
-        A value that is no Matrix or has no finite form in C, a unit that is not that of the value,
-        bounds of another number.
+        A value that is no Matrix.  Bounds of another number and what has no form in C are refused
+        by `Model`, a unit that is not that of the value by `generate` and `verify`.
 
     Notes
     -----
@@ -386,13 +379,12 @@ class Function:
         What it returns.
     equations : tuple of str, optional
         The source, as "song-lee-2001 (16)".
-    where : str, optional
-        File and line, for messages; filled in.
 
     Raises
     ------
     BoresightError
-        A name that the filter or C has taken, no outputs, two of one name.
+        No outputs.  A name that the filter or C has taken, and two outputs of one name, are refused
+        by `Model`.
 
     Notes
     -----
@@ -432,7 +424,7 @@ class Level:
 
 @dataclass(frozen=True)
 class Mechanics:
-    """What F and G are the first order of: `verify` holds them against it; nothing of it is printed.
+    """What F and G are the first order of: `verify` holds them against it; it is not printed.
 
     Parameters
     ----------
@@ -543,8 +535,6 @@ class Model:
     loops : bool, optional
         Of a state carried by f, the filter in C takes its step by loops over printed f, F and Qc,
         which is less code and slower.
-    where : str, optional
-        File and line, for messages; filled in.
 
     Raises
     ------
@@ -646,7 +636,7 @@ class Model:
             The old one if left out.
         states : tuple of Variable, optional
             k further components.
-        structs, measurements, functions : tuple, optional
+        structs : tuple of Struct, optional
             Added; one with a known name stands in the place of the old one.
         F : (n + k, n + k) Matrix, optional
             Added to the old F, whose new rows and columns are zero.
@@ -656,6 +646,10 @@ class Model:
             Added to the old G; its new columns belong to `noise`.
         noise : (j,) Matrix, optional
             Densities of the new noises.
+        measurements : tuple of Measurement, optional
+            As `structs`.
+        functions : tuple of Function, optional
+            As `structs`.
         equations : tuple of str, optional
             Added to the source.
 

@@ -105,12 +105,48 @@ class Tick:
 
 
 class Clock:
-    """The line through the tags of a live sensor, by least squares that forget, and its steps by whole intervals.
+    """The regular clock of a live sensor, from time tags that jitter; lost samples are found.
 
-    interval_s: nominal, to .1 %.  memory_s: of the line, by which it follows a drift.  modulo: of the sensor's counter.
-    With a counter lost samples are known at once, and tags that stay off say that their own clock was set.  Without
-    one a step is believed when the mean of the last samples is off by an interval and they agree: 3 samples, or
-    (12 s / interval)^2 where one sigma s of the jitter asks for more.  A mean latency of the tags stays in the time.
+    A line through the tags by least squares that forget, and its steps by whole intervals.
+
+    Parameters
+    ----------
+    interval_s : float
+        Nominal interval of the sensor, to 0.1 %.
+    memory_s : float, optional
+        Of the line, by which it follows a drift.
+    modulo : int, optional
+        Of the sensor's counter, if it has one that wraps.
+
+    Attributes
+    ----------
+    interval_s : float
+        As found so far.
+    jitter_s : float
+        One sigma of tag - line.
+
+    Raises
+    ------
+    BoresightError
+        An interval that is not above zero, or not below memory_s.
+
+    Notes
+    -----
+    With a counter lost samples are known at once, and tags that stay off say that their own clock
+    was set.  Without one a step is believed when the mean of the last samples is off by an interval
+    and they agree: 3 samples, or (12 s / interval)^2 where one sigma s of the jitter asks for more.
+    A mean latency of the tags stays in the time.  When not to use it: for a recording, where later
+    tags are known too (`read(..., regular=True)`), or for a sensor that samples at no regular
+    interval.
+
+    Examples
+    --------
+    >>> from boresight import Clock
+    >>> clock = Clock(0.01, modulo=256)
+    >>> for tag, count in [(0.0, 254), (0.0103, 255), (0.0298, 1)]:
+    ...     tick = clock.sample(tag, count)
+    >>> tick.missing
+    1
     """
 
     def __init__(self, interval_s: float, *, memory_s: float = 60.0, modulo: int | None = None):
@@ -127,7 +163,21 @@ class Clock:
         self._off: deque[float] = deque(maxlen=LONGEST)
 
     def sample(self, tag: float, count: int | None = None) -> Tick:
-        """A sample has come.  tag: s; one that is not finite stands on the line.  count: of the sensor, or None."""
+        """Take the tag of one sample.
+
+        Parameters
+        ----------
+        tag : float
+            s, by the clock of the host; one that is not finite stands on the line.
+        count : int, optional
+            Of the sensor.
+
+        Returns
+        -------
+        Tick
+            `time`, s on the line, where the sample's interval ends; `dt`, s, what its increments
+            cover; `missing`, intervals lost before it, below 0 for a sample that was there already.
+        """
         missing = 0
         if self._time is None:
             if not math.isfinite(tag):

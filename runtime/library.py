@@ -319,7 +319,27 @@ class Library:
         self.units = {name: Unit(self, name, described) for name, described in manifest["units"].items()}
 
     def arrange(self, function: str, fields: dict[str, Any]) -> tuple[dict[str, np.ndarray], tuple[int, ...]]:
-        """The fields as arrays (..., size), for a scalar (..., 1), and the shape of the runs they broadcast to."""
+        """The fields of a function as arrays, and the shape of their runs.
+
+        Parameters
+        ----------
+        function : str
+            Its name, for messages.
+        fields : dict of str to array
+            By name, (..., size), or (...,) if it has one component.
+
+        Returns
+        -------
+        given : dict of str to (..., size) array
+            A scalar as (..., 1).
+        runs : tuple of int
+            What the leading axes broadcast to.
+
+        Raises
+        ------
+        BoresightError
+            A shape that does not fit the field, or runs that do not go together.
+        """
         given = {}
         for name, value in fields.items():
             size = self.field[name]["size"]
@@ -338,7 +358,22 @@ class Library:
     def pack(
         self, structs: Sequence[str], given: dict[str, np.ndarray], runs: tuple[int, ...]
     ) -> list[tuple[np.ndarray, int]]:
-        """Each struct filled from the fields, for each run or, with a stride of 0, once for all, and that stride."""
+        """Each struct filled from its fields, for each run or once for all.
+
+        Parameters
+        ----------
+        structs : sequence of str
+            Names of the structs.
+        given : dict of str to (..., size) array
+            Of `arrange`.
+        runs : tuple of int
+            Of `arrange`.
+
+        Returns
+        -------
+        list of (array, int)
+            The numbers of each struct, and its stride in structs: 0 where it is shared by all runs.
+        """
         packed = []
         for struct in structs:
             used = [(name, part) for name, part in self.layout[struct].items() if name in given]
@@ -351,7 +386,20 @@ class Library:
         return packed
 
     def lanes(self, runs: int) -> tuple[int, ctypes.CDLL]:
-        """How many of so many runs are computed at a time, and the library that does: compiled when it is needed."""
+        """The C that computes several runs at a time, compiled when it is first needed.
+
+        Parameters
+        ----------
+        runs : int
+            How many there are.
+
+        Returns
+        -------
+        width : int
+            How many are computed at a time.
+        dll : ctypes.CDLL
+            The compiled library.
+        """
         # a block of one run is as dear as one of two: compilers make nothing of vectors of one number
         width = min(self.widest, next((w for w in WIDTHS[1:] if w >= runs), WIDTHS[-1]))
         if width not in self._lanes:
@@ -360,7 +408,24 @@ class Library:
         return width, self._lanes[width]
 
     def explain(self, function: str, given: dict[str, np.ndarray], runs: tuple[int, ...], status: np.ndarray) -> None:
-        """Raise BoresightError that names the first field, component and run that was refused."""
+        """Raise the error of the first run that the C refused.
+
+        Parameters
+        ----------
+        function : str
+            Its name.
+        given : dict of str to (..., size) array
+            Of `arrange`.
+        runs : tuple of int
+            Of `arrange`.
+        status : (...,) array
+            What the C returned for each run; at least one is not 0.
+
+        Raises
+        ------
+        BoresightError
+            Always: it names the field, component and run.
+        """
         where = tuple(int(i) for i in np.argwhere(status != 0)[0])
         at = f" of run {where[0] if len(where) == 1 else where}" if where else ""
         for name, array in given.items():

@@ -54,17 +54,69 @@ def many(
     goal: Goal | None = None,
     progress: Progress = lambda done, total, text: None,
 ) -> Outcome:
-    """Fly runs 0 to `runs` - 1, or as many of them as the goal asks for.
+    """Fly runs 0 to `runs` - 1 of an experiment, or as many of them as the goal asks for.
 
-    chunk: runs of one call of `experiment.fly`.  jobs: processes.  dask: address of a cluster's scheduler, whose
-    workers then fly.  directory: keeps final states as Parquet, a file for each BLOCK of runs; those that it holds
-    already are not flown again.
-    Raises BoresightError on what has no meaning, and on a directory of another experiment, seed or model.  On Ctrl-C
-    what is in flight is finished and kept before KeyboardInterrupt is raised; a second Ctrl-C ends at once.
+    What comes out depends on the experiment and the seed alone: not on chunks, processes, machines
+    of one kind, or how often the work was stopped.
+
+    Parameters
+    ----------
+    experiment : Experiment
+        What is flown.
+    runs : int
+        How many at most.
+    seed : int, optional
+        A run draws its numbers by [seed, run].
+    chunk : int, optional
+        Runs of one call of `experiment.fly`.
+    jobs : int, optional
+        Processes on this machine.
+    dask : str, optional
+        Address of a Dask scheduler, whose workers then fly in the place of processes.
+    directory : str or Path, optional
+        Keeps final states as Parquet, a file for each 1024 runs; those that it holds already are
+        not flown a second time.
+    goal : Goal, optional
+        When enough is known.
+    progress : function, optional
+        Called with the runs that are done, those in all as far as is known, and what is found.
+
+    Returns
+    -------
+    Outcome
+        Moments of each column, percentiles with 95 % intervals, `reached`, and `digest`, a SHA-256
+        of all of it; `report()` is a table in text.
+
+    Raises
+    ------
+    BoresightError
+        A number that has no meaning, jobs beside a cluster, a column that is not there, a directory
+        of another experiment, seed or model.
+    KeyboardInterrupt
+        After Ctrl-C, once what is in flight is finished and kept; a second Ctrl-C ends at once.
+
+    Notes
+    -----
+    When not to use it: for some hundred runs; one `CompiledFilter` flies them side by side, and
+    `Consistency` judges every epoch of them.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from boresight import Experiment, many
+    >>> def fly(library, settings, seed, runs):
+    ...     drawn = [np.random.Generator(np.random.Philox(key=[seed, run])) for run in runs]
+    ...     return np.array([[one.standard_normal()] for one in drawn])
+    >>> walk = Experiment("walk", "euler-matching", {"error": "m"}, fly, percentiles=("error",))
+    >>> found = many(walk, runs=100, seed=1)
+    >>> found.runs, found.digest == many(walk, runs=100, seed=1, chunk=7).digest
+    (100, True)
     """
     for name, value, low in (("runs", runs, 1), ("chunk", chunk, 1), ("jobs", jobs, 1), ("seed", seed, 0)):
         if not whole(value) or not low <= value < 2**63:
             raise BoresightError(f"many: {name} is {value!r}; it must be a whole number from {low} to 2^63")
+    if dask is not None and jobs != 1:
+        raise BoresightError("many: jobs are processes here, and dask flies on a cluster; leave one of them out")
     if directory == "":  # as a Path it would be the current folder
         raise BoresightError("many: directory is ''; give a folder, '.' for the current one")
     watched = _watched(experiment, goal)

@@ -19,13 +19,46 @@ PERCENTILES = (50.0, 95.0, 99.0)
 
 @dataclass(frozen=True)
 class Experiment:
-    """What is flown.
+    """What `many` flies.
 
-    fly: a function of a module, fly(library, settings, seed, runs), of `settings`, a dataclass or a dictionary that
-    JSON can hold, and of run numbers, a range: final states (len(runs), columns), a row of NaN for a run that is lost.
-    A row may depend on the settings, the seed and its run's number, and on nothing else.
-    model: name or generated folder of the model, as of `load`.  columns: the unit of each column.
-    expected: mean of a column, where the filter is consistent.  percentiles: columns of which they are told.
+    Parameters
+    ----------
+    name : str
+        In reports and directories.
+    model : str or Path
+        Name or generated folder of the model, as of `load`.
+    columns : mapping of str to str
+        What `fly` returns: the unit of each column by its name.
+    fly : function
+        fly(library, settings, seed, runs), with runs a range of numbers: final states (len(runs),
+        columns), a row of NaN for a run that is lost.  A row may depend on the settings, the seed
+        and its run's number, and on nothing else.  It is a function of a module, so that processes
+        find it.
+    settings : dataclass or dict, optional
+        What JSON can hold; it is kept beside the runs.
+    expected : mapping of str to float, optional
+        Mean of a column, where the filter is consistent.
+    percentiles : tuple of str, optional
+        Columns of which percentiles are computed.
+
+    Raises
+    ------
+    BoresightError
+        By `many`: settings that JSON cannot hold, a name that is no column, final states of another
+        shape.
+
+    Notes
+    -----
+    When not to use it: for results that are no row of numbers for each run, as time histories.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from boresight import Experiment
+    >>> def fly(library, settings, seed, runs):
+    ...     return np.zeros((len(runs), 1))
+    >>> Experiment("rest", "euler-matching", {"error": "m"}, fly).percentiles
+    ()
     """
 
     name: str
@@ -39,7 +72,32 @@ class Experiment:
 
 @dataclass(frozen=True)
 class Goal:
-    """Enough is known when the 95 % interval of this percentile reaches no further than `within` to either side."""
+    """When `many` knows enough: a percentile whose 95 % interval is narrow.
+
+    Parameters
+    ----------
+    column : str
+        Of the experiment.
+    within : float
+        In the column's unit: how far the interval may reach to either side, on the mean of both.
+    percentile : float, optional
+        Between 0 and 100.
+
+    Raises
+    ------
+    BoresightError
+        By `many`: a percentile or width outside these bounds, a column that is not there.
+
+    Notes
+    -----
+    When not to use it: to compare two designs; fly both with the same runs and seed.
+
+    Examples
+    --------
+    >>> from boresight import Goal
+    >>> Goal("error", within=0.05).percentile
+    95.0
+    """
 
     column: str
     within: float  # in the column's unit

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from boresight import BoresightError
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Innovation
 
@@ -32,9 +33,55 @@ def nees(error: Array, P: Array) -> Array:
 
 
 class Consistency:
-    """What a flight leaves to be judged.
+    """Whether a filter knows how wrong it is: errors against P (NEES), innovations against S (NIS).
 
-    shown: each state's label and the factor by which it is shown, as {"heading, deg": 180 / pi}; in the order of P.
+    Give it the errors and innovations of a flight whose truth is known, of one run or of many, then
+    `report` or `draw`.
+
+    Parameters
+    ----------
+    shown : dict of str to float
+        Each state's label and the factor by which it is shown, as {"heading, deg": 180 / pi}; in
+        the order of P.
+
+    Attributes
+    ----------
+    times : list of float
+        s, of the errors.
+    errors, sigmas : (T, runs, n) array
+        By the factors.
+    nees : (T,) array
+        Mean over the runs of the squared error weighed by P; n of a consistent filter.
+    nees_band : list of float
+        Where `nees` lies at 95 % of all times.
+    nees_inside : float
+        The part of all times at which it does.
+    measurements : tuple of str
+        Those of which innovations were given.
+
+    Raises
+    ------
+    BoresightError
+        An error or covariance of another number of states than `shown` has.
+
+    Notes
+    -----
+    When not to use it: without truth; then NIS alone says something, and it does not see every
+    mistake.  Errors of one run at neighbouring times are not independent: the bands are those of
+    each time.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from boresight import Consistency, Innovation
+    >>> judged = Consistency({"height, m": 1.0})
+    >>> judged.error(1.0, np.array([[2.0], [-2.0]]), np.array([[4.0]]))
+    >>> judged.innovation(1.0, "baro", Innovation(np.array([1.0]), np.array([1.0]), np.array([True])))
+    >>> print(judged.report())
+    at 1 s, 2 runs   rms error       sigma
+    height, m                2           2
+    NEES 1.00 of 1; in 0.03 to 3.69 at 100% of all times (95 % expected)
+    NIS of baro 1.000 per row; 0.001 to 5.024 expected
     """
 
     def __init__(self, shown: dict[str, float]):
@@ -46,16 +93,46 @@ class Consistency:
         self._innovations: dict[str, list[tuple[float, Array, Array]]] = {}
 
     def error(self, time: float, error: Array, P: Array) -> None:
-        """The estimate's error at this time, computed - true, (..., n), and its covariance (..., n, n)."""
+        """Add the errors of one time.
+
+        Parameters
+        ----------
+        time : float
+            s.
+        error : (runs, n) or (n,) array
+            Computed - true, in the units of P; of an angle less whole turns.
+        P : (runs, n, n) or (n, n) array
+            The filter's covariance.
+
+        Raises
+        ------
+        BoresightError
+            Another number of states than `shown` has.
+        """
+        error, n = np.atleast_2d(error), len(self.labels)
+        if error.shape[-1] != n or np.shape(P)[-2:] != (n, n):
+            raise BoresightError(
+                f"the error has shape {np.shape(error)} and P {np.shape(P)}; they must be (..., {n}) and "
+                f"(..., {n}, {n}) of {', '.join(self.labels)}"
+            )
         self.times.append(time)
-        error = np.atleast_2d(error)
         P = np.broadcast_to(P, (*error.shape, error.shape[-1]))
         self._errors.append(error * self.factors)
         self._sigmas.append(np.sqrt(np.diagonal(P, axis1=-2, axis2=-1)) * self.factors)
         self._nees.append(nees(error, P))
 
     def innovation(self, time: float, measurement: str, found: Innovation) -> None:
-        """What `Filter.update` returned."""
+        """Add the innovation of one measurement.
+
+        Parameters
+        ----------
+        time : float
+            s.
+        measurement : str
+            Its name.
+        found : Innovation
+            What `Filter.update` returned.
+        """
         taken = (time, np.atleast_1d(found.nis), np.atleast_1d(found.used.sum(-1)))
         self._innovations.setdefault(measurement, []).append(taken)
 
@@ -90,17 +167,49 @@ class Consistency:
         return tuple(self._innovations)
 
     def nis_sum(self, measurement: str) -> tuple[float, int]:
-        """NIS of all runs and times together, and how many rows were used: its degrees of freedom."""
+        """NIS of all runs and times together.
+
+        Parameters
+        ----------
+        measurement : str
+            Its name.
+
+        Returns
+        -------
+        total : float
+            The sum.
+        rows : int
+            How many rows were used: its degrees of freedom.
+        """
         _, nis, rows = map(np.array, zip(*self._innovations[measurement], strict=True))
         return float(nis.sum()), int(rows.sum())
 
     def nis(self, measurement: str) -> tuple[float, list[float]]:
-        """NIS per row used, mean of all runs and times, and the band in which it lies 95 times of 100."""
+        """NIS for each row used, mean of all runs and times.
+
+        Parameters
+        ----------
+        measurement : str
+            Its name.
+
+        Returns
+        -------
+        mean : float
+            1 of a consistent filter.
+        band : list of float
+            Where the mean lies 95 times of 100.
+        """
         total, rows = self.nis_sum(measurement)
         return total / rows, chi_square_band(1, rows)
 
     def report(self) -> str:
-        """One table in text."""
+        """The errors at the end, NEES and NIS with their bands.
+
+        Returns
+        -------
+        str
+            A table in text.
+        """
         width = max(map(len, self.labels))
         rms = np.sqrt(np.mean(self.errors[-1] ** 2, axis=0))
         sigma = np.sqrt(np.mean(self.sigmas[-1] ** 2, axis=0))
@@ -118,7 +227,18 @@ class Consistency:
         return "\n".join(lines)
 
     def draw(self, path: str | Path) -> str:
-        """Errors with 3 sigma, NEES and NIS with their bands, as a figure; a line that says what became of it."""
+        """Draw errors with 3 sigma, NEES and NIS with their bands.
+
+        Parameters
+        ----------
+        path : str or Path
+            Of the figure, PNG or SVG by its ending.
+
+        Returns
+        -------
+        str
+            A line that says where the figure is, or what to install.
+        """
         if find_spec("matplotlib") is None:
             return "no figure: matplotlib is missing; run pip install 'boresight[replay]'"
         from boresight.studies.figures import BLUE, ORANGE, figure

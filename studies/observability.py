@@ -50,8 +50,50 @@ def taken_over(C_b2n: Array, sigma: float) -> Array:
     return P
 
 
-def along(model: Any, P0: Array, moments: Iterable[Moment]) -> Iterator[Array]:
-    """P (..., n, n) after each moment."""
+def along(model: Any, P0: Array, steps: Iterable[Moment]) -> Iterator[Array]:
+    """The covariance of a filter with H along the true motion: what a motion makes observable.
+
+    An H at estimates that are wrong pretends to information that is not there; along the truth it
+    does not.  Deterministic: no noise is drawn and no state is estimated.
+
+    Parameters
+    ----------
+    model : Library, or any object with Phi and Q
+        An error state, or a total state whose Phi and Q the steps give inputs for.
+    P0 : (..., n, n) array
+        Covariance at the start.
+    steps : iterable of Moment
+        Of each `inputs`, what Phi and Q are called with at the truth; and, where something is
+        measured, `H` (..., m, n), `R` (..., m) variances, `rows` (..., m) bool.
+
+    Yields
+    ------
+    (..., n, n) array
+        P after each step, in the states' units.
+
+    Raises
+    ------
+    BoresightError
+        Inputs that the model does not have, P0 that is no covariance, R that is not above zero.
+
+    Notes
+    -----
+    When not to use it: to ask how large the errors of a flight are; that is what `Consistency`
+    shows.  A variance that falls says that a motion informs a state, not that a filter uses it
+    rightly.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from boresight import load, observability
+    >>> inputs = {"q_b2n_wxyz": [1, 0, 0, 0], "omega_in_n": np.zeros(3), "dt": 1.0,
+    ...           "gyro_noise": np.full(3, 1e-5)}
+    >>> H = np.hstack([np.eye(3), np.eye(3)])  # attitude and mounting, seen as their sum
+    >>> step = observability.Moment(inputs, H, R=np.full(3, 1e-8))
+    >>> *_, P = observability.along(load("euler-matching"), np.eye(6) * 1e-4, [step] * 10)
+    >>> print(np.sqrt(np.diag(P)).round(4))
+    [0.0071 0.0071 0.0071 0.0071 0.0071 0.0071]
+    """
 
     def known_H(H: Array) -> Array:
         return H
@@ -61,7 +103,7 @@ def along(model: Any, P0: Array, moments: Iterable[Moment]) -> Iterator[Array]:
 
     known = Replaced(model, {"known_z": with_fields(no_z, "H"), "known_H": with_fields(known_H, "H")})
     flown = Filter(known, {}, P0)
-    for moment in moments:
+    for moment in steps:
         flown.predict(**moment.inputs)
         if moment.H is not None:
             flown.update("known", moment.R, rows=moment.rows, H=moment.H)

@@ -132,11 +132,11 @@ class CompiledFilter(Filter):
     --------
     >>> import numpy as np
     >>> from boresight import CompiledFilter, load
-    >>> nav = {"q_b2n_wxyz": np.tile([1.0, 0, 0, 0], (5, 1)), "mu": np.zeros(3)}
+    >>> nav = {"q_b2n_wxyz": [1, 0, 0, 0], "mu": np.zeros(3)}
     >>> loop = CompiledFilter(load("euler-matching"), nav, P=np.eye(6) * 1e-4)
     >>> loop.predict(omega_in_n=np.zeros(3), gyro_noise=np.full(3, 1e-4), dt=1.0)
-    >>> loop.variances().shape
-    (5, 6)
+    >>> print(np.sqrt(loop.variances()).round(4))
+    [0.01 0.01 0.01 0.01 0.01 0.01]
     """
 
     def __init__(self, model: Library, nav: dict[str, Array], P: Array, x: Any = None):

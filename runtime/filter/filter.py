@@ -38,8 +38,8 @@ class Innovation:
     Notes
     -----
     Where the joint gate leaves a measurement out, used is False in every row, and nis is the number
-    that exceeded the gate.  Not for rows of several measurements together: each `update` has its
-    own.
+    that exceeded the gate.  When not to use it: for several measurements together; each `update`
+    has its own.
 
     Examples
     --------
@@ -62,7 +62,7 @@ class Innovation:
 
 
 class Filter:
-    """A Kalman filter in NumPy over a model's functions: predict, update by a measurement, feed back.
+    """A Kalman filter in NumPy over a model's functions: predict, update, feed back.
 
     One run, or many side by side: what stands before the last axes are runs, and everything
     broadcasts.  Units are SI and rad, frames those of the model (`boresight models NAME`).

@@ -53,13 +53,52 @@ def read(
     regular: bool = False,
     allow: Sequence[str] = (),
 ) -> Recording:
-    """A recording from its TOML description, or from a data file that has one.
+    """A recording of a slave and, if there is one, its master, in NED, FRD, SI and rad.
 
-    A data file is described by the TOML of the same name beside it, or by a description that comes with Boresight and
-    knows all its arrays, or its topics.  strict: refuse what `check` calls an error.  The rest stands above what the
-    description says: begin, end: s as `check` shows the time, "12 s", or a date.  bridge: up to this much missing, s or
-    "20 ms", is filled.  regular: the slave's clock is, whatever its tags say.  allow: names of errors that are none.
-    Raises BoresightError naming the file, the column and what to do.
+    Parameters
+    ----------
+    path : str or Path
+        A TOML description, or a data file that has one: of the same name beside it, or one that
+        comes with Boresight and knows all its arrays or topics.  A file that is not found here is
+        looked for in the folder BORESIGHT_DATA.
+    strict : bool, optional
+        Refuse what `boresight replay --check` calls an error.
+    begin, end : float, str or datetime, optional
+        Cut to these times, above what the description says: s as the check shows the time, "12 s",
+        or a date.
+    bridge : float or str, optional
+        s, or "20 ms": up to this much missing is filled.
+    regular : bool, optional
+        The slave's clock is regular, whatever its tags say.
+    allow : sequence of str, optional
+        Names of errors that are none here.
+
+    Returns
+    -------
+    Recording
+        `imu`: times and increments of the slave; `master`: times, velocity, attitude and position,
+        or None; `reference`: what is known as truth, by name; `notes`: what was done to the data.
+
+    Raises
+    ------
+    BoresightError
+        A file or column that is missing, a value that cannot be, an unknown unit or format, an
+        extra that is not installed: the file, the column and what to do.
+
+    Notes
+    -----
+    When not to use it: for arrays that you have; `Transfer` and the filters take them as they are.
+    With strict=False look at `boresight replay --check` first: errors of axes and units are seen
+    there alone.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> from boresight import read, simulation
+    >>> description = simulation.drive.simulate("drive", seed=1, duration=5.0)
+    >>> drive = read(description)
+    >>> drive.imu.rates()[0].shape[1], drive.master.v_n.shape[1]
+    (3, 3)
     """
     need("replay")
     from boresight.runtime.recording import description

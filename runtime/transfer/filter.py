@@ -440,7 +440,20 @@ class Transfer:
     # ---- the master
 
     def master(self, message: Message) -> Result:
-        """Hold a message against the slave and correct the slave by it, its past included."""
+        """Hold a message against the slave, and correct the slave by it, its past included.
+
+        Parameters
+        ----------
+        message : Message
+            What the master reports.
+
+        Returns
+        -------
+        Result
+            `verdict` (...,), what became of it in each run; `taken` (...,) bool; `innovations` by
+            measurement; `nis` (...,) and `rows` (...,) of the rows used; `lag` (...,) s, how old
+            the message was believed to be.
+        """
         self._covariance()
         loop, rules, runs = self.filter, self.rules, self.runs
         attitude = self._attitude_field()
