@@ -67,7 +67,7 @@ def test_verify_wants_at_least_one_point_and_a_model():
     for points in (0, -1, 2.5):
         with pytest.raises(BoresightError, match="points is"):
             verify("euler-matching", points=points)
-    with pytest.raises(BoresightError, match="7 is no model; give a built-in name, FILE.py:NAME or a Model"):
+    with pytest.raises(BoresightError, match=r"7 is no model; give a built-in name, FILE\.py:NAME or a Model"):
         generate(7)
 
 
