@@ -1,6 +1,7 @@
 # run: make the environment, derive, generate, compile, verify one model, and fly the paper's Table 1 with it.
-# test: what is committed held against its source before `run` writes it anew; then the same, every model verified,
-# every test, and the checks of style and types.
+# quick: style and types, a law of each room, and the tests of what was edited since BASE, in a minute on two cores.
+# test: every test, in one pool, a file of tests at a time and the dearest first; tests/test_promises.py among them
+# holds what is committed against its source, and verifies every model, and holds style and types.
 VENV := .venv
 BIN := $(VENV)/bin
 PYTHON ?= python3
@@ -10,7 +11,7 @@ PEERS := symforce wrenfold casadi sympy filterpy python-ins simdkalman numba jax
 COUNTING := unicorn pyelftools
 
 .NOTPARALLEL:
-.PHONY: run test generated check evidence proofs bench clean tools announce
+.PHONY: run quick test generated check evidence proofs bench clean tools announce
 
 run: announce $(VENV)/.installed
 	$(BIN)/boresight generate
@@ -22,8 +23,10 @@ announce:
 	@test -e $(VENV)/.installed || echo "make: installs 1 GB of packages into $(VENV) first, once"
 	@echo "make run: takes about 25 s of processor time; figures go to out/euler-table"
 
-test: generated run $(VENV)/.tested check
-	$(BIN)/boresight verify
+quick: $(VENV)/.tested
+	@$(BIN)/python tests/quick.py $(BASE)
+
+test: $(VENV)/.tested
 	$(BIN)/python -m pytest -n auto tests
 
 # What is generated, held against what is committed; with VENV and PYTHON of another version too.

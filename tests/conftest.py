@@ -12,10 +12,34 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from xdist.scheduler import LoadFileScheduling
 
 pytest_plugins = ("tools",)
 ROOT = Path(__file__).parent.parent
+LEDGERS = ("tests/test_cli.py", "tests/test_kept_ledger.py", "tests/test_notebook.py")  # beside tests/derive
 PENDULUM = f"{ROOT / 'tests' / 'pendulum.py'}:PENDULUM"
+
+
+def pytest_collection_modifyitems(items):
+    """The dearest files first, so that at the end no processor waits for one; tests/costs.txt is of tests/costs.py."""
+    rows = (line.split() for line in (ROOT / "tests" / "costs.txt").read_text().splitlines())
+    seconds = {name: float(cost) for cost, name in rows}
+    items.sort(key=lambda item: -seconds.get(item.nodeid.split("::")[0], 0.0))
+
+
+class BySubject(LoadFileScheduling):
+    """A worker takes a file of tests at a time, in the order of the collection, so that what a file shares is made
+    once; and all that computes ledgers, each of which takes up to half a minute, is one file to it."""
+
+    def _split_scope(self, nodeid):
+        path = super()._split_scope(nodeid)
+        return "ledgers" if path.startswith("tests/derive/") or path in LEDGERS else path
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config, log):
+    config.option.loadscopereorder = False
+    return BySubject(config, log)
 
 
 @pytest.fixture(scope="session")
@@ -94,8 +118,8 @@ def quickly():
 
 @pytest.fixture(scope="module", autouse=True)
 def _quickly(request):
-    """The flights of tests/runtime are short, all of them."""
-    if request.path.parent.name == "runtime":
+    """The flights of tests/runtime and of tests/studies are short, all of them."""
+    if request.path.parent.name in ("runtime", "studies"):
         request.getfixturevalue("quickly")
 
 

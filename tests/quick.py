@@ -1,0 +1,145 @@
+"""`make quick`: style and types, a law of each room, and the tests of what was edited, in about a minute on two cores.
+
+    python tests/quick.py [BASE]
+
+Edited is what differs from BASE (HEAD if left out) in the checkout, committed or not.  Its tests are those that import
+it, the nearest first and of them the cheapest, as many as fit; of what makes C, `generate --check` of models besides.
+The last line says what was run and what was not.
+"""
+
+import re
+import shlex
+import subprocess
+import sys
+from collections import defaultdict, deque
+from collections.abc import Iterator
+from pathlib import Path
+
+TESTS = Path(__file__).resolve().parent
+ROOT = TESTS.parent
+BUDGET = 45.0  # processor seconds for the tests of what was edited
+LAYERS = ("derive", "codegen", "runtime", "studies", "evidence")
+LAYERS = ("derive", "codegen", "runtime", "studies", "evidence")
+CHECKED = "tests/test_promises.py::test_what_is_committed_is_what_its_source_makes"
+CHEAPEST = ("strapdown", "euler-matching", "azimuth-hold")  # of the models; the first two have most of what is written
+IMPORT = re.compile(r"^\s*(?:from|import)\s+([\w.]+)(?:\s+import\s+(\([^)]*\)|.*))?", re.MULTILINE)
+IMPORT = re.compile(r"^\s*(?:from|import)\s+([\w.]+)(?:\s+import\s+(\([^)]*\)|.*))?", re.MULTILINE)
+ROOMS = (
+    "tests/test_promises.py::test_style_and_types_hold",
+    "tests/test_promises.py::test_no_generated_file_was_edited",
+    "tests/test_imports.py::test_a_layer_imports_only_along_the_arrows",
+    f"{CHECKED}[strapdown]",
+    "tests/derive/test_maps.py",
+    "tests/runtime/test_total_state.py",
+    "tests/runtime/test_recording.py",
+    "tests/studies/test_euler_table.py::test_the_closed_loop_gives_the_papers_147_cells",
+    "tests/evidence/test_results.py",
+)
+
+
+def costs() -> dict[str, float]:
+    """Processor seconds of each file of tests, as tests/costs.py found them."""
+    rows = [line.split() for line in (TESTS / "costs.txt").read_text().splitlines()]
+    return {row[-1]: float(row[0]) for row in rows if row and not row[0].startswith("#")}
+
+
+def edited(base: str) -> list[Path]:
+    """What differs from a revision, or is new; nothing where git knows no such tree."""
+    found: list[str] = []
+    for words in (f"diff --name-only {shlex.quote(base)}", "ls-files --others --exclude-standard"):
+        try:
+            done = subprocess.run(["git", *shlex.split(words)], cwd=ROOT, capture_output=True, text=True, check=False)
+        except FileNotFoundError:
+            return []
+        if done.returncode:
+            if base != "HEAD":
+                raise SystemExit(f"quick: git knows no {base}; give a revision")
+            return []
+        found += done.stdout.splitlines()
+    return [ROOT / name for name in dict.fromkeys(found)]
+
+
+def located(name: str, beside: Path) -> Iterator[Path]:
+    """The file of a module of Boresight and those of its packages, or of what lies beside a test."""
+    first, *parts = name.split(".")
+    if first == "boresight":
+        places = [home.joinpath(*parts[: k + 1]) for k in range(len(parts)) for home in (ROOT, ROOT / "boresight")]
+    else:
+        places = [home.joinpath(first, *parts) for home in (ROOT, beside, TESTS)]
+    for place in places:
+        yield from (file for file in (place.with_suffix(".py"), place / "__init__.py") if file.is_file())
+
+
+def imported(path: Path) -> Iterator[Path]:
+    """The files of this project that a file imports, at any depth in it."""
+    for module, names in IMPORT.findall(path.read_text(encoding="utf-8")):
+        for name in (module, *(f"{module}.{name}" for name in re.findall(r"\w+", names))):
+            yield from located(name, path.parent)
+
+
+def near(path: Path, importers: dict[Path, list[Path]]) -> dict[str, int]:
+    """Files of tests, and how many imports each is away from what was edited; of what is no module, those that name
+    it.  What is generated is held by the hashes in its manifest."""
+    if path.is_relative_to(ROOT / "generated"):
+        return {}
+    if path.suffix != ".py":
+        named = (test for test in TESTS.rglob("test_*.py") if path.name in test.read_text(encoding="utf-8"))
+        return {test.relative_to(ROOT).as_posix(): 1 for test in named}
+    found, waiting = {path: 0}, deque([path])
+    while waiting:
+        file = waiting.popleft()
+        for importer in importers[file]:
+            if importer not in found:
+                found[importer] = found[file] + 1
+                waiting.append(importer)
+    tests = {file: far for file, far in found.items() if TESTS in file.parents and file.name.startswith("test_")}
+    return {file.relative_to(ROOT).as_posix(): far for file, far in tests.items()}
+
+
+def models(path: Path) -> list[str]:
+    """The models whose C a file makes, cheapest first; of what all of them share, the cheapest ones alone."""
+    from boresight.codegen.generate import model_names, source_of
+    from boresight.codegen.stamp import reached
+
+    generator = {p for f in ("functions", "text", "templates") for p in (ROOT / "codegen" / f).rglob("*")}
+    if path in reached({p for p in generator if p.suffix in (".py", ".j2")}):
+        return list(CHEAPEST)
+    using = [name for name in model_names() if path in reached({source_of(name)})]
+    return sorted(using, key=lambda name: (name not in CHEAPEST, "-" in name, name))[:3]
+
+
+def chosen(paths: list[Path]) -> tuple[list[str], list[str]]:
+    """What pytest is given for what was edited, and the files of tests that it leaves out."""
+    known, spent, importers = costs(), 0.0, defaultdict(list)
+    for folder in (*LAYERS, "boresight", "tests"):
+        for file in (ROOT / folder).rglob("*.py"):
+            for other in imported(file):
+                importers[other].append(file)
+    checks, distance = dict.fromkeys(name for path in paths for name in models(path)), {}
+    for path in paths:
+        for name, far in near(path, importers).items():
+            distance[name] = min(far, distance.get(name, far))
+    run, left = [f"{CHECKED}[{name}]" for name in checks], []
+    for name in sorted(distance, key=lambda n: (distance[n], known.get(n, 1.0), n)):
+        if spent + known.get(name, 1.0) <= BUDGET:
+            run.append(name)
+            spent += known.get(name, 1.0)
+        else:
+            left.append(name)
+    return run, left
+
+
+def main(base: str = "HEAD") -> int:
+    paths = edited(base)
+    run, left = chosen([path.resolve() for path in paths if path.is_file()])
+    rooms = [law for law in ROOMS if law.split("::")[0] not in run]
+    words = ["-n", "2", "-q"]
+    done = subprocess.run([sys.executable, "-m", "pytest", *words, *dict.fromkeys([*rooms, *run])], cwd=ROOT)
+    of = f"{len(run)} files or checks of {len(paths)} edited files" if paths else "nothing was edited"
+    rest = f"; not run: {len(left)} more files that reach them" if left else ""
+    print(f"quick: {len(rooms)} laws of the rooms, {of}{rest}; make test runs everything")
+    return done.returncode
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
