@@ -5,6 +5,7 @@ import sys
 
 import pytest
 from conftest import ROOT
+from tools import needs
 
 # IPython is where a notebook runs before a user imports anything; a stand-in of its two functions where it is missing.
 STAND_IN = """
@@ -43,10 +44,10 @@ assert formatters["text/html"](model.structs[0]) is None
 """
 
 
-@pytest.mark.parametrize("before", [STAND_IN, IPYTHON], ids=["stand-in", "IPython"])
+@pytest.mark.parametrize(
+    "before", [pytest.param(STAND_IN, id="stand-in"), pytest.param(IPYTHON, id="IPython", marks=needs("IPython"))]
+)
 def test_a_notebook_shows_models_equations_and_derivations(before):
-    if before is IPYTHON:
-        pytest.importorskip("IPython", reason="pip install ipython")
     done = subprocess.run([sys.executable, "-c", before + CELLS], cwd=ROOT, capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stderr
 

@@ -14,6 +14,7 @@ from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
@@ -88,6 +89,7 @@ TOOLS = {
         also=lambda: "__FLT_EVAL_METHOD__ 2" in printed("gcc", "-mfpmath=387", "-dM", "-E", "-x", "c", os.devnull),
         hint="a gcc for x86",
     ),
+    "IPython": Tool(command="", also=lambda: find_spec("IPython") is not None, hint="pip install ipython"),
     "papers": Tool(
         command="", also=(SHARED / "papers").is_dir, hint="the papers' texts in shared/papers beside the checkout"
     ),
@@ -193,9 +195,7 @@ def pytest_addoption(parser):
     parser.addoption("--skipped", metavar="FILE", help="write the names of the skipped tests, to be run as @FILE")
 
 
-def pytest_configure(config):
-    config.addinivalue_line("markers", "digits: compares digits, which must hang on no processor")
-    config.addinivalue_line("markers", "needs(*names): tools of tests/tools.py, without which the test is skipped")
+def pytest_configure():
     subprocess.Popen = Guarded
 
 
