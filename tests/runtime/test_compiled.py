@@ -108,7 +108,7 @@ def test_the_azimuth_hold_of_kim_is_flown_to_rounding(monkeypatch):
 
     def fly():
         start = azimuth_alignment.align(models, scenario, runs=2, seed=1)
-        return azimuth_hold.hold(models, scenario, start, 30, zaru=True)
+        return azimuth_hold.hold(models, scenario, start, 10, zaru=True)
 
     assert held_together(azimuth_hold, fly, ("phi", "sigma", "speed", "error", "P"), monkeypatch) == {}
 

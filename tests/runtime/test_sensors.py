@@ -16,7 +16,7 @@ from boresight.runtime.transfer.score import driven
 from boresight.runtime.transfer.sensors import GRADES, Sensors, calibration, carried, sized
 from boresight.runtime.units import DEG_H, STANDARD_GRAVITY
 
-RUNS = 20
+RUNS = 12
 FLOWN = {"runs": RUNS, "seconds": 20.0, "imu_hz": 25, "every": 5}
 SCALED = Sensors(gyro_scale=6e-3)
 ALL = Sensors(1e-3, 1e-3, 1e-3, 1e-3, 3 * DEG_H, 1e-4 * STANDARD_GRAVITY, 100.0, 3e-4, 1.0)

@@ -138,7 +138,7 @@ def reported(library, true, sensed, late):
 @cache
 def fly(name, updates=True, size=1.0, change=None):
     """A hundred flights; size: of every random number; change: (unit, what becomes of its result)."""
-    library = load(name)
+    library = load(name, lanes=1)
     rng, n = np.random.default_rng([2024, MODELS.index(name)]), len(library.states)
     blocks = library.manifest["blocks"]
     sigma = np.array([SIGMAS[unit] for block in blocks for unit in unit_of(block)])
