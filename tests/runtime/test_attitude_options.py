@@ -1,7 +1,6 @@
 """Compositions of velocity-attitude: what they add is seen, carried and corrected with its sign, and is consistent."""
 
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,38 +13,42 @@ from boresight.runtime.simulation import hull, inertial, sensors
 from boresight.runtime.transfer import Message, Rules, Transfer
 from boresight.studies.explorations.sea_state import pitched
 
-OPTIONS = Path(__file__).parent.parent.parent / "examples" / "velocity_attitude_options.py"
 DEG = np.pi / 180
 POSITION = np.array([0.61, 2.1, 12.0])
-RUNS = 40
+RUNS = 24
+
+
+NONE = {"position": POSITION, "v_n": np.zeros(3), "q_b2n_wxyz": np.eye(4)[0], "q_b2m_wxyz": np.eye(4)[0], "tau": 0.0,
+        "gyro_bias": np.zeros(3), "accel_bias": np.zeros(3), "gyro_turn_on": np.zeros(3), "accel_turn_on": np.zeros(3),
+        "gyro_bias_beta": np.zeros(3), "accel_bias_beta": np.zeros(3), "lever_b": np.zeros(3), "a_n": np.zeros(3),
+        "lag": 0.0, "omega_ib_b": np.zeros(3), "f_b": np.array([0, 0, -9.8]), "dtheta_ib_b": np.zeros(3),
+        "dv_b": np.zeros(3), "dtheta_before": np.zeros(3), "dv_before": np.zeros(3), "flexure": np.zeros(3),
+        "flexure_rate": np.zeros(3), "flexure_omega": np.ones(3), "flexure_damping": np.zeros(3),
+        "flexure_noise": np.zeros(3),
+        "gyro_scale": np.zeros(3), "accel_scale": np.zeros(3), "gyro_axes": np.zeros(6), "accel_axes": np.zeros(3),
+        "x": np.zeros(46)}  # fmt: skip
+LEVER, BENT, SCALED = slice(16, 19), slice(19, 25), slice(25, 40)  # of the states of the model with all of it
 
 
 @pytest.fixture(scope="module")
-def base(quickly):
+def base():
     return load("velocity-attitude")
 
 
 @pytest.fixture(scope="module")
-def lever(quickly):
+def lever():
     return load("velocity-attitude-lever")
 
 
-def generated(name, tmp_path_factory):
-    from boresight.codegen.generate import generate
-
-    folder = tmp_path_factory.mktemp("options") / name
-    generate(f"{OPTIONS}:{name}", folder)
-    return load(folder)
-
-
 @pytest.fixture(scope="module")
-def flexure(quickly, tmp_path_factory):
-    return generated("flexure", tmp_path_factory)
+def whole():
+    """Bending, scale factors and axes, which the options of examples/velocity_attitude_options.py are made of too."""
+    return load("velocity-attitude-sensors")
 
 
-@pytest.fixture(scope="module")
-def scale(quickly, tmp_path_factory):
-    return generated("scale_factors", tmp_path_factory)
+def of(unit, **fields):
+    """A function of the model where what is not given is nothing."""
+    return unit(**{name: fields.get(name, NONE.get(name)) for name in unit.fields})
 
 
 # ---------------------------------------------------------------- signs, against finite differences of exact mechanics
@@ -105,7 +108,7 @@ def test_velocity_sees_the_lever_arm_and_feedback_corrects_it(lever, base):
 
 
 @pytest.mark.parametrize("seen", ["velocity", "dcm", "quaternion"])
-def test_measurements_see_bending_and_its_rate(flexure, seen):
+def test_measurements_see_bending_and_its_rate(whole, seen):
     """The mounting is bent: C_b2m = exp([bend x]) C_mounting; the slave's gyros feel its rate, the hull does not."""
     for seed in range(5):
         d = drawn(seed)
@@ -114,39 +117,29 @@ def test_measurements_see_bending_and_its_rate(flexure, seen):
         hull_rate = d["omega"] - C_b2m.T @ rate
         shared, v_m, C_m2n = at_truth(d, hull_rate, C_b2m)
         error = d["rng"].standard_normal(6)
+        fields = {**shared, "q_b2n_wxyz": quaternion(d["C"]), "omega_ib_b": d["omega"], "lever_b": d["lever"],
+                  "v_m_n": v_m, "q_m2n_wxyz": quaternion(C_m2n), "q_b2m_wxyz": quaternion(d["mount"]),
+                  "flexure": bend, "flexure_rate": rate}  # fmt: skip
 
-        def z(size, seen=seen, shared=shared, d=d, v_m=v_m, C_m2n=C_m2n, bend=bend, rate=rate, error=error):
-            fields = {**shared, "q_b2n_wxyz": quaternion(d["C"]), "omega_ib_b": d["omega"], "lever_b": d["lever"],
-                      "v_m_n": v_m, "q_m2n_wxyz": quaternion(C_m2n), "q_b2m_wxyz": quaternion(d["mount"]),
-                      "flexure": bend + size * error[:3], "flexure_rate": rate + size * error[3:],
-                      "x": np.zeros(22)}  # fmt: skip
-            unit = getattr(flexure, f"{seen}_z")
-            return unit(**{name: fields[name] for name in unit.fields})
+        def z(size, seen=seen, fields=fields, bend=bend, rate=rate, error=error):
+            wrong = {"flexure": bend + size * error[:3], "flexure_rate": rate + size * error[3:]}
+            return of(getattr(whole, f"{seen}_z"), **(fields | wrong))
 
-        H = getattr(flexure, f"{seen}_H")
-        fields = {"position": POSITION, "v_n": d["v"], "q_b2n_wxyz": quaternion(d["C"]), "omega_ib_b": d["omega"],
-                  "lever_b": d["lever"], "a_n": np.zeros(3), "q_m2n_wxyz": quaternion(C_m2n), "lag": 0.0,
-                  "x": np.zeros(22),
-                  "q_b2m_wxyz": quaternion(d["mount"]), "flexure": bend, "flexure_rate": rate}  # fmt: skip
-        first_order(z, H(**{name: fields[name] for name in H.fields}), slice(16, 22), error, floor=1e-9)
+        first_order(z, of(getattr(whole, f"{seen}_H"), **fields), BENT, error, floor=1e-9)
 
 
-def test_the_bending_estimate_is_carried_as_its_error_and_as_the_process_it_is(flexure, base):
+def test_the_bending_estimate_is_carried_as_its_error_and_as_the_process_it_is(whole, base):
     rng = np.random.default_rng(5)
     omega, damping, dt = np.array([0.5, 1.0, 4.0]), np.array([1.0, 0.0, 0.5]), 0.01
     bend, rate = 1e-3 * rng.standard_normal((2, 3))
-    still = {name: np.zeros(3) for name in ("v_n", "gyro_bias", "accel_bias", "dtheta_ib_b", "dv_b", "dtheta_before",
-                                             "dv_before")}  # fmt: skip
-    made = flexure.strapdown(position=POSITION, q_b2n_wxyz=unit(rng), dt=dt, flexure=bend, flexure_rate=rate,
-                             flexure_omega=omega, flexure_damping=damping, **still)  # fmt: skip
+    process = {"flexure_omega": omega, "flexure_damping": damping, "dt": dt}
+    made = of(whole.strapdown, q_b2n_wxyz=unit(rng), flexure=bend, flexure_rate=rate, **process)
     q = unit(rng)
-    Phi = flexure.Phi(position=POSITION, v_n=np.zeros(3), q_b2n_wxyz=q, f_b=[0, 0, -9.8], dt=dt, flexure_omega=omega,
-                      flexure_damping=damping)  # fmt: skip
+    Phi = of(whole.Phi, q_b2n_wxyz=q, **process)
     carried = np.concatenate([made["flexure"], made["flexure_rate"]])
-    np.testing.assert_allclose(carried, Phi[16:, 16:] @ np.concatenate([bend, rate]), rtol=1e-13)
-    np.testing.assert_array_equal(
-        Phi[:16, :16], base.Phi(position=POSITION, v_n=np.zeros(3), q_b2n_wxyz=q, f_b=[0, 0, -9.8], dt=dt)
-    )
+    np.testing.assert_allclose(carried, Phi[BENT, BENT] @ np.concatenate([bend, rate]), rtol=1e-13)
+    # a bias that could wander about its constant is one more factor: an ulp
+    np.testing.assert_allclose(Phi[:16, :16], of(base.Phi, q_b2n_wxyz=q, dt=dt), rtol=4e-16, atol=0)
     # the oscillator's closed forms, critically damped, undamped and half damped, to the third power of omega dt
     t, at_half = dt, np.sqrt(0.75)
     closed = np.array([
@@ -176,37 +169,36 @@ def fields(numbers):
     return {name: numbers[..., part] for name, part in FIELDS.items()}
 
 
-def test_scaled_sensors_are_read_right_and_their_errors_enter_as_biases_in_proportion(scale, base):
+def test_scaled_sensors_are_read_right_and_their_errors_enter_as_biases_in_proportion(whole, base):
     rng = np.random.default_rng(6)
     nav = {"position": POSITION, "v_n": rng.uniform(-9, 9, 3), "q_b2n_wxyz": unit(rng)}
     dt, omega, f = 0.01, rng.uniform(-0.5, 0.5, 3), rng.uniform(-12, 12, 3)
     gyro, accel, numbers = triads(rng, 0.03)
     bias_g, bias_a = 1e-3 * rng.standard_normal(3), 0.1 * rng.standard_normal(3)
-    none = fields(np.zeros(15))
 
     def step(library, dtheta, dv, **more):
-        return library.strapdown(**nav, dtheta_ib_b=dtheta, dv_b=dv, dtheta_before=dtheta, dv_before=dv, dt=dt, **more)
+        told = {"dtheta_ib_b": dtheta, "dv_b": dv, "dtheta_before": dtheta, "dv_before": dv, "dt": dt}
+        return of(library.strapdown, **nav, **told, **more)
 
     shown_rate, shown_force = np.linalg.solve(np.eye(3) - gyro, omega), np.linalg.solve(np.eye(3) - accel, f)
     measured = (shown_rate + bias_g) * dt, (shown_force + bias_a) * dt
-    read = step(scale, *measured, gyro_bias=bias_g, accel_bias=bias_a, **fields(numbers))
-    ideal = step(base, omega * dt, f * dt, gyro_bias=np.zeros(3), accel_bias=np.zeros(3))
+    read = step(whole, *measured, gyro_bias=bias_g, accel_bias=bias_a, **fields(numbers))
+    ideal = step(base, omega * dt, f * dt)
     for name, value in ideal.items():
         np.testing.assert_allclose(read[name], value, atol=1e-14)
     # an error of K over a step, against Phi
     *_, error = triads(rng, 1e-3)
-    wrong = step(scale, *(part * dt for part in (omega, f)), gyro_bias=np.zeros(3), accel_bias=np.zeros(3),
-                 **fields(error))  # fmt: skip
+    wrong = step(whole, omega * dt, f * dt, **fields(error))
     grown = np.concatenate([
         rotation.attitude_error(wrong["q_b2n_wxyz"], ideal["q_b2n_wxyz"]), wrong["v_n"] - ideal["v_n"]
     ])  # fmt: skip
-    Phi = scale.Phi(**nav, f_b=f, omega_ib_b=omega, dt=dt, **none)
-    calibrated = scale.Phi(**nav, f_b=shown_force, omega_ib_b=shown_rate, dt=dt, **fields(numbers))
+    Phi = of(whole.Phi, **nav, f_b=f, omega_ib_b=omega, dt=dt)
+    calibrated = of(whole.Phi, **nav, f_b=shown_force, omega_ib_b=shown_rate, dt=dt, **fields(numbers))
     # a bias error is less by K, and an error of K multiplies what is shown and not what is true
     both = np.eye(6)
     both[:3, :3], both[3:, 3:] = np.eye(3) - gyro, np.eye(3) - accel
     np.testing.assert_allclose(calibrated[:6, 6:12], Phi[:6, 6:12] @ both, atol=1e-15)
-    expected = Phi[:6, 16:] @ error
+    expected = Phi[:6, SCALED] @ error
     np.testing.assert_allclose(grown, expected, atol=0.01 * np.abs(expected).max())
     assert np.abs(expected[:3]).max() > 1e-6 and np.abs(expected[3:]).max() > 1e-5
 
@@ -225,8 +217,11 @@ class Extra:
     constants: dict[str, Any] = field(default_factory=dict)
 
 
-def closed_loop(library, motion, extra, *, lever, seconds, update_hz, bending=None, gains=None, seed=0):
-    """errors (runs, n) and P (runs, n, n) at the end: 20 deg/h, 2 mg, a master of 1 cm/s and 0.003 deg, 5 ms late."""
+def closed_loop(library, motion, extra, states, *, lever, seconds, update_hz, bending=None, gains=None, seed=0):
+    """errors (runs, n) and P (runs, n, n) at the end: 20 deg/h, 2 mg, a master of 1 cm/s and 0.003 deg, 5 ms late.
+
+    states: places of what is added; n is 16 and these, and what else the model has is nothing.
+    """
     rate = 50
     dt, every = 1 / rate, rate // update_hz
     time = np.arange(seconds * rate + 1) * dt
@@ -257,13 +252,16 @@ def closed_loop(library, motion, extra, *, lever, seconds, update_hz, bending=No
     nav, narrow, _ = transfer.first(first, plain, constants, sigmas=sigmas, rate_sigma=0.0, acceleration_sigma=0.0)
     narrow[:, :3, :3] += np.eye(3) * (0.1 * DEG) ** 2  # the master's first report is late, at 0.3 rad/s
     narrow[:, 3:6, 3:6] += np.eye(3) * 0.5**2
-    k = len(extra.sigma)
-    P = np.zeros((RUNS, 16 + k, 16 + k))
+    n = len(library.states)
+    added = np.arange(n)[states]
+    P = np.zeros((RUNS, n, n))
     P[:, :16, :16] = narrow
-    P[:, range(16, 16 + k), range(16, 16 + k)] = np.square(extra.sigma)
-    constants = {name: value for name, value in constants.items() if name not in extra.start}
-    loop = Transfer(library, {**nav, **extra.start, **extra.constants}, P, constants, compensation="extrapolate",
-                    every=5, rules=Rules(gate=1e-300, ahead_s=0.2))  # fmt: skip
+    P[:, added, added] = np.square(extra.sigma)
+    own = {name: NONE.get(name) for struct in library.manifest["filter"]["carried"] for name in library.layout[struct]}
+    constants = {name: value for name, value in constants.items() if name not in own}
+    nav = {**own, **nav, "lever_b": lever, **extra.start, **extra.constants}
+    loop = Transfer(library, nav, P, constants, compensation="extrapolate", every=5,
+                    rules=Rules(gate=1e-300, ahead_s=0.2))  # fmt: skip
     for update in range(1, seconds * update_hz + 1):
         noise = walk * np.sqrt(dt) * np.array([stream.standard_normal((every, 6)) for stream in streams])
         for i in range(every):
@@ -277,7 +275,8 @@ def closed_loop(library, motion, extra, *, lever, seconds, update_hz, bending=No
         now["gyro_bias"] - bias_g, now["accel_bias"] - bias_a, rotation.attitude_error(now["q_b2m_wxyz"], mounting),
         (now["tau"] - delay)[:, None], np.concatenate([now[name] for name in extra.start], axis=-1) - extra.truth,
     ], axis=-1)  # fmt: skip
-    return error, loop.P
+    seen = [*range(16), *added]
+    return error, loop.P[:, seen][:, :, seen]
 
 
 def assert_consistent(error, P):
@@ -300,7 +299,7 @@ def test_a_lever_arm_that_is_wrong_by_a_third_of_a_metre_is_found(lever):
     rng = np.random.default_rng(7)
     lever_b, wrong = np.array([3.0, 1.0, -1.0]), 0.3 * rng.standard_normal((RUNS, 3))
     extra = Extra({"lever_b": lever_b + wrong}, np.full(3, 0.3), lever_b)
-    error, P = closed_loop(lever, violent(), extra, lever=lever_b, seconds=40, update_hz=1)
+    error, P = closed_loop(lever, violent(), extra, LEVER, lever=lever_b, seconds=40, update_hz=1)
     sigma = np.sqrt(np.diagonal(P, axis1=-2, axis2=-1))[:, 16:]
     assert (sigma < 0.1).all()
     assert np.sqrt(np.mean(error[:, 16:] ** 2, axis=0)).max() < 0.05
@@ -312,17 +311,17 @@ def test_a_hull_that_heaves_says_nothing_of_the_lever_arm(lever):
     lever_b, wrong = np.array([3.0, 1.0, -1.0]), 0.3 * np.random.default_rng(7).standard_normal((RUNS, 3))
     extra = Extra({"lever_b": lever_b + wrong}, np.full(3, 0.3), lever_b)
     heave = hull.sinusoids(np.array([[0, 0, 1.0, 0, 0, 0]]), np.zeros((1, 6)), np.array([0.1]))
-    error, P = closed_loop(lever, heave, extra, lever=lever_b, seconds=20, update_hz=1)
+    error, P = closed_loop(lever, heave, extra, LEVER, lever=lever_b, seconds=20, update_hz=1)
     assert (np.sqrt(np.diagonal(P, axis1=-2, axis2=-1))[:, 16:] > 0.29).all()
     np.testing.assert_allclose(error[:, 16:], wrong, atol=0.05)
 
 
-def test_scale_factors_and_axes_of_a_part_in_a_hundred_are_found_in_violent_motion(scale):
+def test_scale_factors_and_axes_of_a_part_in_a_hundred_are_found_in_violent_motion(whole):
     rng = np.random.default_rng(8)
     gyro, accel, numbers = (np.array(part) for part in zip(*(triads(rng, 0.01) for _ in range(RUNS)), strict=True))
     gains = tuple(np.linalg.inv(np.eye(3) - K) for K in (gyro, accel))
     extra = Extra(fields(np.zeros((RUNS, 15))), np.full(15, 0.01), numbers)
-    error, P = closed_loop(scale, violent(), extra, lever=np.array([3.0, 1.0, -1.0]), seconds=40, update_hz=1,
+    error, P = closed_loop(whole, violent(), extra, SCALED, lever=np.array([3.0, 1.0, -1.0]), seconds=40, update_hz=1,
                            gains=gains)  # fmt: skip
     sigma = np.sqrt(np.diagonal(P, axis1=-2, axis2=-1))[:, 16:]
     assert (sigma < 0.01 / 3).all(), sigma.max(0)
@@ -330,7 +329,7 @@ def test_scale_factors_and_axes_of_a_part_in_a_hundred_are_found_in_violent_moti
     assert_consistent(error[:, 16:], P[:, 16:, 16:])
 
 
-def test_bending_of_a_milliradian_is_followed_ten_times_a_second(flexure):
+def test_bending_of_a_milliradian_is_followed_ten_times_a_second(whole):
     sigma_bend, correlation = 1e-3, 1.0
     streams = [sensors.generator(9, run) for run in range(RUNS)]
     bending = hull.bending(np.full(3, sigma_bend), correlation, hull.phases(streams, 3 * 40))
@@ -345,7 +344,7 @@ def test_bending_of_a_milliradian_is_followed_ten_times_a_second(flexure):
          "flexure_noise": np.full(3, 2 * sigma_bend * beta**1.5)},
     )  # fmt: skip
     motion = pitched(np.array([0.0]))
-    error, P = closed_loop(flexure, motion, extra, lever=np.array([3.0, 1.0, -1.0]), seconds=seconds, update_hz=10,
+    error, P = closed_loop(whole, motion, extra, BENT, lever=np.array([3.0, 1.0, -1.0]), seconds=seconds, update_hz=10,
                            bending=bending)  # fmt: skip
     sigma = np.sqrt(np.diagonal(P, axis1=-2, axis2=-1))
     # part of it is taken for misalignment, which differs from it only in that it lasts; about down more so
