@@ -19,10 +19,8 @@ TESTS = Path(__file__).resolve().parent
 ROOT = TESTS.parent
 BUDGET = 45.0  # processor seconds for the tests of what was edited
 LAYERS = ("derive", "codegen", "runtime", "studies", "evidence")
-LAYERS = ("derive", "codegen", "runtime", "studies", "evidence")
 CHECKED = "tests/test_promises.py::test_what_is_committed_is_what_its_source_makes"
 CHEAPEST = ("strapdown", "euler-matching", "azimuth-hold")  # of the models; the first two have most of what is written
-IMPORT = re.compile(r"^\s*(?:from|import)\s+([\w.]+)(?:\s+import\s+(\([^)]*\)|.*))?", re.MULTILINE)
 IMPORT = re.compile(r"^\s*(?:from|import)\s+([\w.]+)(?:\s+import\s+(\([^)]*\)|.*))?", re.MULTILINE)
 ROOMS = (
     "tests/test_promises.py::test_style_and_types_hold",
