@@ -26,6 +26,7 @@ def made(request):
     return request.param, model, units(model)
 
 
+@pytest.mark.digits
 def test_what_is_committed_is_what_its_source_makes(made, monkeypatch):
     name, model, printed = made
     monkeypatch.setattr(files, "units", lambda _: printed)
