@@ -21,8 +21,11 @@ PENDULUM = f"{ROOT / 'tests' / 'pendulum.py'}:PENDULUM"
 
 
 def pytest_collection_modifyitems(items):
-    """The dearest files first, so that at the end no processor waits for one; tests/costs.txt is of tests/costs.py."""
-    rows = (line.split() for line in (ROOT / "tests" / "costs.txt").read_text().splitlines())
+    """The dearest files first, so that at the end no processor waits for one.
+
+    tests/costs.txt is what `python tests/costs.py FILE | grep tests/` prints, and need not be fresh.
+    """
+    rows = (line.split(maxsplit=1) for line in (ROOT / "tests" / "costs.txt").read_text().splitlines())
     seconds = {name: float(cost) for cost, name in rows}
     items.sort(key=lambda item: -seconds.get(item.nodeid.split("::")[0], 0.0))
 

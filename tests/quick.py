@@ -18,6 +18,7 @@ from pathlib import Path
 TESTS = Path(__file__).resolve().parent
 ROOT = TESTS.parent
 BUDGET = 45.0  # processor seconds for the tests of what was edited
+FAR = 3  # imports between a test and what was edited, from which on it is not asked
 LAYERS = ("derive", "codegen", "runtime", "studies", "evidence")
 CHECKED = "tests/test_promises.py::test_what_is_committed_is_what_its_source_makes"
 CHEAPEST = ("strapdown", "euler-matching", "azimuth-hold")  # of the models; the first two have most of what is written
@@ -36,9 +37,9 @@ ROOMS = (
 
 
 def costs() -> dict[str, float]:
-    """Processor seconds of each file of tests, as tests/costs.py found them."""
-    rows = [line.split() for line in (TESTS / "costs.txt").read_text().splitlines()]
-    return {row[-1]: float(row[0]) for row in rows if row and not row[0].startswith("#")}
+    """Processor seconds of each file of tests and of the dearest tests, as tests/costs.py found them."""
+    rows = (line.split(maxsplit=1) for line in (TESTS / "costs.txt").read_text(encoding="utf-8").splitlines())
+    return {name: float(cost) for cost, name in rows}
 
 
 def edited(base: str) -> list[Path]:
@@ -75,6 +76,16 @@ def imported(path: Path) -> Iterator[Path]:
             yield from located(name, path.parent)
 
 
+def all_importers() -> dict[Path, list[Path]]:
+    """The files that import each."""
+    found = defaultdict(list)
+    for folder in (*LAYERS, "boresight", "tests"):
+        for file in (ROOT / folder).rglob("*.py"):
+            for other in imported(file):
+                found[other].append(file)
+    return found
+
+
 def near(path: Path, importers: dict[Path, list[Path]]) -> dict[str, int]:
     """Files of tests, and how many imports each is away from what was edited; of what is no module, those that name
     it.  What is generated is held by the hashes in its manifest."""
@@ -107,21 +118,21 @@ def models(path: Path) -> list[str]:
 
 
 def chosen(paths: list[Path]) -> tuple[list[str], list[str]]:
-    """What pytest is given for what was edited, and the files of tests that it leaves out."""
-    known, spent, importers = costs(), 0.0, defaultdict(list)
-    for folder in (*LAYERS, "boresight", "tests"):
-        for file in (ROOT / folder).rglob("*.py"):
-            for other in imported(file):
-                importers[other].append(file)
+    """What pytest is given for what was edited, and the tests that are left out: where a file does not fit, its dearest
+    tests, and where it does not fit without them, all of it."""
+    known, importers, spent = costs(), all_importers(), 0.0
     checks, distance = dict.fromkeys(name for path in paths for name in models(path)), {}
     for path in paths:
         for name, far in near(path, importers).items():
-            distance[name] = min(far, distance.get(name, far))
+            distance[name] = min(far, distance.get(name, FAR))
     run, left = [f"{CHECKED}[{name}]" for name in checks], []
     for name in sorted(distance, key=lambda n: (distance[n], known.get(n, 1.0), n)):
-        if spent + known.get(name, 1.0) <= BUDGET:
-            run.append(name)
-            spent += known.get(name, 1.0)
+        dear = [] if spent + known.get(name, 1.0) <= BUDGET else [n for n in known if n.startswith(f"{name}::")]
+        cost = known.get(name, 1.0) - sum(known[test] for test in dear)
+        if distance[name] < FAR and spent + cost <= BUDGET:
+            run += [name, *(f"--deselect={test}" for test in dear)]
+            left += dear
+            spent += cost
         else:
             left.append(name)
     return run, left
@@ -131,10 +142,11 @@ def main(base: str = "HEAD") -> int:
     paths = edited(base)
     run, left = chosen([path.resolve() for path in paths if path.is_file()])
     rooms = [law for law in ROOMS if law.split("::")[0] not in run]
+    tests = [word for word in run if not word.startswith("--")]
     words = ["-n", "2", "-q"]
     done = subprocess.run([sys.executable, "-m", "pytest", *words, *dict.fromkeys([*rooms, *run])], cwd=ROOT)
-    of = f"{len(run)} files or checks of {len(paths)} edited files" if paths else "nothing was edited"
-    rest = f"; not run: {len(left)} more files that reach them" if left else ""
+    of = f"{len(tests)} files of tests or checks for {len(paths)} edited files" if paths else "nothing was edited"
+    rest = f"; not run: {len(left)} files of tests or dear tests that reach them" if left else ""
     print(f"quick: {len(rooms)} laws of the rooms, {of}{rest}; make test runs everything")
     return done.returncode
 

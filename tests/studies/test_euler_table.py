@@ -207,7 +207,7 @@ def test_at_3_degrees_the_papers_filter_claims_too_much_and_the_exact_one_with_a
     assert exact["nees"]["inside_by_match"]["roll, pitch, yaw"] == 7
     assert exact["nis"]["inside"] >= 45
     # The exact residual is not enough: the covariance has to follow the feedback.
-    left = exploration.consistency(model, misalignment_deg=3.0, bias=False, exact=True, turn_covariance=False, runs=12)
+    left = exploration.consistency(model, misalignment_deg=3.0, bias=False, exact=True, turn_covariance=False)
     assert left["nees"]["above_by_match"]["roll, pitch, yaw"] == 7
 
 
