@@ -35,12 +35,12 @@ def made_from(model: Path | None, read: Iterable[Path] = ()) -> dict[str, str]:
     return {name: hashed(paths) for name, paths in files.items()}
 
 
-def reached(start: set[Path], beside: re.Pattern[str] | None = BESIDE) -> set[Path]:
+def reached(start: set[Path], beside: re.Pattern[str] = BESIDE) -> set[Path]:
     """The files, and those of Boresight that they import, at any depth; not what is `beside`."""
     found, waiting = set(start), list(start)
     while waiting:
         path = waiting.pop()
-        names = (name for name in imported(path) if not (beside and beside.match(name)))
+        names = (name for name in imported(path) if not beside.match(name))
         new = {file for name in names for file in located(name, FRONT)} - found
         found |= new
         waiting += new

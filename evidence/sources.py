@@ -15,6 +15,7 @@ from boresight.runtime.manifest import generated, read_manifest, sources, source
 
 TEST = re.compile(r"^int (test_\w+)\(void\)$", re.MULTILINE)
 HERE = Path(__file__).resolve().parent
+MAPS = re.compile(r"boresight\.derive\.papers\.\w+\.maps\b")
 MATCHED = {"velocity", "dcm", "euler"}  # the measurements of the transfer alignment
 
 
@@ -85,12 +86,16 @@ class Derivations:
 
     name: str
 
-    def hash(self, *judges: str) -> str:
-        """Of what its module imports of derive, and of the modules of evidence that judge it and what those import."""
+    def reached(self, *judges: str) -> set[Path]:
+        """What its module imports of derive, and the modules of evidence that judge it with what those import; not the
+        maps to the models that make C from it, which no judge reads."""
         paper = PACKAGE / "derive" / "papers" / self.name.replace("-", "_") / "paper.py"
         own = {HERE / f"{name}.py" for name in judges}
         begin = {path.resolve() for path in (paper, *own)}
-        return hashed({p for p in reached(begin, beside=None) if p.is_relative_to(PACKAGE / "derive")} | own)
+        return {path for path in reached(begin, MAPS) if path.is_relative_to(PACKAGE / "derive")} | own
+
+    def hash(self, *judges: str) -> str:
+        return hashed(self.reached(*judges))
 
 
 @dataclass(frozen=True)
