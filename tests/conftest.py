@@ -121,8 +121,8 @@ def quickly():
 
 @pytest.fixture(scope="module", autouse=True)
 def _quickly(request):
-    """The flights of tests/runtime and of tests/studies are short, all of them."""
-    if request.path.parent.name in ("runtime", "studies"):
+    """The flights of tests/derive, runtime and studies are short, all of them."""
+    if request.path.parent.name in ("derive", "runtime", "studies"):
         request.getfixturevalue("quickly")
 
 
