@@ -192,6 +192,12 @@ def em_copy(tmp_path):
 
 
 @pytest.fixture
+def sd_copy(tmp_path):
+    """The same of a small folder."""
+    return Path(shutil.copytree(ROOT / "generated" / "strapdown", tmp_path / "strapdown"))
+
+
+@pytest.fixture
 def checkout(tmp_path):
     """A copy of the sources, to be edited, and a way to run the command line in it."""
     copy = tmp_path / "checkout"

@@ -33,10 +33,10 @@ def comparable(name, kind):
 
 
 def spoilt(copy, path, old, new):
-    """The copied folder of Euler matching with one file spoilt, whose manifest vouches for it."""
+    """The copied folder with one file spoilt, whose manifest vouches for it."""
     text = (copy / path).read_text()
     assert old in text
     (copy / path).write_text(text.replace(old, new))
     folder = Folder(copy)
-    folder.__dict__["manifest"] = folder_of("euler_matching").manifest
+    folder.__dict__["manifest"] = folder_of(copy.name).manifest
     return folder

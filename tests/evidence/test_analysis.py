@@ -68,6 +68,7 @@ def test_misra_is_broken_only_where_it_is_said(name):
 @needs("cppcheck")
 def test_misra_sees_a_spoilt_unit(em_copy, tmp_path):
     folder = spoilt(em_copy, "src/em_F.c", "bs_status status;\n", "bs_status status;\n    int octal = 017;\n")
+    folder.__dict__["manifest"] = folder.manifest | {"files": ["src/em_F.c"]}  # of one unit: a folder takes minutes
     assert "7.1" in misra.misra(folder, tmp_path)["em_F"]["rules"]
 
 

@@ -1,15 +1,17 @@
 """No call, hostile or not, breaks the sentence of a filter's header; and what would break it is seen."""
 
+import shutil
+
 import pytest
 from committed import committed, folder_of
 
-from boresight.evidence.attack import FORMS, attack, attacked, calls_h, driver, functions
+from boresight.evidence.attack import FORMS, SANITIZERS, attacked, calls_h, driver, functions
 from boresight.evidence.sources import folders
 from boresight.evidence.targets import HARNESS
 from boresight.runtime.compiler import PRECISIONS, run
 
 FILTERS = [folder.name for folder in folders() if folder.manifest.get("filter")]
-FEW = 100_000
+FEW = {"joseph": 300_000, "sanitized": 50_000}  # a null pointer to init comes up once in some 60 000 calls
 TREASONS = (
     "correct: a null pointer is taken",
     "correct: OK, and nav is not finite",
@@ -38,22 +40,35 @@ def test_the_committed_attack_is_of_a_hundred_million_calls():
     assert sum(of["calls"] for name in FILTERS for of in committed(name, "attack").values()) >= 100_000_000
 
 
-def test_a_live_attack_breaks_nothing(tmp_path):
-    for build, of in attack(folder_of("euler_matching"), tmp_path, FEW).items():
-        assert (of["breaks"], of["spoilt"]) == ({}, {}), build
-        assert of["answers"]["0"] > of["calls"] / 2
-
-
-def test_an_attack_is_repeated_by_its_seed(tmp_path):
-    program = driver(folder_of("euler_matching"), "double", "UD", tmp_path)
-    assert attacked(program, 5000, 1) == attacked(program, 5000, 1) != attacked(program, 5000, 2)
+@pytest.fixture(scope="module")
+def joseph(tmp_path_factory):
+    return driver(folder_of("euler_matching"), "double", "Joseph", tmp_path_factory.mktemp("joseph"), ("-O0",))
 
 
 @pytest.fixture(scope="module")
-def traitors(tmp_path_factory):
+def sanitized(tmp_path_factory):
+    out = tmp_path_factory.mktemp("sanitized")
+    return driver(folder_of("euler_matching"), "float", "UD", out, (*SANITIZERS, "-O0"))
+
+
+@pytest.mark.parametrize("build", FEW)
+def test_a_live_attack_breaks_nothing(build, request):
+    """Both precisions and both forms; all eight builds, at -O2, are those of the committed attack."""
+    of = attacked(request.getfixturevalue(build), FEW[build])
+    assert (of["breaks"], of["spoilt"]) == ({}, {})
+    assert of["answers"]["0"] > FEW[build] / 2
+
+
+def test_an_attack_is_repeated_by_its_seed(joseph):
+    assert attacked(joseph, 5000, 1) == attacked(joseph, 5000, 1) != attacked(joseph, 5000, 2)
+
+
+@pytest.fixture(scope="module")
+def traitors(joseph, tmp_path_factory):
     """The attack's objects, of which three functions of the filter are called sound."""
     out = tmp_path_factory.mktemp("traitors")
-    driver(folder_of("euler_matching"), "double", "Joseph", out)
+    for path in joseph.parent.glob("*.o"):
+        shutil.copy(path, out)
     betrayed = ("correct", "covariance", "measure_euler")
     run(["objcopy", *(f"--redefine-sym=em_filter_{name}=sound_{name}" for name in betrayed), out / "em_filter.o"])
     return out
@@ -62,7 +77,7 @@ def traitors(tmp_path_factory):
 @pytest.mark.parametrize("treason", range(len(TREASONS)), ids=TREASONS)
 def test_each_break_of_the_sentence_is_seen(treason, traitors, tmp_path):
     include = folder_of("euler_matching").include
-    flags = ("-std=c99", "-O1", "-DBORESIGHT_UD=0", f"-DTRAITOR={treason}", "-I", include)
+    flags = ("-std=c99", "-O0", "-DBORESIGHT_UD=0", f"-DTRAITOR={treason}", "-I", include)
     run(["gcc", *flags, HARNESS / "traitor.c", *traitors.glob("*.o"), "-lm", "-o", tmp_path / "attack"])
     assert TREASONS[treason] in attacked(tmp_path / "attack", 20_000)["breaks"]
 

@@ -1,5 +1,8 @@
 """Bad input is refused, whichever number it is in, and nothing is written."""
 
+import re
+import shutil
+
 import pytest
 from committed import LIVE, NAMES, committed, comparable, folder_of, spoilt
 
@@ -25,19 +28,31 @@ def test_a_live_run_finds_what_is_committed(tmp_path):
     assert guards(folder_of(LIVE), tmp_path) == comparable(LIVE, "guards")
 
 
-@pytest.mark.parametrize(
-    ("path", "right", "wrong"),
-    [
-        ("src/em_F.c", "BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01)", "BS_REAL(0.01), BS_REAL(0.011), BS_REAL(0.01)"),
-        ("src/em_F.c", "omega_in_n_high, 3)", "omega_in_n_high, 2)"),
-        ("include/boresight.h", "return BS_NOT_FINITE;", "status = BS_OUT_OF_RANGE;"),
-        (
-            "src/em_feedback.c",
-            "    status = bs_check(nav->mu",
-            "    mu[0] = BS_REAL(0.0);\n    status = bs_check(nav->mu",
-        ),
-    ],
-)
-def test_a_guard_that_lets_something_pass_is_seen(path, right, wrong, em_copy, tmp_path):
-    found = guards(spoilt(em_copy, path, right, wrong), tmp_path)
-    assert any(unit["wrong"] for unit in found.values())
+CHECK = "    status = bs_check(imu->dtheta_ib_b"
+SPOILT = [  # a file, what is written instead of what, and of which unit which word then says so
+    (
+        "src/sd_earth.c",
+        "BS_REAL(-1.4835298641951802)",
+        "BS_REAL(-1.5)",
+        "sd_earth",
+        r"position\[1\] -1\.4\S+: status 0,",
+    ),
+    ("src/sd_rates.c", "v_n_high, 3)", "v_n_high, 2)", "sd_rates", r"v_n\[2\] nan: status 0,"),
+    ("src/sd_compensated.c", CHECK, f"    dv_b[0] = 0;\n{CHECK}", "sd_compensated", "an output was touched"),
+    ("include/boresight.h", "return BS_NOT_FINITE;", "status = BS_OUT_OF_RANGE;", "sd_step", "nan: status 3, not 2"),
+]
+
+
+@pytest.fixture(scope="module")
+def lets_pass(tmp_path_factory):
+    """What is found of a folder that is spoilt in four places."""
+    copy = shutil.copytree(folder_of(LIVE).path, tmp_path_factory.mktemp("spoilt") / LIVE)
+    for path, right, wrong, _, _ in SPOILT:
+        folder = spoilt(copy, path, right, wrong)
+    return guards(folder, tmp_path_factory.mktemp("guards"))
+
+
+@pytest.mark.parametrize(("path", "right", "wrong", "unit", "word"), SPOILT)
+def test_a_guard_that_lets_something_pass_is_seen(path, right, wrong, unit, word, lets_pass):
+    said = {name for name, of in lets_pass.items() if any(re.search(word, found) for found in of["wrong"])}
+    assert unit in said and ("boresight.h" in path or said == {unit})

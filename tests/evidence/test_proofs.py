@@ -1,6 +1,7 @@
 """Rounding over the whole box: the committed bounds are of the lists that are printed, are proved again for small
 lists, and fail for a list with another constant."""
 
+import functools
 import re
 from collections import Counter
 from dataclasses import replace
@@ -19,12 +20,14 @@ from boresight.derive.model import Variable
 from boresight.evidence.calls import call, callable_units, points_of, shared_library
 from boresight.evidence.proofs import coq, forms, kept, prover, script, search
 from boresight.evidence.sources import folders
+from boresight.evidence.targets import GCC, compile_units
 
 MODELS = [folder for folder in folders() if kept.wanted(folder)]
 OUTPUTS = [output for folder in MODELS for unit in kept.judged(folder).values() for output in unit]
 SMALL = ("vd_F", "em_Phi", "em_Qc", "em_euler_H")  # lists whose bounds are proved again here
 
 
+@functools.cache
 def small(name):
     """(folder, source, unit, committed outputs in the order of the results) of a small list."""
     folder = next(f for f in MODELS if any(source.name == name for source in f.units))
@@ -115,7 +118,8 @@ def test_a_changed_constant_or_box_changes_the_hash_that_bounds_hang_on():
 
 def test_the_list_in_single_precision_is_the_compiled_c_bit_for_bit(tmp_path):
     folder = folder_of("euler_matching")
-    compiled = callable_units(folder, shared_library(folder, "float", tmp_path), "float")
+    objects = compile_units(folder, GCC, "float", tmp_path, "-O0")
+    compiled = callable_units(folder, shared_library(folder, "float", tmp_path, objects), "float")
     for name in ("em_Phi", "em_Qc"):  # no sine in them
         _, source, unit, _ = small(name)
         points = points_of(source, 500, 100, np.random.default_rng(5))
