@@ -1,6 +1,8 @@
 """The covariance and the filter in C: two forms and the textbook, what the self-tests see, every build."""
 
 import ctypes
+import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +15,7 @@ from boresight.codegen.text.covariance_vectors import draw_case, predicted, upda
 from boresight.runtime.compiler import compile_sources
 from boresight.runtime.library import load
 
+pytestmark = pytest.mark.usefixtures("quickly")
 GENERATED = ROOT / "generated"
 FILTERS = sorted(path.parent.parent.name for path in GENERATED.glob("*/src/*_filter.c"))
 AH = GENERATED / "azimuth_hold"
@@ -29,23 +32,39 @@ def test_each_form_flies_in_the_other_precision(form, tmp_path):
 
 
 def test_no_undefined_behaviour_is_met(tmp_path):
-    done = self_test(AH, tmp_path, "-std=c99", "-fsanitize=undefined,address", "-fno-sanitize-recover")
+    """Of the sources; what tests them is built without."""
+    command = ["cc", "-std=c99", "-I", AH / "include"]
+    watched = ["-fsanitize=undefined,address", "-fno-sanitize-recover"]
+    objects = compile_sources([*command, *watched], dict.fromkeys(c_files(AH, "src"), ()), tmp_path)
+    tests = compile_sources(command, dict.fromkeys(c_files(AH, "selftest", "batch"), ()), tmp_path)
+    done = run("cc", *watched, *objects.values(), *tests.values(), "-lm", "-o", tmp_path / "program")
+    assert done.returncode == 0, done.stderr
+    done = run(tmp_path / "program")
     assert done.returncode == 0, done.stdout[-1000:] + done.stderr[-1000:]
 
 
 def test_all_models_and_the_detector_link_into_one_binary(tmp_path):
+    """The headers of all stand in one file, their sources define no name without the prefix of their own, and no two
+    have one prefix; three folders are linked."""
     folders = sorted(path.parent for path in GENERATED.glob("*/manifest.json"))
+    prefixes = [json.loads((folder / "manifest.json").read_text())["c_prefix"] for folder in folders]
+    assert len(set(prefixes)) == len(folders)
+    for folder, prefix in zip(folders, prefixes, strict=True):
+        text = re.sub(r"/\*.*?\*/", "", "".join(path.read_text() for path in c_files(folder, "src")), flags=re.S)
+        defined = re.findall(r"^(?!static |typedef )[a-z][\w ]*[ *]([a-z]\w+)(?:\(|\[|;| =)", text, re.M)
+        assert defined and all(name.startswith(f"{prefix}_") for name in defined), folder
     headers = [path for folder in folders for path in sorted((folder / "include").glob("*.h"))]
     main = tmp_path / "main.c"
     names = "".join(f'#include "{path.name}"\n' for path in headers if path.name != "boresight.h")
     main.write_text(names + "int main(void)\n{\n    return 0;\n}\n")
-    sources = [main, *(path for folder in folders for path in c_files(folder, "src"))]
+    linked = (GENERATED / name for name in ("euler_matching", "strapdown", "stationary_detector"))
+    sources = [main, *(path for folder in linked for path in c_files(folder, "src"))]
     includes = [word for folder in folders for word in ("-I", folder / "include")]
     assert run(program(tmp_path, sources, "-std=c99", "-O0", "-Wall", "-Werror", *includes)).returncode == 0
 
 
 def test_the_filter_needs_a_root_and_the_exponent_of_a_number_from_outside(tmp_path):
-    command = ["cc", "-std=c99", "-O0", "-I", AH / "include"]
+    command = ["cc", "-std=c99", "-O1", "-I", AH / "include"]
     objects = compile_sources(command, dict.fromkeys(c_files(AH, "src"), ()), tmp_path)
     assert run("ld", "-r", *objects.values(), "-o", tmp_path / "whole.o").returncode == 0
     listed = run("nm", "-u", tmp_path / "whole.o").stdout.split()

@@ -4,11 +4,15 @@ The C of a model with six states, from a coarse start through accurate measureme
 `python tests/codegen/test_joseph_rows.py` prints the table of docs/covariance.md.
 """
 
+import functools
+
 import mpmath as mp
 import numpy as np
+import pytest
 from test_covariance import Loops
 
-TRIALS, UPDATES, R = 20, 24, 1e-4
+pytestmark = pytest.mark.usefixtures("quickly")
+TRIALS, FEW, UPDATES, R = 20, 7, 24, 1e-4  # trials of the table, and of the tests
 ROWS = {
     "one element": lambda rng, sigma: np.eye(len(sigma))[rng.integers(len(sigma))] * rng.standard_normal(),
     "all, of one size": lambda rng, sigma: rng.standard_normal(len(sigma)),
@@ -46,14 +50,15 @@ def worst(loops, row, top, seed):
     return [np.abs(np.sqrt(np.maximum(np.diag(P), 0)) / left - 1).max() for P in found]
 
 
-def medians(row, top):
+@functools.cache
+def medians(row, top, trials):
     loops = Loops("euler-matching")
-    return np.median([worst(loops, row, top, seed) for seed in range(TRIALS)], axis=0)
+    return np.median([worst(loops, row, top, seed) for seed in range(trials)], axis=0)
 
 
 def test_two_products_pay_where_a_row_sees_one_state_and_hardly_where_it_sees_all():
     for top in (1e2, 1e4):
-        one, *dense = (medians(row, top) for row in ROWS)
+        one, *dense = (medians(row, top, FEW) for row in ROWS)
         assert one[0] < one[1] / 30
         for joseph, simple, _ in dense:
             assert simple / 50 < joseph < 5 * simple
@@ -62,11 +67,11 @@ def test_two_products_pay_where_a_row_sees_one_state_and_hardly_where_it_sees_al
 def test_the_factors_keep_sigmas_to_rounding_whatever_a_row_sees():
     """As far as the conditioning of the start lets them: that of its factors is part of it."""
     for row in ROWS:
-        assert medians(row, 1e4)[2] < 1e-14
+        assert medians(row, 1e4, FEW)[2] < 1e-14
 
 
 if __name__ == "__main__":
     print(f"{'a row of H sees':28} {'sigmas to':>9} {'two products':>13} {'P - K g':>10} {'U D U':>10}")
     for name in ROWS:
         for most in (1e2, 1e3, 1e4):
-            print(f"{name:28} {most:9.0e} " + " ".join(f"{value:11.1e}" for value in medians(name, most)))
+            print(f"{name:28} {most:9.0e} " + " ".join(f"{value:11.1e}" for value in medians(name, most, TRIALS)))
