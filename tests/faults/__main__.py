@@ -3,7 +3,7 @@
     python tests/faults draw         draw them anew from the tree, into faults.json
     python tests/faults list
     python tests/faults apply N      put fault N into the tree; git checkout takes it out
-    python tests/faults run N ...    each in turn, `make quick` or what --by says, in a copy; which were seen
+    python tests/faults run N ...    each in turn in a copy, by what `make quick` runs or --by; which were seen
 
 A fault names its line by its text and the line above, so that it is found where the file has moved.
 """
@@ -22,6 +22,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 SEED = 28
+QUICK = ".venv/bin/python tests/quick.py"  # as `make quick` runs it
 ROOMS = {  # files of each room, and how many faults are drawn in it
     "flight C": (("generated/*/src/*.c", "generated/*/include/*.h"), 7),
     "derive": (("derive/**/*.py",), 7),
@@ -150,7 +151,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("do", choices=("draw", "list", "apply", "run"))
     parser.add_argument("numbers", type=int, nargs="*")
-    parser.add_argument("--by", default="make quick", help="a shell command, whose status says that it saw the fault")
+    parser.add_argument("--by", default=QUICK, help="a shell command, whose status says that it saw the fault")
     options = parser.parse_args()
     if options.do == "draw":
         draw()
