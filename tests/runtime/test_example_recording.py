@@ -21,7 +21,7 @@ def test_the_file_is_what_the_simulator_makes():
 
 def test_the_replay_of_the_example_finds_its_truth(capsys, tmp_path):
     with pytest.raises(SystemExit) as ended:
-        cli.main(["replay", "--example", "--to", "20 s", "--model", "velocity-attitude-lever", "--json",
+        cli.main(["replay", "--example", "--to", "12 s", "--model", "velocity-attitude-lever", "--json",
                   "--gyro-noise", "0.15 deg/sqrt(h)", "--accel-noise", "0.06 m/s/sqrt(h)",
                   "--velocity-noise", "1, 1 cm/s", "--attitude-noise", "1, 1 arcmin", "--delay-noise", "0 ms/sqrt(s)",
                   "-o", str(tmp_path)])  # fmt: skip

@@ -4,6 +4,7 @@ import hashlib
 import json
 import multiprocessing
 import os
+import shlex
 import signal
 import subprocess
 import sys
@@ -146,6 +147,17 @@ def test_the_files_hold_every_run_and_a_second_call_flies_none_of_them(plainly, 
     assert sorted(path.name for path in (tmp_path / "runs").iterdir()) == [f"block-00000{i}.parquet" for i in range(3)]
 
 
+@pytest.fixture(scope="module")
+def quick_cc(tmp_path_factory):
+    """A C compiler for processes of their own, without optimisation as in this one."""
+    from boresight.runtime.compiler import compiler
+
+    path = tmp_path_factory.mktemp("cc") / "cc"
+    path.write_text(f'#!/bin/sh\nexec {shlex.join(compiler())} "$@" -O0\n')
+    path.chmod(0o755)
+    return str(path)
+
+
 SCRIPT = """
 import sys
 sys.path.insert(0, {tests!r})
@@ -154,13 +166,18 @@ print(r.many(experiment(slow_s=5e-4), runs=3000, seed=5, chunk=16, jobs={jobs}, 
 """
 
 
-def begun(folder, jobs):
+@pytest.fixture
+def begun(quick_cc):
+    return lambda folder, jobs: begun_by(quick_cc, folder, jobs)
+
+
+def begun_by(cc, folder, jobs):
     code = SCRIPT.format(tests=str(Path(__file__).parent), jobs=jobs, folder=str(folder))
-    env = {**os.environ, "PYTHONPATH": os.pathsep.join([str(ROOT), str(ROOT / "tests")])}
+    env = {**os.environ, "CC": cc, "PYTHONPATH": os.pathsep.join([str(ROOT), str(ROOT / "tests")])}
     process = subprocess.Popen(
         [sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=env
     )
-    deadline = time.monotonic() + 60
+    deadline = time.monotonic() + 300
     while not list(folder.glob("runs/block-*.parquet")):
         assert process.poll() is None and time.monotonic() < deadline, process.stderr.read()
         time.sleep(0.01)
@@ -169,16 +186,18 @@ def begun(folder, jobs):
 
 @pytest.mark.parametrize("jobs", [1, 2])
 @pytest.mark.parametrize("sent", [signal.SIGKILL, signal.SIGINT])
-def test_killed_or_interrupted_and_resumed_it_says_the_same(tmp_path, jobs, sent):
+def test_killed_or_interrupted_and_resumed_it_says_the_same(begun, tmp_path, jobs, sent):
+    def kept():
+        return store.Store(tmp_path, list(COLUMNS), json.loads((tmp_path / "experiment.json").read_text())).held
+
     process = begun(tmp_path, jobs)
     process.send_signal(sent)
-    out, err = process.communicate(timeout=60)
+    out, err = process.communicate(timeout=300)
     assert process.returncode and not out
-    kept = store.Store(tmp_path, list(COLUMNS), json.loads((tmp_path / "experiment.json").read_text()))
-    assert store.BLOCK <= kept.held < 3000
+    assert 0 < kept() < 3000
     if sent == signal.SIGINT:
-        assert f"{kept.held} runs are flown and kept" in err
-        assert kept.held % store.BLOCK  # what lay between two whole blocks is kept too
+        assert f"{kept()} runs are flown and kept" in err
+        assert kept() % store.BLOCK  # what lay between two whole blocks is kept too
     whole = r.many(experiment(slow_s=5e-4), runs=3000, seed=5, directory=tmp_path)
     slowly = r.many(experiment(), runs=3000, seed=5)
     assert whole.digest == slowly.digest
@@ -197,7 +216,7 @@ def children(of):
     return found
 
 
-def test_processes_do_not_outlive_their_parent(tmp_path):
+def test_processes_do_not_outlive_their_parent(begun, tmp_path):
     process = begun(tmp_path, 2)
     workers = children(process.pid)
     assert len(workers) >= 2
@@ -422,25 +441,28 @@ from boresight.runtime import store, summary
 def fly(library, settings, seed, runs):
     return np.random.Generator(np.random.Philox(key=[seed, runs.start])).standard_normal((len(runs), 35))
 
-r.many(r.Experiment("e", "euler-matching", {{f"c{{i}}": "" for i in range(35)}}, fly, percentiles=("c0",)),
-       runs=1_000_000, chunk=store.BLOCK, directory={folder!r})
-# its own peak: ru_maxrss begins with that of the process which started it
-print(int(next(line for line in open('/proc/self/status') if line.startswith('VmHWM')).split()[1]) / 1024)
+for runs in (20_000, 320_000):
+    r.many(r.Experiment("e", "euler-matching", {{f"c{{i}}": "" for i in range(35)}}, fly, percentiles=("c0",)),
+           runs=runs, chunk=store.BLOCK, directory={folder!r} + str(runs))
+    # its own peak: ru_maxrss begins with that of the process which started it
+    print(int(next(line for line in open('/proc/self/status') if line.startswith('VmHWM')).split()[1]) / 1024)
 """
 
 
-def test_a_million_runs_take_less_than_a_gigabyte_of_memory(tmp_path):
-    env = {**os.environ, "PYTHONPATH": str(ROOT)}
-    code = MEMORY.format(folder=str(tmp_path))
+def test_memory_does_not_grow_with_the_runs(quick_cc, tmp_path):
+    """The values of 300 000 runs more are 84 MB; what is kept of a column with percentiles is 2.4."""
+    env = {**os.environ, "CC": quick_cc, "PYTHONPATH": str(ROOT)}
+    code = MEMORY.format(folder=str(tmp_path / "runs of "))
     done = subprocess.run([sys.executable, "-c", code], env=env, capture_output=True, text=True, check=True)
-    assert float(done.stdout) < 500  # MB
-    assert len(list((tmp_path / "runs").iterdir())) == -(-1_000_000 // store.BLOCK)
+    few, many = map(float, done.stdout.split())
+    assert many < 500 and many - few < 25, (few, many)  # MB
+    assert len(list((tmp_path / "runs of 320000" / "runs").iterdir())) == -(-320_000 // store.BLOCK)
 
 
 # ---- a cluster
 
 
-def test_a_cluster_of_two_workers_one_of_which_is_killed_says_the_same(plainly, tmp_path, monkeypatch):
+def test_a_cluster_of_two_workers_one_of_which_is_killed_says_the_same(plainly, quick_cc, tmp_path, monkeypatch):
     """The model is one's own: only its files travel, by their hash, and each worker's machine builds them."""
     import shutil
 
@@ -454,6 +476,7 @@ def test_a_cluster_of_two_workers_one_of_which_is_killed_says_the_same(plainly, 
     monkeypatch.setenv("BORESIGHT_CACHE", str(tmp_path / "cache of the workers"))
     paths = os.pathsep.join([str(ROOT), str(ROOT / "tests"), str(Path(__file__).parent)])
     monkeypatch.setenv("PYTHONPATH", paths)
+    monkeypatch.setenv("CC", quick_cc)
     kind = experiment(slow_s=2e-3)
     kind = r.Experiment(kind.name, own, kind.columns, walk, kind.settings, kind.expected, kind.percentiles)
     with distributed.LocalCluster(
