@@ -1,6 +1,7 @@
 """The command line prints a kept ledger; no test and no proof believes one."""
 
 import json
+import re
 import shutil
 from dataclasses import asdict
 from pathlib import Path
@@ -114,7 +115,7 @@ def test_no_proof_reads_a_kept_ledger():
 
 
 def reads(path):
-    return "kept_ledger" in path.read_text()
+    return re.search(r"boresight(\.| import )kept_ledger", path.read_text()) is not None
 
 
 def test_what_cannot_be_kept_leaves_nothing_behind(tmp_path, monkeypatch):

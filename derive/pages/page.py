@@ -78,7 +78,8 @@ def equation_section(paper: Paper, equation: Equation, functions: Functions) -> 
     blocks += steps(equation.derivation, letters, paper.witness.parts, dropped(paper, equation))
     for model, names in functions.get(f"{equation.paper} ({equation.number})", {}).items():
         blocks.append(Prose(", ".join(names), f"In C of {model}", code=True))
-    held = f"boresight equations {paper.name} {quote(equation.number)}"
+    # a number in Greek letters is set by no typewriter face of LaTeX; then all of the paper is judged
+    held = f"boresight equations {paper.name}" + f" {quote(equation.number)}" * equation.number.isascii()
     blocks.append(Prose(held, "Held by", code=True))
     first, last = equation.lines
     source = f"source line {first}" if first == last else f"source lines {first} to {last}"

@@ -13,6 +13,7 @@ from conftest import ROOT
 from flint import arb
 from scipy.integrate import solve_ivp
 from sympy import Matrix, Rational, diag, lambdify, sin
+from tools import tool
 
 from boresight.codegen.functions.dynamics import left_of_Q
 from boresight.codegen.functions.reference import precise
@@ -346,7 +347,7 @@ int main()
     printf("%ld", operations);
 }}
 """)
-    done = run("c++", "-w", "-I", folder / "include", tmp_path / "count.cpp", "-o", tmp_path / "count")
+    done = run(tool("g++"), "-w", "-I", folder / "include", tmp_path / "count.cpp", "-o", tmp_path / "count")
     assert done.returncode == 0, done.stderr
     assert run(tmp_path / "count").stdout == str(said["operations"])
 
@@ -390,7 +391,7 @@ int main()
     printf("%d %d", with - without >= raised, operations == 0);
 }}
 """)
-    done = run("c++", "-w", "-I", folder / "include", tmp_path / "count.cpp", "-o", tmp_path / "count")
+    done = run(tool("g++"), "-w", "-I", folder / "include", tmp_path / "count.cpp", "-o", tmp_path / "count")
     assert done.returncode == 0, done.stderr
     assert run(tmp_path / "count").stdout == "1 1"
 

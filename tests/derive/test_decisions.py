@@ -71,7 +71,7 @@ def test_an_open_letter_means_what_saves_the_print_unless_the_derivation_has_non
     for equation in paper(name).equations:
         for i, meaning in enumerate(equation.meanings):
             letters = {letter for _, values in meaning.senses for letter, _ in values}
-            if meaning.said or not letters & names(equation.derived):
+            if meaning.stated_in or not letters & names(equation.derived):
                 continue
             statuses = []
             for sense in meaning.senses:
