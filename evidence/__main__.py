@@ -8,7 +8,8 @@ from boresight.errors import need
 
 need("evidence")
 
-from boresight.evidence.kinds import KINDS, all_kinds, keep, make, stale  # noqa: E402
+from boresight.evidence.kinds import KINDS, all_kinds, keep, make, stale, still_open  # noqa: E402
+from boresight.evidence.results import OPEN  # noqa: E402
 from boresight.evidence.table import PAGE, page  # noqa: E402
 
 JOBS = 2
@@ -48,6 +49,7 @@ def main() -> int:
             keep(subject, kind, made)
             of = f" of {', '.join(units)}" if kind.by_unit and len(units) < len(kind.hashes(subject)) else ""
             print(f"{subject.name}: {kind.name}{of}, {seconds:.1f} s", flush=True)
+    OPEN.write_text("".join(f"{line}\n" for line in still_open()))
     PAGE.write_text(page(PAGE.read_text()))
     return 1 if failed else 0
 

@@ -157,6 +157,12 @@ def stale(subject: Subject, kind: Kind) -> list[str]:
     return [name for name, digest in now.items() if other_tools or kept.get("sources", {}).get(name) != digest]
 
 
+def still_open() -> list[str]:
+    """What is not held now, a line for each kind of a subject: results of another text than what is here."""
+    found = ((kind, subject, stale(subject, kind)) for kind, subject in all_kinds())
+    return [f"{kind.name} of {subject.name}: {', '.join(units)}" for kind, subject, units in found if units]
+
+
 def keep(subject: Subject, kind: Kind, made: UNITS) -> None:
     """Write what was made beside what stands, without what is gone."""
     kept, now = results.read(subject), kind.hashes(subject)

@@ -7,6 +7,7 @@ from typing import Any
 from boresight.evidence.sources import Derivations, Examples, Flights, Folder
 
 PLACE = Path(__file__).resolve().parent / "results"
+OPEN = PLACE / "open.txt"  # which results are of another text than what is here now, a line each
 
 
 def read(folder: Folder | Derivations | Examples | Flights) -> dict[str, Any]:

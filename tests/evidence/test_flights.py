@@ -7,12 +7,7 @@ from conftest import ROOT
 
 from boresight.evidence import results
 from boresight.evidence.flights.conditions import CONDITIONS
-from boresight.evidence.kinds import TRIED, stale
 from boresight.evidence.sources import Flights
-
-
-def test_the_results_are_of_the_filter_as_it_is():
-    assert not stale(Flights(), TRIED), "make evidence"
 
 
 @pytest.mark.parametrize("condition", CONDITIONS, ids=lambda condition: condition.name)
