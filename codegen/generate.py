@@ -80,6 +80,11 @@ def source_of(target: str) -> Path | None:
     return None if target in COMPONENTS else PACKAGE / "derive" / "models" / f"{target.replace('-', '_')}.py"
 
 
+def in_a_file(target: str) -> bool:
+    """Whether it can be made once more; a Model that was made at a prompt cannot."""
+    return ":" not in target or Path(target.rsplit(":", 1)[0]).is_file()
+
+
 def versions() -> dict[str, str]:
     return {name: importlib.metadata.version(name) for name in VERSIONED}
 
@@ -90,7 +95,7 @@ def stamp(target: str, read: Collection[str] = ()) -> dict[str, Any]:
     read: of a model of one's own the files that its file read, by their paths from there.  Raises OSError where one of
     them is gone.
     """
-    source = source_of(target)
+    source = source_of(target) if in_a_file(target) else None
     made: dict[str, Any] = dict(made_from(source, [source.parent / path for path in read] if source else []))
     if ":" in target and source:
         made |= {"of": f"{source.name}:{target.rsplit(':', 1)[1]}", "read": sorted(read)}
@@ -346,6 +351,8 @@ def unchanged(target: str, folder: Path | None = None) -> Report | None:
 
     Nothing is derived, and a file of one's own is not run: what it read is known by the manifest.
     """
+    if not in_a_file(target):
+        return None
     own = ":" in target
     beside = (path.parent for path in sorted(Path("generated").glob("*/manifest.json")))
     for one in [folder] if folder else beside if own else [default_folder(target)]:
@@ -365,7 +372,7 @@ def unchanged(target: str, folder: Path | None = None) -> Report | None:
 
 def read_by(target: str, folder: Path) -> list[str]:
     """What the file of a model of one's own read when it was run last, by paths from there; not what was made of it."""
-    if ":" not in target:
+    if ":" not in target or not in_a_file(target):
         return []
     from boresight.codegen.user_file import READ
 

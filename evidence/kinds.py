@@ -150,16 +150,21 @@ def all_kinds() -> list[tuple[Kind, Subject]]:
     return [*pairs, (FLOWN, Examples()), (TRIED, Flights())]
 
 
-def stale(subject: Subject, kind: Kind) -> list[str]:
+def of_another_text(subject: Subject, kind: Kind) -> list[str]:
     """The units whose results are not of what is here; the subject itself of a kind that is made of the whole."""
-    kept, now = results.read(subject).get(kind.name, {}), kind.hashes(subject)
-    other_tools = not kind.missing and kept.get("tools") != kind.tools()
-    return [name for name, digest in now.items() if other_tools or kept.get("sources", {}).get(name) != digest]
+    kept = results.read(subject).get(kind.name, {}).get("sources", {})
+    return [name for name, digest in kind.hashes(subject).items() if kept.get(name) != digest]
+
+
+def stale(subject: Subject, kind: Kind) -> list[str]:
+    """Those, or all where other tools are here than made them."""
+    other_tools = not kind.missing and results.read(subject).get(kind.name, {}).get("tools") != kind.tools()
+    return list(kind.hashes(subject)) if other_tools else of_another_text(subject, kind)
 
 
 def still_open() -> list[str]:
     """What is not held now, a line for each kind of a subject: results of another text than what is here."""
-    found = ((kind, subject, stale(subject, kind)) for kind, subject in all_kinds())
+    found = ((kind, subject, of_another_text(subject, kind)) for kind, subject in all_kinds())
     return [f"{kind.name} of {subject.name}: {', '.join(units)}" for kind, subject, units in found if units]
 
 

@@ -7,7 +7,7 @@ from committed import folder_of
 
 from boresight.derive import models
 from boresight.evidence import kinds, results
-from boresight.evidence.kinds import KINDS, all_kinds, kinds_for, stale, still_open
+from boresight.evidence.kinds import KINDS, all_kinds, kinds_for, of_another_text, still_open
 from boresight.evidence.sources import Derivations, Folder
 
 PAIRS = [(kind, subject) for kind, subject in all_kinds() if kind.name not in ("flown", "tried")]  # of these: elsewhere
@@ -25,8 +25,9 @@ def test_no_result_is_kept_of_a_unit_that_is_gone(name):
     kept, subject = results.read(SUBJECTS[name]), SUBJECTS[name]
     for kind in ALL[name]:
         of, now = kept.get(kind.name, {}), kind.hashes(subject)
-        assert of.get("sources", {}).keys() <= now.keys() or stale(subject, kind), kind.name
-        if isinstance(subject, Folder) and not stale(subject, kind):
+        listed = of_another_text(subject, kind)
+        assert of.get("sources", {}).keys() <= now.keys() or listed, kind.name
+        if isinstance(subject, Folder) and not listed:
             assert of.get("folder") == subject.hash, f"{kind.name}: run 'make evidence'"
 
 
