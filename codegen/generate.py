@@ -74,7 +74,7 @@ def source_of(target: str) -> Path | None:
     """The file of a model; None of a component."""
     if ":" in target:
         file = target.rsplit(":", 1)[0]
-        if not Path(file).is_file():
+        if not in_a_file(target):
             raise BoresightError(f"{file} is not found; give FILE.py:NAME with the path of a Python file")
         return Path(file).resolve()
     return None if target in COMPONENTS else PACKAGE / "derive" / "models" / f"{target.replace('-', '_')}.py"
