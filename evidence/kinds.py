@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from boresight.codegen.generate import COMPONENTS
 from boresight.derive.papers import PAPERS
 from boresight.evidence import results
 from boresight.evidence.attack import attack
@@ -31,6 +32,7 @@ from boresight.evidence.spoilt import spoilt
 from boresight.evidence.steps import steps
 from boresight.evidence.targets import CLANG, GCC, HARNESS, M4F, RV32
 from boresight.evidence.trace import trace
+from boresight.evidence.verified import made_of, verified
 
 UNITS = dict[str, dict[str, Any]]
 Subject = Folder | Derivations | Examples | Flights
@@ -97,6 +99,7 @@ KINDS = (
     Kind("riscv", riscv, RV32.missing, lambda: RV32.version, tested),
     Kind("eva", eva, EVA_MISSING, eva_version, printed),
     Kind("bits", bits, BITS_MISSING, bits_version, by_harness("flight.c"), by_unit=False),
+    Kind("verified", verified, GCC.missing, lambda: "", made_of, by_unit=False),
     Kind("attack", attack, GCC.missing, lambda: "", by_harness("attack.c"), by_unit=False),
 )
 
@@ -109,6 +112,7 @@ def kinds_for(folder: Folder) -> tuple[Kind, ...]:
     left_out = set() if is_small(folder) else set(DEAR)
     left_out |= set() if folder.name == MODEL else {"bits"}
     left_out |= set() if folder.manifest.get("filter") else {"attack"}
+    left_out |= {"verified"} if folder.manifest["model"] in COMPONENTS else set()
     return tuple(kind for kind in KINDS if kind.name not in left_out)
 
 

@@ -4,7 +4,7 @@ import hashlib
 import re
 from collections.abc import Collection
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
@@ -166,11 +166,16 @@ class Source:
         (name,) = TEST.findall(self.test.read_text())
         return str(name)
 
-    def hash(self, tested: bool) -> str:
-        """Of the unit's files and of all that they reach, with its self-test or not."""
+    @cached_property
+    def hashes(self) -> dict[bool, str]:
+        """Of the unit's files and of all that they reach, without and with its self-test."""
         kernel = self.path.with_name(f"{self.name}_kernel.h")
-        roots = [path for path in (self.path, kernel, self.test if tested else kernel) if path.is_file()]
-        return self.folder.texts.hash(set(roots))
+        here = {path for path in (self.path, kernel) if path.is_file()}
+        test = {self.test} if self.test.is_file() else set()
+        return {tested: self.folder.texts.hash(here | test if tested else here) for tested in (False, True)}
+
+    def hash(self, tested: bool) -> str:
+        return self.hashes[tested]
 
     @property
     def elementary(self) -> bool:
@@ -187,6 +192,7 @@ def derivations() -> list[Derivations]:
     return [Derivations(name) for name in (*PAPERS, *DERIVATIONS)]
 
 
-def folders() -> list[Folder]:
+@cache
+def folders() -> tuple[Folder, ...]:
     """Every folder that is committed."""
-    return [Folder(path.parent) for path in sorted(generated().resolve().glob("*/manifest.json"))]
+    return tuple(Folder(path.parent) for path in sorted(generated().resolve().glob("*/manifest.json")))

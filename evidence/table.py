@@ -36,7 +36,7 @@ def tables() -> str:
         kept = results.read(folder)
         rows = [row(unit, {kind: of["units"].get(unit.name, {}) for kind, of in kept.items()}) for unit in folder.units]
         parts.append(section(folder.name, HEAD, rows))
-    return "".join(parts) + one_flight() + hostile() + proofs() + steps() + shown() + flights() + "\n"
+    return "".join(parts) + verifications() + one_flight() + hostile() + proofs() + steps() + shown() + flights() + "\n"
 
 
 def section(title: str, head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
@@ -65,6 +65,21 @@ def one_flight() -> str:
     ]
     rows += [(name, *"-" * 5, why) for name, why in NOT_FLOWN.items() if kept]
     return section("One flight, one hash", HASHES, rows)
+
+
+VERIFIED = ("model", "functions", "checks that hold", "that do not", "not checked, and why")
+
+
+def verifications() -> str:
+    """What `boresight verify` finds of each model."""
+    rows: list[tuple[str, ...]] = []
+    for folder in folders():
+        if kept := results.read(folder).get("verified", {}).get("units", {}):
+            answers = [(name, answer) for name, of in kept.items() for answer in of["checks"].values()]
+            held, broken = (sum(answer is wanted for _, answer in answers) for wanted in (True, False))
+            why = "; ".join(f"{name}: {answer}" for name, answer in answers if isinstance(answer, str))
+            rows.append((folder.name, str(len(kept)), str(held), str(broken), why or "-"))
+    return section("Models and their C, verified", VERIFIED, rows)
 
 
 HOSTILE = ("model", "build", "calls", "OK", "refused", "breaks", "breaks after memory was spoilt")

@@ -7,7 +7,6 @@ it, the nearest first and of them the cheapest, as many as fit; of what makes C,
 The last line says what was run and what was not.
 """
 
-import re
 import shlex
 import subprocess
 import sys
@@ -15,17 +14,20 @@ from collections import defaultdict, deque
 from collections.abc import Iterator
 from pathlib import Path
 
+from boresight.codegen import stamp
+from boresight.codegen.generate import source_of
+
 TESTS = Path(__file__).resolve().parent
 ROOT = TESTS.parent
 BUDGET = 45.0  # processor seconds for the tests of what was edited
 FAR = 3  # imports between a test and what was edited, from which on it is not asked
 LAYERS = ("derive", "codegen", "runtime", "studies", "evidence")
 CHECKED = "tests/test_promises.py::test_what_is_committed_is_what_its_source_makes"
-CHEAPEST = ("strapdown", "euler-matching", "azimuth-hold")  # of the models; the first two have most of what is written
-IMPORT = re.compile(r"^\s*(?:from|import)\s+([\w.]+)(?:\s+import\s+(\([^)]*\)|.*))?", re.MULTILINE)
+CHEAPEST = ("strapdown", "euler-matching")  # of the models that are generated; most of what is written is in them
 ROOMS = (
     "tests/test_promises.py::test_style_and_types_hold",
     "tests/test_promises.py::test_no_generated_file_was_edited",
+    "tests/test_promises.py::test_a_folder_was_made_by_the_sources_that_are_here",
     "tests/test_imports.py::test_a_layer_imports_only_along_the_arrows",
     f"{CHECKED}[strapdown]",
     "tests/derive/test_maps.py",
@@ -58,22 +60,12 @@ def edited(base: str) -> list[Path]:
     return [ROOT / name for name in dict.fromkeys(found)]
 
 
-def located(name: str, beside: Path) -> Iterator[Path]:
-    """The file of a module of Boresight and those of its packages, or of what lies beside a test."""
-    first, *parts = name.split(".")
-    if first == "boresight":
-        places = [home.joinpath(*parts[: k + 1]) for k in range(len(parts)) for home in (ROOT, ROOT / "boresight")]
-    else:
-        places = [home.joinpath(first, *parts) for home in (ROOT, beside, TESTS)]
-    for place in places:
-        yield from (file for file in (place.with_suffix(".py"), place / "__init__.py") if file.is_file())
-
-
-def imported(path: Path) -> Iterator[Path]:
-    """The files of this project that a file imports, at any depth in it."""
-    for module, names in IMPORT.findall(path.read_text(encoding="utf-8")):
-        for name in (module, *(f"{module}.{name}" for name in re.findall(r"\w+", names))):
-            yield from located(name, path.parent)
+def imports(path: Path) -> Iterator[Path]:
+    """The files of this project that a file imports, at any depth in it; a test also what lies beside it."""
+    for name in stamp.imported(path):
+        yield from stamp.located(name, stamp.FRONT)
+        places = (home.joinpath(*name.split(".")) for home in (ROOT, path.parent, TESTS))
+        yield from (file for place in places if (file := place.with_suffix(".py")).is_file())
 
 
 def all_importers() -> dict[Path, list[Path]]:
@@ -81,7 +73,7 @@ def all_importers() -> dict[Path, list[Path]]:
     found = defaultdict(list)
     for folder in (*LAYERS, "boresight", "tests"):
         for file in (ROOT / folder).rglob("*.py"):
-            for other in imported(file):
+            for other in imports(file):
                 found[other].append(file)
     return found
 
@@ -106,15 +98,11 @@ def near(path: Path, importers: dict[Path, list[Path]]) -> dict[str, int]:
 
 
 def models(path: Path) -> list[str]:
-    """The models whose C a file makes, cheapest first; of what all of them share, the cheapest ones alone."""
-    from boresight.codegen.generate import model_names, source_of
-    from boresight.codegen.stamp import reached
-
+    """The models whose C a file makes, of those that are generated to check it."""
     generator = {p for f in ("functions", "text", "templates") for p in (ROOT / "codegen" / f).rglob("*")}
-    if path in reached({p for p in generator if p.suffix in (".py", ".j2")}):
+    if path in stamp.reached({p for p in generator if p.suffix in (".py", ".j2")}):
         return list(CHEAPEST)
-    using = [name for name in model_names() if path in reached({source_of(name)})]
-    return sorted(using, key=lambda name: (name not in CHEAPEST, "-" in name, name))[:3]
+    return [name for name in CHEAPEST if (source := source_of(name)) and path in stamp.reached({source})]
 
 
 def chosen(paths: list[Path]) -> tuple[list[str], list[str]]:

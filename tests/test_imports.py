@@ -5,6 +5,7 @@ import graphlib
 import re
 import subprocess
 import sys
+from functools import cache
 
 import pytest
 from conftest import ROOT
@@ -30,12 +31,18 @@ ORDER = (
 TYPES = {("derive/checks.py", "derive/model.py")}
 
 
+@cache
+def import_nodes(path):
+    """At any depth of a file."""
+    return [node for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.Import | ast.ImportFrom)]
+
+
 def imported(path):
-    """Dotted names of everything a file imports, at any depth."""
-    for node in ast.walk(ast.parse(path.read_text())):
+    """Dotted names of everything a file imports."""
+    for node in import_nodes(path):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
-        elif isinstance(node, ast.ImportFrom):
+        else:
             assert node.level == 0, f"{path}: relative import"
             yield node.module
             yield from (f"{node.module}.{alias.name}" for alias in node.names)
@@ -51,10 +58,10 @@ def arrows(layer):
     found = {}
     for path in files(layer):
         here, named = str(path.relative_to(ROOT)), set()
-        for node in ast.walk(ast.parse(path.read_text())):
+        for node in import_nodes(path):
             if isinstance(node, ast.Import):
                 named |= {alias.name for alias in node.names}
-            elif isinstance(node, ast.ImportFrom):
+            else:
                 inner = {f"{node.module}.{alias.name}" for alias in node.names}
                 named |= {name if name in modules else node.module for name in inner}
         found[here] = {modules[name] for name in named & modules.keys()} - {here}

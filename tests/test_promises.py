@@ -1,6 +1,9 @@
 """What the tree promises of itself: what is committed is what its source makes, the C of every model is proven, and
-style and types hold.  These are `boresight generate --check`, `boresight verify` and `make check`, one test each, so
-that they run beside the others; a model is derived once for both.
+style and types hold.
+
+`boresight generate --check` and `boresight verify` of some models are run here, a model derived once for both.  Of the
+others the manifest names the sources that made it, and the results of `verify` are evidence; `make generated` checks
+all of them, as CI does.
 """
 
 import subprocess
@@ -13,11 +16,19 @@ from boresight.codegen import generate as g
 from boresight.codegen import verify as v
 from boresight.codegen.functions.units import units
 from boresight.codegen.text import files
+from boresight.evidence import results
+from boresight.evidence.kinds import KINDS, kinds_for
+from boresight.evidence.sources import folders
+from boresight.evidence.verified import by_unit
+
+LIVE = ("strapdown", "stationary-detector", "euler-matching", "velocity-attitude")  # a component each, small, large
+FOLDERS = {folder.manifest["model"]: folder for folder in folders()}
+(VERIFIED,) = (kind for kind in KINDS if kind.name == "verified")
 
 pytestmark = pytest.mark.usefixtures("quickly")
 
 
-@pytest.fixture(scope="module", params=g.target_names())
+@pytest.fixture(scope="module", params=LIVE)
 def made(request):
     """A target's name, its model and its printed units; None and nothing of a component."""
     if request.param in g.COMPONENTS:
@@ -37,15 +48,28 @@ def test_what_is_committed_is_what_its_source_makes(made, monkeypatch):
     assert report.written == () and report.changes == () and report.strange == ()
 
 
-def test_the_c_of_every_model_is_proven(made, monkeypatch):
+@pytest.mark.parametrize("name", g.target_names())
+def test_a_folder_was_made_by_the_sources_that_are_here(name):
+    assert g.stamp(name).items() <= FOLDERS[name].manifest.items(), "run 'boresight generate'"
+
+
+def test_the_c_of_a_model_is_proven(made, monkeypatch):
     name, model, printed = made
     if model is None:
         return  # of no model: tests/runtime/test_detector.py holds it
     monkeypatch.setattr(v, "load_model", lambda _: model)
     monkeypatch.setattr(v, "units", lambda _: printed)
-    checks = v.verify(name)
-    assert {check.unit for check in checks} >= {unit.name for unit in printed}
-    assert [check for check in checks if check.ok is False] == []
+    assert by_unit(v.verify(name)) == results.read(FOLDERS[name])["verified"]["units"]
+
+
+@pytest.mark.parametrize("name", g.model_names())
+def test_the_c_of_every_model_was_proven(name):
+    """tests/evidence/test_results.py holds that it was this C."""
+    folder = FOLDERS[name]
+    assert VERIFIED in kinds_for(folder)
+    found = results.read(folder)["verified"]["units"]
+    assert found.keys() >= folder.manifest["units"].keys()
+    assert [unit for unit, of in found.items() if False in of["checks"].values()] == []
 
 
 def test_no_generated_file_was_edited():
