@@ -126,13 +126,6 @@ def _quickly(request):
         request.getfixturevalue("quickly")
 
 
-@pytest.fixture
-def as_it_ships(quickly):
-    """Where all is compiled quickly: C as a user has it."""
-    with optimised(*quickly):
-        yield
-
-
 @contextmanager
 def optimised(flags, lanes):
     from boresight.runtime import compiler
