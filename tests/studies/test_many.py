@@ -15,9 +15,8 @@ import pytest
 from conftest import ROOT
 
 from boresight import BoresightError, cli
-from boresight.runtime import compiler
+from boresight.runtime import compiler, store, summary
 from boresight.runtime import runs as r
-from boresight.runtime import store, summary
 from boresight.runtime.library import load
 from boresight.runtime.simulation import hull, sensors
 from boresight.runtime.units import MIL
