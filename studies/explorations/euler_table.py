@@ -5,7 +5,7 @@ declared scenario of `euler_table`, with a count of cells for each choice; then 
 its errors, with misalignments from 0.1 to 3 degrees, and beyond the paper with an exact residual.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
 from typing import Any
@@ -77,17 +77,23 @@ def drawn_motion(number: int) -> dict[str, Any]:
     return {"motion_period_s": tuple(period.tolist()), "motion_phase_deg": tuple(phase.tolist())}
 
 
-def durations(model: Any, scenario: euler.Scenario, seconds: float = 3600.0) -> list[dict[str, Any]]:
+def durations(
+    model: Any,
+    scenario: euler.Scenario,
+    seconds: float = 3600.0,
+    causes: Iterable[tuple[bool, bool, bool]] = tuple(product((True, False), repeat=3)),
+) -> list[dict[str, Any]]:
     """When the table of linear covariance is the paper's, with each cause of further information switched off in turn.
 
+    causes: which cases, each (process noise, Earth rate, second order).
     process_noise, earth_rate, second_order: bool.  from_s and to_s: the first and the last update up to which all 147
     cells agree without a break.  first_more: the first cell estimated against the paper, or None by the end.
     smallest: the lowest ratio of the paper's not estimated cells, at time_s.
     """
     out = []
     times = np.unique(np.round(np.geomspace(1, seconds / scenario.update_s, 60)).astype(int))
-    for bias, earth, second_order in product((scenario.gyro_bias_deg_h, 0.0), (True, False), (True, False)):
-        case = replace(scenario, gyro_bias_deg_h=bias, earth_rate=earth)
+    for noise, earth, second_order in causes:
+        case = replace(scenario, gyro_bias_deg_h=scenario.gyro_bias_deg_h * noise, earth_rate=earth)
         history = euler.covariance(model, case, seconds, first_order=not second_order)
         ratio = history / history[0]
         estimated = ratio < case.threshold
@@ -97,7 +103,7 @@ def durations(model: Any, scenario: euler.Scenario, seconds: float = 3600.0) -> 
         late = np.flatnonzero(more.any((1, 2, 3)))
         out.append(
             {
-                "process_noise": bool(bias),
+                "process_noise": noise,
                 "earth_rate": earth,
                 "second_order": second_order,
                 "from_s": int(whole[0]) * case.update_s if len(whole) else None,
