@@ -81,7 +81,7 @@ def durations(
     model: Any,
     scenario: euler.Scenario,
     seconds: float = 3600.0,
-    causes: Iterable[tuple[bool, bool, bool]] = tuple(product((True, False), repeat=3)),
+    causes: Iterable[Sequence[bool]] = tuple(product((True, False), repeat=3)),
 ) -> list[dict[str, Any]]:
     """When the table of linear covariance is the paper's, with each cause of further information switched off in turn.
 

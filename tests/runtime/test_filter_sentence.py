@@ -110,7 +110,7 @@ class Flown:
 def flown(request, tmp_path_factory):
     out = tmp_path_factory.mktemp(request.param)
     (out / "probe.c").write_text(PROBE)
-    flags = ["-std=c99", "-O1", "-ffp-contract=off", "-Wall", "-Wextra", "-Werror", *FORMS[request.param]]
+    flags = ["-std=c99", "-O0", "-ffp-contract=off", "-Wall", "-Wextra", "-Werror", *FORMS[request.param]]
     sources = [*sorted((FOLDER / "src").glob("*.c")), out / "probe.c"]
     image = out / "filter.so"
     subprocess.run(
