@@ -19,10 +19,11 @@ from conftest import ROOT
 from tools import TOOLS, tool
 
 from boresight import cli
+from boresight.runtime.store import BLOCK
 
 pytestmark = pytest.mark.usefixtures("quickly")
 PAGES = [ROOT / "docs" / "tutorial.md", *sorted((ROOT / "docs" / "how-to").glob("*.md"))]
-BLOCK = re.compile(r"^```(\w+)(?: (\S+))?\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+FENCED = re.compile(r"^```(\w+)(?: (\S+))?\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
 def shown(expected, printed):
@@ -70,36 +71,61 @@ def own_modules():
             del sys.modules[name]
 
 
-def run(page, folder):
-    """Every block of the page; the last names that its Python left."""
+def run(page, folder, text=None):
+    """Every block of the page, or of the text in its place; the last names that its Python left."""
     names, printed = {"__name__": "page"}, ""
     with chdir(folder), own_modules():
-        for language, file, text in BLOCK.findall(page.read_text()):
+        for language, file, block in FENCED.findall(text or page.read_text()):
             if file:
-                (folder / file).write_text(text)
+                (folder / file).write_text(block)
             elif language == "python":
                 out = io.StringIO()
                 with redirect_stdout(out):
-                    exec(compile(text, page.name, "exec"), names)
+                    exec(compile(block, page.name, "exec"), names)
                 printed = out.getvalue()
-                promised = re.search(r"print\(.*\)  # (.*)\n\Z", text)
-                assert not promised or shown(promised[1], printed), (text, printed)
+                promised = re.search(r"print\(.*\)  # (.*)\n\Z", block)
+                assert not promised or shown(promised[1], printed), (block, printed)
             elif language == "console":
-                for line, expected in re.findall(r"^\$ ((?:.*\\\n)*.*)\n((?:(?!\$ ).*\n)*)", text, re.MULTILINE):
+                for line, expected in re.findall(r"^\$ ((?:.*\\\n)*.*)\n((?:(?!\$ ).*\n)*)", block, re.MULTILINE):
                     printed = command(line)
                     assert shown(expected, printed), (line, expected, printed)
             elif language == "text":
-                assert shown(text, printed), (text, printed)
+                assert shown(block, printed), (block, printed)
             else:
                 raise AssertionError(f"{page.name}: a block of {language} that nothing runs")
     return names
+
+
+# The page that flies many runs: what it shows, and what it does here.
+FEWER = {
+    "--runs 200": "--runs 20",
+    "sea: 200": "sea: 20",
+    "--runs 300": "--runs 30",
+    "sea: 300": "sea: 30",
+    "# 300 True": "# 30 True",
+    f"sea: {BLOCK} runs": "sea: 64 runs",
+}
 
 
 @pytest.mark.digits
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_every_block_of_the_page_runs(page, tmp_path, monkeypatch):
     monkeypatch.setenv("COLUMNS", "100")
-    run(page, tmp_path)
+    text = page.read_text()
+    if page.stem == "fly-many-runs":
+        monkeypatch.setattr("boresight.runtime.runs.BLOCK", 64)
+        assert f"This is asked after {BLOCK} runs" in text
+        for shown, flown in FEWER.items():
+            assert text.count(shown) == 1, shown
+            text = text.replace(shown, flown)
+        text, own = text.split("## An experiment of your own")
+        run(page, tmp_path, text)
+        plain = tmp_path / "cc"  # what the page's processes compile, they compile quickly too
+        plain.write_text('#!/bin/sh\nexec gcc "$@" -O0\n')
+        plain.chmod(0o755)
+        monkeypatch.setenv("CC", str(plain))
+        text = own
+    run(page, tmp_path, text)
 
 
 @pytest.mark.parametrize(
