@@ -200,7 +200,7 @@ def checkout(tmp_path):
     shutil.copy(ROOT / "pyproject.toml", copy)
 
     def run(*words, **more):
-        env = {**os.environ, "BORESIGHT_CACHE": str(tmp_path / "cache"), **more}
+        env = {**os.environ, **more}
         command = [sys.executable, "-m", "boresight.cli", *words]
         return subprocess.run(command, cwd=copy, env=env, capture_output=True, text=True, check=False)
 
