@@ -178,7 +178,7 @@ def F_phi(level: Level) -> ImmutableMatrix:
     p, v, f = state(level)
     x = _SCALE * ERROR
     E = varied(turned(x[6:9, 0]))
-    true = Rates(p, varied(v), varied(f), level)
+    true = _true(level)
     hat = Rates(p + x[0:3, 0], varied(v + x[3:6, 0]), E * varied(f), level)
     # C_hat C' = E turns with the computed level and against the true one; the body's rate is in both
     E_rate = E * true.omega_in.skew() - hat.omega_in.skew() * E
@@ -190,8 +190,8 @@ def F_psi(level: Level) -> ImmutableMatrix:
     """F of position, velocity and psi against the computed level."""
     p, v, f = state(level)
     x = _SCALE * ERROR
-    C_n2c, E = _to_computed(p, level), varied(turned(x[6:9, 0]))
-    true = Rates(p, varied(v), varied(f), level)
+    C_n2c, E = _to_computed(level), varied(turned(x[6:9, 0]))
+    true = _true(level)
     hat = Rates(p + x[0:3, 0], C_n2c * varied(v) + varied(x[3:6, 0]), E * C_n2c * varied(f), level)
     C_n2c_rate = C_n2c * true.omega_en.skew() - hat.omega_en.skew() * C_n2c
     # how the level c turns against inertial axes where the body stands still in them
@@ -206,13 +206,22 @@ def T_psi(level: Level) -> ImmutableMatrix:
     """Position, velocity error and psi by position, velocity error and phi."""
     p, v, _ = state(level)
     x = _SCALE * ERROR
-    C_n2c = _to_computed(p, level)
+    C_n2c = _to_computed(level)
     against_c = varied(turned(x[6:9, 0])) * C_n2c.T  # C_hat_b2n C' C_n2c'
     return _columns(varied(x[0:3, 0]), varied(v + x[3:6, 0]) - C_n2c * varied(v), _angle(against_c))
 
 
-def _to_computed(p: Matrix, level: Level) -> Varied:
+@cache
+def _true(level: Level) -> Rates:
+    """Rates without errors."""
+    p, v, f = state(level)
+    return Rates(p, varied(v), varied(f), level)
+
+
+@cache
+def _to_computed(level: Level) -> Varied:
     """C_n2c."""
+    p, _, _ = state(level)
     C = varied(axes(p + _SCALE * ERROR[0:3, 0], level).T * axes(p, level))
     return Varied(C.at_zero.applyfunc(trigsimp), C.slope.applyfunc(trigsimp))
 
