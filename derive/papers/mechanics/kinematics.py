@@ -100,7 +100,7 @@ def _slopes() -> ImmutableMatrix:
     tangent = {Derivative(ground[0], LAT): -R_N * sin(LAT), Derivative(ground[1], LAT): R_N * cos(LAT)}
     by = point.jacobian([LON, LAT, HEIGHT]).subs(tangent).subs(ground[0], R_E * cos(LAT))
     columns = axes((LON, LAT, HEIGHT), ENU)
-    return ImmutableMatrix((columns.T * by).applyfunc(lambda e: factor_terms(trigsimp(e))))
+    return ImmutableMatrix((columns.T * by).applyfunc(lambda e: factor_terms(_squared(e))))
 
 
 @cache
@@ -108,7 +108,7 @@ def _general(level: Level) -> tuple[ImmutableMatrix, ImmutableMatrix]:
     """Rates of longitude, latitude and height, and of the level against the Earth, of place and speed in letters."""
     moved = _slopes().inv() * Matrix([EAST, NORTH, UP])
     here = axes([(LON, LAT, HEIGHT)[i] for i in level.order], level)
-    by_lon, by_lat = (here.T * here.diff(coordinate) for coordinate in (LON, LAT))
+    by_lon, by_lat = ((here.T * here.diff(coordinate)).applyfunc(_squared) for coordinate in (LON, LAT))
     turning = vee(by_lon * moved[0] + by_lat * moved[1]).applyfunc(trigsimp)
     return ImmutableMatrix(moved), ImmutableMatrix(turning)
 
@@ -204,7 +204,7 @@ def F_psi(level: Level) -> ImmutableMatrix:
 @cache
 def T_psi(level: Level) -> ImmutableMatrix:
     """Position, velocity error and psi by position, velocity error and phi."""
-    p, v, _ = state(level)
+    _, v, _ = state(level)
     x = _SCALE * ERROR
     C_n2c = _to_computed(level)
     against_c = varied(turned(x[6:9, 0])) * C_n2c.T  # C_hat_b2n C' C_n2c'
@@ -223,7 +223,14 @@ def _to_computed(level: Level) -> Varied:
     """C_n2c."""
     p, _, _ = state(level)
     C = varied(axes(p + _SCALE * ERROR[0:3, 0], level).T * axes(p, level))
-    return Varied(C.at_zero.applyfunc(trigsimp), C.slope.applyfunc(trigsimp))
+    return Varied(C.at_zero.applyfunc(_squared), C.slope.applyfunc(_squared))
+
+
+def _squared(entry: Expr) -> Expr:
+    """A polynomial of sines and cosines without squares of sines: what trigsimp makes of it, sooner."""
+    for angle in (LON, LAT):
+        entry = expand(expand(entry).subs(sin(angle) ** 2, 1 - cos(angle) ** 2))
+    return entry
 
 
 def _angle(E: Varied) -> Varied:
