@@ -179,11 +179,13 @@ def paired(before: Matrix, after: Matrix) -> Iterator[tuple[str, Any, Any]]:
 def described(model: Model) -> dict[str, dict[str, str]]:
     """What the model says of each of its parts, in words."""
 
+    def bounds(item: Any) -> list[str]:
+        return [f"{low:.6g} to {high:.6g}" for low, high in zip(item.low, item.high, strict=True)]
+
     def variable(v: Variable) -> dict[str, str]:
-        box = [f"{low:.6g} to {high:.6g}" for low, high in zip(v.low, v.high, strict=True)]
         return {
             "components": ", ".join(s.name for s in v.symbols), "unit": v.unit, "meaning": v.meaning, "frame": v.frame,
-            "box": ", ".join(dict.fromkeys(box)), "norm": " to ".join(map(str, v.norm or ())),
+            "box": ", ".join(dict.fromkeys(bounds(v))), "norm": " to ".join(map(str, v.norm or ())),
             "wraps": "to -pi to pi" * v.wraps,
         }  # fmt: skip
 
@@ -202,12 +204,13 @@ def described(model: Model) -> dict[str, dict[str, str]]:
             "rows": ", ".join(m.rows), "unit": m.unit, "meaning": m.meaning,
             "angles": ", ".join(m.rows if m.angle is True else m.angle or ()),
             "noise": "correlated" if m.correlated else "of independent rows", "equations": ", ".join(m.equations),
+            "box of z": ", ".join(bounds(m)),
         }  # fmt: skip
     for f in model.functions:
         parts[f"function {f.name}"] = {"meaning": f.meaning, "equations": ", ".join(f.equations)}
         for o in f.outputs:
-            box = ", ".join(f"{low:.6g} to {high:.6g}" for low, high in zip(o.low, o.high, strict=True))
-            parts[f"{o.name} of {f.name}"] = {"unit": o.unit, "meaning": o.meaning, "frame": o.frame, "box": box}
+            parts[f"{o.name} of {f.name}"] = {"unit": o.unit, "meaning": o.meaning, "frame": o.frame}
+            parts[f"{o.name} of {f.name}"]["box"] = ", ".join(bounds(o))
     for c in behind(constants_in(*expressions(model))):
         parts[f"constant {c.name}"] = {"value": shown(c.value), "unit": c.unit, "meaning": c.meaning}
     return parts

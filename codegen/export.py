@@ -4,6 +4,7 @@ import hashlib
 import json
 import re
 import shutil
+import subprocess
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,6 +20,7 @@ from boresight.codegen.stamp import PACKAGE
 from boresight.codegen.text.files import identity_files, rendered
 from boresight.codegen.text.names import snake
 from boresight.derive.model import Model
+from boresight.runtime import compiler
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import Library, load
 from boresight.runtime.manifest import folder_of, read_manifest, sources, sources_hash
@@ -77,7 +79,8 @@ def export(
     ------
     BoresightError
         An unknown precision, a folder that is not empty, C that is not there or is not what the
-        model says now.
+        model says now; a self-test that fails on this machine, where there is no evidence of the C.
+        Nothing is written then.
 
     Notes
     -----
@@ -135,7 +138,36 @@ def exported(folder: Path, out: Path, precision: str, unproven: str) -> Exported
     listed = {path: hashlib.sha256(text.encode()).hexdigest() for path, text in files.items()}
     whole = {key: manifest[key] for key in ("model", "title", "c_prefix", "hash", "version")}
     whole |= {"precision": precision, "form": view["form"], "files": listed}
-    return Exported(write(out, files | {"manifest.json": as_json(whole)}), view["cost"])
+    files["manifest.json"] = as_json(whole)
+    if proof["evidence"] == "none":
+        check_self_test(files, precision)
+    return Exported(write(out, files), view["cost"])
+
+
+def check_self_test(files: dict[str, str], precision: str) -> None:
+    """Raise BoresightError where the self-test of an export fails on this machine; files: text by path."""
+    with tempfile.TemporaryDirectory() as aside:
+        folder, program = Path(aside), Path(aside) / "selftest.out"
+        write_all(folder, {path: text for path, text in files.items() if path.endswith((".c", ".h"))})
+        parts = [f"-I{folder / part}" for part in ("include", "src", "selftest")]
+        command = [*compiler.compiler(), "-std=c99", "-ffp-contract=off", *compiler.PRECISIONS[precision], *parts]
+        sources = [path for part in ("src", "selftest") for path in sorted((folder / part).glob("*.c"))]
+        objects = compiler.compile_sources(command, dict.fromkeys(sources, ()), folder)
+        compiler.run([*command, *objects.values(), "-lm", "-o", program])
+        done = subprocess.run([program], capture_output=True, text=True, check=False)
+    if done.returncode:
+        _, *lines = done.stdout.splitlines() or [""]
+        first = "; ".join(lines[:2]) or f"it ends with {done.returncode}"
+        raise BoresightError(
+            f"the self-test fails on this machine ({first}), so that nothing is written; narrow the boxes of the model "
+            "to where it flies, or report it"
+        )
+
+
+def write_all(folder: Path, files: dict[str, str]) -> None:
+    for path, text in files.items():
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        (folder / path).write_text(text)
 
 
 def as_json(document: dict[str, Any]) -> str:
@@ -165,9 +197,7 @@ def write(out: Path, files: dict[str, str]) -> list[Path]:
     try:
         out.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(dir=out.parent, prefix=".writing-") as aside:
-            for path, text in files.items():
-                (Path(aside) / "new" / path).parent.mkdir(parents=True, exist_ok=True)
-                (Path(aside) / "new" / path).write_text(text)
+            write_all(Path(aside) / "new", files)
             if out.exists():
                 out.rmdir()
             shutil.move(Path(aside) / "new", out)
@@ -248,7 +278,7 @@ def memory(manifest: dict[str, Any], folder: Path, precision: str) -> list[tuple
     structs = {name: sum(field["size"] for field in fields) for name, fields in listed if name != "x"}
     found = [(f"{prefix}_{name}", count * size) for name, count in structs.items()]
     if manifest.get("filter"):
-        numbers = getattr(load(folder, precision=precision).dll, f"{prefix}_filter_size")()
+        numbers = getattr(load(folder, precision=precision).dll, f"{prefix}_batch_filter_size")()
         found.append((f"{prefix}_filter", numbers * size))
     return found
 

@@ -36,7 +36,9 @@ TAKEN = f"""{KEYWORDS}
     sin cos atan2 sqrt fabs exp log asin acos atan sinh cosh tanh
     x z R P status filter innovation rows gate iterations covariance next arg res iw w mem
 """
-OF_LOOPS = "f at rate K sum h third share weight places stage"  # what they call numbers of their own
+# What the functions of the filter call numbers of their own, and those of loops.
+OF_FILTER = "i j k l m p q trial layout columns row_start found gates target answer L D"
+OF_LOOPS = "f rate K sum h third share weight places stage at"
 UNDEFINED = {nan, zoo, oo, -oo, I}
 LARGEST = 1e18  # of a box
 UNEVALUATED = (sympy.Derivative, sympy.Integral, sympy.Sum, sympy.Product, sympy.Limit, AppliedUndef)
@@ -151,7 +153,11 @@ def check_box(item: "Variable") -> None:
         if len(bound) != len(item.symbols):
             given = f"{len(item.symbols)} components, but a box of {len(bound)}"
             fail(item, f"{given}; give one bound for all, or one for each")
-    for symbol, low, high in zip(item.symbols, item.low, item.high, strict=True):
+    check_bounds(item, item.symbols)
+
+
+def check_bounds(item: Any, components: tuple[Any, ...]) -> None:
+    for symbol, low, high in zip(components, item.low, item.high, strict=True):
         if not (isfinite(low) and isfinite(high)):
             fail(item, f"the box of {symbol} is {low:.6g} to {high:.6g}; give finite bounds: tests draw points in it")
         if max(abs(low), abs(high)) > LARGEST:
@@ -225,7 +231,8 @@ def check_names(model: "Model") -> None:
         for name, part in table.items():
             if not NAME.match(name):
                 fail(part, f"{name!r} cannot be a name in C; write letters, digits and '_'")
-            reserved = TAKEN.split() + (OF_LOOPS.split() if model.loops and kind(part) == "struct" else [])
+            own = f"{OF_FILTER} {OF_LOOPS if model.loops else ''}" if kind(part) == "struct" else ""
+            reserved = f"{TAKEN} {own}".split()
             if name in reserved or re.fullmatch(r"t\d+|(bs|BS)_.*|filter_.*", name):
                 fail(part, f"the name {name!r} has a meaning in C or in the generated code; choose another")
     for item in variables:
@@ -453,6 +460,7 @@ def check_measurements(model: "Model") -> None:
         for name in m.angle if isinstance(m.angle, tuple) else ():
             if name not in m.rows:
                 fail(m, f"angle names {name!r}, which is no row{did_you_mean(name, m.rows)}; rows are {listed(m.rows)}")
+        check_box_of_z(m)
         if m.first_order is None:
             continue
         exact = [other.name for other in model.measurements if other.h is not None]
@@ -464,6 +472,15 @@ def check_measurements(model: "Model") -> None:
         for item in (m.first_order.small, *(name for name, _ in m.first_order.tied)):
             if item is not None and item not in inputs:
                 fail(m, f"first_order names {item!r}, which is no input{did_you_mean(item, inputs)}")
+
+
+def check_box_of_z(m: Any) -> None:
+    if {len(m.low), len(m.high)} not in ({0}, {len(m.rows)}):
+        fail(m, f"it has {len(m.low)} lower and {len(m.high)} upper bounds for {len(m.rows)} rows; give one for each")
+    if m.low and m.z is not None:
+        fail(m, "low and high bound a z that the caller brings; leave them out, since z is given")
+    if m.low:
+        check_bounds(m, m.rows)
 
 
 def listed(names: Any) -> str:

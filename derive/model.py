@@ -265,12 +265,15 @@ class Measurement:
         The source, as "song-lee-2001 (16)".
     correlated : bool, optional
         R is (m, m), and not the variances of independent rows.
+    low, high : tuple of float, optional
+        Where a z that the caller brings must lie, one bound for each row; () for any finite value.
 
     Raises
     ------
     BoresightError
-        A matrix that is none.  Neither h nor H, both without a first order, a shape or row that does
-        not fit, and a symbol that no struct declares are refused by `Model`, a unit by `generate`.
+        A matrix that is none.  Neither h nor H, both without a first order, a shape, row or bound
+        that does not fit, and a symbol that no struct declares are refused by `Model`, a unit by
+        `generate`.
 
     Notes
     -----
@@ -298,6 +301,8 @@ class Measurement:
     angle: bool | tuple[str, ...] = False
     equations: tuple[str, ...] = ()
     correlated: bool = False
+    low: tuple[float, ...] = ()
+    high: tuple[float, ...] = ()
     where: str = where_written()
 
     def __post_init__(self) -> None:

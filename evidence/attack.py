@@ -262,7 +262,7 @@ def drawing(function: Function, manifest: dict[str, Any]) -> list[str]:
         else:
             raise BoresightError(f"{function.symbol}: nothing says how {parameter.type} {parameter.name} is drawn")
     name = innovation(function, manifest)
-    return [*lines, f"{name}.used = 1U;"] if name else lines
+    return [*lines, f"{name}.used = 77U;"] if name else lines
 
 
 def calling(function: Function, manifest: dict[str, Any]) -> list[str]:
@@ -304,9 +304,9 @@ def innovation(function: Function, manifest: dict[str, Any]) -> str:
 
 
 def staying(function: Function, manifest: dict[str, Any]) -> list[str]:
-    """Whether a measurement says that rows are taken."""
+    """Whether a measurement has written what it reports in."""
     name = innovation(function, manifest)
-    return [f"return {name}.used != 0U;"] if name else []
+    return [f"return {name}.used != 77U;"] if name else []
 
 
 # ---------------------------------------------------------------- the attack

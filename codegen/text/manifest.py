@@ -82,6 +82,7 @@ def described(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> di
         | {s.name: [field(v) for v in s.fields] for s in model.structs},
         "measurements": {
             m.name: {key: getattr(m, key) for key in ("rows", "unit", "meaning", "angle", "correlated", "equations")}
+            | ({"low": m.low, "high": m.high} if m.low else {})
             for m in model.measurements
         },
         "units": functions,

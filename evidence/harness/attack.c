@@ -316,7 +316,7 @@ static const char *const words[BREAKS] = {
     "a status that there is not",     "a null pointer is taken",     "refused, and nav is written",
     "refused, and x is written",      "refused, and P is written",   "OK, and nav is not finite",
     "OK, and nav is out of its box",  "OK, and x is not finite",     "OK, and P is not finite",
-    "OK, and a variance is negative", "OK, and an output is not finite", "refused, and rows stay taken",
+    "OK, and a variance is negative", "OK, and an output is not finite", "refused, and the innovation is written",
 };
 
 static attack_filter was; /* before the call */

@@ -57,7 +57,8 @@ class Innovation:
 
     def __post_init__(self) -> None:
         if self.nis is None:
-            nis = np.sum(np.where(self.used, self.nu**2 / self.S, 0.0), axis=-1)
+            with np.errstate(over="ignore"):  # an infinite one is refused
+                nis = np.sum(np.where(self.used, self.nu**2 / self.S, 0.0), axis=-1)
             object.__setattr__(self, "nis", nis)
 
 
@@ -311,8 +312,8 @@ class Filter:
         ------
         BoresightError
             No such measurement, an input that is unknown, missing, not finite or outside its box,
-            the state x among the inputs, R that is no covariance, an innovation that is no number.
-            The filter stays as it was.
+            the state x among the inputs, R that is no covariance, an innovation that is no number,
+            a nis that is not finite, a total state that would leave its box.  The filter stays as it was.
         """
         check_taking(measurement, rows, gate, joint, iterations)
         check_own_state(measurement, inputs)
@@ -346,12 +347,18 @@ class Filter:
         if iterations > 1 and "x" in getattr(self.model, f"{measurement}_H").fields:
             x, P, innovation = self._again(linear, D, iterations - 1, kept, H, x, P, innovation)
         x = self.wrapped(x)
+        if not np.isfinite(first).all():
+            raise BoresightError(
+                f"{measurement}: nis is not finite; what was measured is too far from what was expected"
+            )
         if joint is not None:
             keep = np.asarray(beyond)
             x, P = np.where(keep[..., None], self.x, x), np.where(keep[..., None, None], self.P, P)
             innovation = Innovation(
                 innovation.nu, innovation.S, innovation.used & ~keep[..., None], np.where(keep, first, innovation.nis)
             )
+        if getattr(self.model, "manifest", {}).get("kind") == "total-state" and not self._inside(x).all():
+            raise BoresightError(f"{measurement}: it would lead x out of its box; give a gate, or leave it out")
         self.x, self.P = x, P
         return innovation
 
@@ -378,6 +385,9 @@ class Filter:
             raise BoresightError(f"{measurement}: z has shape {z.shape}; its last axis must be {m} long")
         if not np.isfinite(z).all():
             raise BoresightError(f"{measurement}: z holds a value that is not finite; leave its row out by rows")
+        low, high = (self._described(measurement, end) for end in ("low", "high"))
+        if low and not ((z >= low) & (z <= high)).all():
+            raise BoresightError(f"{measurement}: z lies outside its box, {low} to {high}")
         return z
 
     def _noise(self, measurement: str, given: Any, shape: tuple[int, ...], rows: Array) -> tuple[Array, Array | None]:

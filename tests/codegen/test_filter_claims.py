@@ -78,6 +78,14 @@ RESTORE = """
 }
 """
 
+TRAPPED = """
+    feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+    for (int i = 0; i < AH_N_STATES; ++i) sigma[i] = BS_REAL(1e-3);
+    printf("%d", (int)ah_filter_init_sigmas(&f, &nav, sigma));
+    return 0;
+}
+"""
+
 
 @pytest.fixture(scope="module")
 def objects(tmp_path_factory):
@@ -90,8 +98,8 @@ def objects(tmp_path_factory):
     return made
 
 
-def answer(body, objects, tmp_path, precision="double"):
-    (tmp_path / "main.c").write_text(BEGIN + body)
+def answer(body, objects, tmp_path, precision="double", before=""):
+    (tmp_path / "main.c").write_text(before + BEGIN + body)
     command, library = objects[precision]
     done = run(*command, tmp_path / "main.c", *library, "-lm", "-o", tmp_path / "main")
     assert done.returncode == 0, done.stderr
@@ -116,6 +124,12 @@ def test_restore_judges_the_diagonal_alone_and_its_header_says_so(objects, tmp_p
     words = re.sub(r"[\s*]+", " ", header)
     assert "judges the numbers as a step does" in words
     assert "as init does" not in words
+
+
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_a_filter_begins_where_invalid_operations_trap(precision, objects, tmp_path):
+    traps = "#define _GNU_SOURCE\n#include <fenv.h>\n"
+    assert answer(TRAPPED, objects, tmp_path, precision, traps) == ["0"]
 
 
 def test_no_function_of_a_file_is_defined_twice():

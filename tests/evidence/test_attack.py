@@ -24,7 +24,7 @@ TREASONS = (
     "correct: refused, and P is written",
     "correct: a status that there is not",
     "covariance: OK, and an output is not finite",
-    "measure_euler: refused, and rows stay taken",
+    "measure_euler: refused, and the innovation is written",
 )
 
 

@@ -43,7 +43,7 @@ class Alone:
         self.loop, self.library = loop, memory.library
         blocks = memory.settle(memory.runs)
         self.dll, self.described = memory.dll, loop.described
-        size = self.library.dll[f"{self.library.manifest['c_prefix']}_filter_size"]
+        size = self.library.dll[f"{self.library.manifest['c_prefix']}_batch_filter_size"]
         size.restype = ctypes.c_size_t
         self.n, self.front = blocks.n, memory.part["P"].stop
         self.carried = sum(part.stop - part.start for part in (memory.part[name] for name in memory.fields))

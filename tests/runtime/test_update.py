@@ -238,8 +238,8 @@ LEAVES = np.array([1.0, -2.0, 0, 0, 0]), np.diag([100.0, 100.0, 1, 1, 1e-12]), 0
 
 
 @KINDS
-@pytest.mark.parametrize("x, P, bearing, R", [GROWS, LEAVES], ids=["grows", "leaves its box"])
-def test_what_diverges_takes_the_first_result_and_its_neighbours_go_on(kind, x, P, bearing, R, radar):
+def test_what_diverges_takes_the_first_result_and_its_neighbours_go_on(kind, radar):
+    x, P, bearing, R = GROWS
     states, P = np.stack([NEAR, x, NEAR]), np.stack([WIDE, P, WIDE])
     R = np.stack([NOISE, R, NOISE])
     z, rows = np.stack([HERE, [0.0, bearing], HERE]), np.array([[True, True], [False, True], [True, True]])
@@ -251,9 +251,19 @@ def test_what_diverges_takes_the_first_result_and_its_neighbours_go_on(kind, x, 
         np.testing.assert_array_equal(batch.x[i], other.x)
         np.testing.assert_array_equal(batch.P[i], other.P)
     few = begun(kind, radar, x, P[1])
-    said = few.update("radar", R[1], z=z[1], rows=rows[1], iterations=2 if bearing > 1 else 3)
+    said = few.update("radar", R[1], z=z[1], rows=rows[1], iterations=2)
     np.testing.assert_array_equal(few.x, once.x)
     np.testing.assert_array_equal((said.nu, said.S, said.used), (first.nu, first.S, first.used))
+
+
+@KINDS
+@pytest.mark.parametrize("iterations", [1, 3])
+def test_what_would_leave_its_box_is_refused(kind, iterations, radar):
+    x, P, bearing, R = LEAVES
+    loop = begun(kind, radar, x, P)
+    with pytest.raises(BoresightError, match="box"):
+        loop.update("radar", R, z=[0.0, bearing], rows=[False, True], iterations=iterations)
+    np.testing.assert_array_equal(loop.x, x)
 
 
 # ---- errors that depend on each other

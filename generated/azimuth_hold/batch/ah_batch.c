@@ -361,8 +361,8 @@ int ah_feedback_bound(void *const *at)
 
 
 /* Numbers that a filter takes room for. */
-size_t ah_filter_size(void);
-size_t ah_filter_size(void)
+size_t ah_batch_filter_size(void);
+size_t ah_batch_filter_size(void)
 {
     return sizeof(ah_filter) / sizeof(bs_real);
 }

@@ -20,7 +20,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "79bc3a2613c64afbb4f453d5a2104ba78eb7ce02ffb2e8fb054ad0042343f56a"
+#define AH_MODEL_HASH "a8bff592bc447ddc4cf509a8073a184ecd8ab7714323b8e6f054d56bef3b4437"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1
@@ -53,6 +53,7 @@
 #define ah_joseph_predict ah_joseph_predict_f32
 #define ah_joseph_update ah_joseph_update_f32
 #define ah_predict_state ah_predict_state_f32
+#define ah_snapshot_size ah_snapshot_size_f32
 #define ah_strapdown ah_strapdown_f32
 #define ah_ud_add ah_ud_add_f32
 #define ah_ud_dense ah_ud_dense_f32
@@ -82,6 +83,7 @@
 #define ah_filter_restore BS_FORM(ah_filter_restore)
 #define ah_filter_set_nav BS_FORM(ah_filter_set_nav)
 #define ah_filter_sigmas BS_FORM(ah_filter_sigmas)
+#define ah_filter_size BS_FORM(ah_filter_size)
 #define ah_filter_snapshot BS_FORM(ah_filter_snapshot)
 #define ah_filter_strapdown BS_FORM(ah_filter_strapdown)
 #define ah_filter_variance BS_FORM(ah_filter_variance)

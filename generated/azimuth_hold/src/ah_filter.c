@@ -62,7 +62,7 @@ static bs_status check_nav(ah_nav *nav, int clamp)
                                              BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(6.283185307179586),
                                               BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
-    bs_status status = BS_OK;
+    bs_status status;
     if (clamp != 0) {
         bs_clamp(nav->position, position_low, position_high, 3);
         bs_clamp_each(nav->v_n, BS_REAL(-1000.0), BS_REAL(1000.0), 3);
@@ -75,9 +75,7 @@ static bs_status check_nav(ah_nav *nav, int clamp)
                       3);
         bs_clamp_each(nav->accel_bias, BS_REAL(-1.0), BS_REAL(1.0), 3);
     }
-    if (status == BS_OK) {
-        status = bs_check(nav->position, position_low, position_high, 3);
-    }
+    status = bs_check(nav->position, position_low, position_high, 3);
     if (status == BS_OK) {
         status = bs_check_each(nav->v_n, BS_REAL(-1000.0), BS_REAL(1000.0), 3);
     }
@@ -315,7 +313,7 @@ typedef struct {
     int left; /* linearisations that are to come */
 } attempt;
 
-static void restore(ah_filter *filter, const attempt *a)
+static void roll_back(ah_filter *filter, const attempt *a)
 {
     copy(filter->x, a->x, AH_N_STATES);
     copy(filter->P, filter->Q, AH_N_PACKED);
@@ -361,19 +359,24 @@ static bs_status begin(attempt *a,
     return status;
 }
 
-/* Ends a measurement: with what it has made of x and P, or with both as they were. */
+/* Ends a measurement: with what it has made of x, P and the innovation, or with all as they
+ * were. */
 static bs_status finish(ah_filter *filter,
                         const attempt *a,
-                        const measurement *of,
+                        const measurement *layout,
                         bs_status status,
+                        ah_innovation *found,
                         ah_innovation *innovation)
 {
-    unsigned short *const count = &filter->rejected[of->index];
+    unsigned short *const count = &filter->rejected[layout->index];
     bs_status end = status;
+    if ((end == BS_OK) && (!((found->nis - found->nis) <= BS_REAL(0.0)))) {
+        end = BS_NOT_POSITIVE;
+    }
     if (end == BS_OK) {
-        if ((a->joint > BS_REAL(0.0)) && (!(innovation->nis <= a->joint))) {
-            restore(filter, a);
-            innovation->used = 0U;
+        if ((a->joint > BS_REAL(0.0)) && (!(found->nis <= a->joint))) {
+            roll_back(filter, a);
+            found->used = 0U;
         }
         end = judge(filter->x, filter->P);
         if ((end == BS_AT_CEILING) && (filter->ceilings < 65535U)) {
@@ -381,15 +384,16 @@ static bs_status finish(ah_filter *filter,
         }
     }
     if (!bs_good(end)) {
-        restore(filter, a);
-        innovation->used = 0U;
-        innovation->nis = BS_REAL(0.0);
-    } else if (innovation->used != a->asked) {
-        *count = (*count < 65535U) ? (unsigned short)(*count + 1U) : *count;
-    } else if (a->asked != 0U) {
-        *count = 0U;
+        roll_back(filter, a);
     } else {
-        /* nothing was asked for */
+        *innovation = *found;
+        if (found->used != a->asked) {
+            *count = (*count < 65535U) ? (unsigned short)(*count + 1U) : *count;
+        } else if (a->asked != 0U) {
+            *count = 0U;
+        } else {
+            /* nothing was asked for */
+        }
     }
     return end;
 }
@@ -423,7 +427,7 @@ static void leave_out(ah_filter *filter,
 /* The rows of one measurement, one after another.  H stands in filter->work. */
 static bs_status take(ah_filter *filter,
                       const attempt *a,
-                      const measurement *of,
+                      const measurement *layout,
                       const bs_real *z,
                       const bs_real *R,
                       unsigned int rows,
@@ -431,14 +435,14 @@ static bs_status take(ah_filter *filter,
                       ah_innovation *innovation)
 {
     const bs_real *const H = filter->work;
-    bs_real *const gain = &filter->work[of->start[of->m]]; /* where states are considered */
+    bs_real *const gain = &filter->work[layout->start[layout->m]]; /* where states are considered */
     bs_status status = BS_OK;
     innovation->used = 0U;
     innovation->nis = BS_REAL(0.0);
-    for (int i = 0; (i < of->m) && (status == BS_OK); ++i) {
-        const int start = (int)of->start[i];
-        bs_row row = { &H[start], &of->at[start], (int)of->start[i + 1] - start, z[i], R[i], gate,
-                       z[i], R[i], 0, NULL };
+    for (int i = 0; (i < layout->m) && (status == BS_OK); ++i) {
+        const int start = (int)layout->start[i];
+        bs_row row = { &H[start], &layout->at[start], (int)layout->start[i + 1] - start, z[i], R[i],
+                       gate, z[i], R[i], 0, NULL };
         if (filter->considering != 0U) {
             row.gain = &gain[i * AH_N_STATES];
         }
@@ -454,7 +458,7 @@ static bs_status take(ah_filter *filter,
         }
     }
     if ((filter->considering != 0U) && (status == BS_OK)) {
-        leave_out(filter, a->x, gain, of->m, innovation);
+        leave_out(filter, a->x, gain, layout->m, innovation);
     }
     return status;
 }
@@ -579,10 +583,7 @@ bs_status ah_filter_strapdown(ah_filter *filter, const ah_imu *imu, const ah_inc
         return BS_NULL_POINTER;
     }
     next_nav = filter->nav;
-    status = BS_OK;
-    if (status == BS_OK) {
-        status = check_nav(&filter->nav, 0);
-    }
+    status = check_nav(&filter->nav, 0);
     if (status == BS_OK) {
         status = check_imu_of_strapdown(imu);
     }
@@ -641,13 +642,11 @@ static bs_status carry(ah_filter *filter, const bs_real *x)
 bs_status ah_filter_propagate(ah_filter *filter, const ah_imu *imu, const ah_noise *noise)
 {
     bs_real next[AH_N_STATES];
-    bs_status status = BS_OK;
+    bs_status status;
     if ((filter == NULL) || (imu == NULL) || (noise == NULL)) {
         return BS_NULL_POINTER;
     }
-    if (status == BS_OK) {
-        status = check_nav(&filter->nav, 0);
-    }
+    status = check_nav(&filter->nav, 0);
     if (status == BS_OK) {
         status = check_imu_of_propagate(imu);
     }
@@ -676,16 +675,17 @@ bs_status ah_filter_measure_zupt(ah_filter *filter,
                                  const bs_gates *gates,
                                  ah_innovation *innovation)
 {
-    static const unsigned short start_of[4] = { 0, 1, 2, 3 };
-    static const unsigned short at[3] = { 3, 4, 5 };
-    const measurement of = { start_of, at, 3, AH_MEASUREMENT_ZUPT };
-    attempt it;
+    static const unsigned short row_start[4] = { 0, 1, 2, 3 };
+    static const unsigned short columns[3] = { 3, 4, 5 };
+    const measurement layout = { row_start, columns, 3, AH_MEASUREMENT_ZUPT };
+    attempt trial;
+    ah_innovation found;
     bs_real z[3];
     bs_status status;
     if ((filter == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = begin(&it, filter, gates, R, 1, 3);
+    status = begin(&trial, filter, gates, R, 1, 3);
     if (status == BS_OK) {
         status = check_nav(&filter->nav, 0);
     }
@@ -696,9 +696,9 @@ bs_status ah_filter_measure_zupt(ah_filter *filter,
         ah_zupt_H_kernel(filter->work);
     }
     if (status == BS_OK) {
-        status = take(filter, &it, &of, z, R, it.rows, it.gate, innovation);
+        status = take(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
     }
-    return finish(filter, &it, &of, status, innovation);
+    return finish(filter, &trial, &layout, status, &found, innovation);
 }
 
 bs_status ah_filter_measure_azimuth(ah_filter *filter,
@@ -707,16 +707,17 @@ bs_status ah_filter_measure_azimuth(ah_filter *filter,
                                     const bs_gates *gates,
                                     ah_innovation *innovation)
 {
-    static const unsigned short start_of[2] = { 0, 1 };
-    static const unsigned short at[1] = { 8 };
-    const measurement of = { start_of, at, 1, AH_MEASUREMENT_AZIMUTH };
-    attempt it;
+    static const unsigned short row_start[2] = { 0, 1 };
+    static const unsigned short columns[1] = { 8 };
+    const measurement layout = { row_start, columns, 1, AH_MEASUREMENT_AZIMUTH };
+    attempt trial;
+    ah_innovation found;
     bs_real z[1];
     bs_status status;
     if ((filter == NULL) || (reference == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = begin(&it, filter, gates, R, 1, 1);
+    status = begin(&trial, filter, gates, R, 1, 1);
     if (status == BS_OK) {
         status = check_nav(&filter->nav, 0);
     }
@@ -730,9 +731,9 @@ bs_status ah_filter_measure_azimuth(ah_filter *filter,
         ah_azimuth_H_kernel(filter->work);
     }
     if (status == BS_OK) {
-        status = take(filter, &it, &of, z, R, it.rows, it.gate, innovation);
+        status = take(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
     }
-    return finish(filter, &it, &of, status, innovation);
+    return finish(filter, &trial, &layout, status, &found, innovation);
 }
 
 bs_status ah_filter_measure_zaru(ah_filter *filter,
@@ -741,16 +742,17 @@ bs_status ah_filter_measure_zaru(ah_filter *filter,
                                  const bs_gates *gates,
                                  ah_innovation *innovation)
 {
-    static const unsigned short start_of[4] = { 0, 5, 10, 15 };
-    static const unsigned short at[15] = { 1, 6, 7, 8, 9, 1, 6, 7, 8, 10, 1, 6, 7, 8, 11 };
-    const measurement of = { start_of, at, 3, AH_MEASUREMENT_ZARU };
-    attempt it;
+    static const unsigned short row_start[4] = { 0, 5, 10, 15 };
+    static const unsigned short columns[15] = { 1, 6, 7, 8, 9, 1, 6, 7, 8, 10, 1, 6, 7, 8, 11 };
+    const measurement layout = { row_start, columns, 3, AH_MEASUREMENT_ZARU };
+    attempt trial;
+    ah_innovation found;
     bs_real z[3];
     bs_status status;
     if ((filter == NULL) || (imu == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = begin(&it, filter, gates, R, 1, 3);
+    status = begin(&trial, filter, gates, R, 1, 3);
     if (status == BS_OK) {
         status = check_nav(&filter->nav, 0);
     }
@@ -764,9 +766,9 @@ bs_status ah_filter_measure_zaru(ah_filter *filter,
         ah_zaru_H_kernel(filter->nav.position, filter->nav.q_b2n_wxyz, filter->work);
     }
     if (status == BS_OK) {
-        status = take(filter, &it, &of, z, R, it.rows, it.gate, innovation);
+        status = take(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
     }
-    return finish(filter, &it, &of, status, innovation);
+    return finish(filter, &trial, &layout, status, &found, innovation);
 }
 
 bs_status ah_filter_correct(ah_filter *filter)
@@ -839,23 +841,34 @@ bs_status ah_filter_consider(ah_filter *filter, const unsigned char considered[A
     return status;
 }
 
+/* The variances of the states where all that the filter holds of them is sound. */
+static bs_status sound_variances(const ah_filter *filter, bs_real *all)
+{
+    bs_status status = sound(filter->x, filter->P);
+    if (status == BS_OK) {
+        variances(filter->P, all);
+        status = bs_check_finite(all, AH_N_STATES); /* U D U' of finite factors may overflow */
+    }
+    return status;
+}
+
 bs_status ah_filter_covariance(const ah_filter *filter, bs_real P[AH_N_STATES * AH_N_STATES])
 {
+    bs_real all[AH_N_STATES];
     bs_status status;
     if ((filter == NULL) || (P == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = sound(filter->x, filter->P);
-    if (status == BS_OK) {
+    status = sound_variances(filter, all);
+    if (status == BS_OK) { /* no covariance is larger than both of its variances */
         DENSE(filter->P, P);
-        /* U D U' of finite factors may overflow */
-        status = bs_check_finite(P, AH_N_STATES * AH_N_STATES);
     }
     return status;
 }
 
 bs_status ah_filter_variance(const ah_filter *filter, int i, bs_real *value)
 {
+    bs_real all[AH_N_STATES];
     bs_status status;
     if ((filter == NULL) || (value == NULL)) {
         return BS_NULL_POINTER;
@@ -863,29 +876,25 @@ bs_status ah_filter_variance(const ah_filter *filter, int i, bs_real *value)
     if ((i < 0) || (i >= AH_N_STATES)) {
         return BS_OUT_OF_RANGE;
     }
-    status = sound(filter->x, filter->P);
+    status = sound_variances(filter, all);
     if (status == BS_OK) {
-        bs_real all[AH_N_STATES];
-        variances(filter->P, all);
         *value = all[i];
-        status = bs_check_finite(value, 1);
     }
     return status;
 }
 
 bs_status ah_filter_sigmas(const ah_filter *filter, bs_real sigma[AH_N_STATES])
 {
+    bs_real all[AH_N_STATES];
     bs_status status;
     if ((filter == NULL) || (sigma == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = sound(filter->x, filter->P);
+    status = sound_variances(filter, all);
     if (status == BS_OK) {
-        variances(filter->P, sigma);
         for (int i = 0; i < AH_N_STATES; ++i) {
-            sigma[i] = BS_SQRT(sigma[i]);
+            sigma[i] = BS_SQRT(all[i]);
         }
-        status = bs_check_finite(sigma, AH_N_STATES);
     }
     return status;
 }
@@ -901,6 +910,16 @@ bs_status ah_filter_health(const ah_filter *filter, ah_health *health)
         health->rejected[i] = filter->rejected[i];
     }
     return BS_OK;
+}
+
+size_t ah_filter_size(void)
+{
+    return sizeof(ah_filter);
+}
+
+size_t ah_snapshot_size(void)
+{
+    return (size_t)AH_SNAPSHOT_SIZE;
 }
 
 /* ---- a snapshot: its head, then what is carried from call to call, number after number as it lies

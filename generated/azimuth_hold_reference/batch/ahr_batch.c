@@ -372,8 +372,8 @@ int ahr_feedback_bound(void *const *at)
 
 
 /* Numbers that a filter takes room for. */
-size_t ahr_filter_size(void);
-size_t ahr_filter_size(void)
+size_t ahr_batch_filter_size(void);
+size_t ahr_batch_filter_size(void)
 {
     return sizeof(ahr_filter) / sizeof(bs_real);
 }

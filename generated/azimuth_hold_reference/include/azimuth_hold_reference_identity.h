@@ -20,7 +20,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "f6d234d344b1c1b34166f9ee283ab6b016e5d0daa501b1b876681fa53e0ef012"
+#define AHR_MODEL_HASH "6ee4eb3ef4aac6cb8b0879932bcf33c9d61d6620cdf02490a323c2c959d6a19d"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1
@@ -53,6 +53,7 @@
 #define ahr_joseph_predict ahr_joseph_predict_f32
 #define ahr_joseph_update ahr_joseph_update_f32
 #define ahr_predict_state ahr_predict_state_f32
+#define ahr_snapshot_size ahr_snapshot_size_f32
 #define ahr_strapdown ahr_strapdown_f32
 #define ahr_ud_add ahr_ud_add_f32
 #define ahr_ud_dense ahr_ud_dense_f32
@@ -82,6 +83,7 @@
 #define ahr_filter_restore BS_FORM(ahr_filter_restore)
 #define ahr_filter_set_nav BS_FORM(ahr_filter_set_nav)
 #define ahr_filter_sigmas BS_FORM(ahr_filter_sigmas)
+#define ahr_filter_size BS_FORM(ahr_filter_size)
 #define ahr_filter_snapshot BS_FORM(ahr_filter_snapshot)
 #define ahr_filter_strapdown BS_FORM(ahr_filter_strapdown)
 #define ahr_filter_variance BS_FORM(ahr_filter_variance)

@@ -62,7 +62,7 @@ static bs_status check_nav(ahr_nav *nav, int clamp)
                                              BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(6.283185307179586),
                                               BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
-    bs_status status = BS_OK;
+    bs_status status;
     if (clamp != 0) {
         bs_clamp(nav->position, position_low, position_high, 3);
         bs_clamp_each(nav->v_n, BS_REAL(-1000.0), BS_REAL(1000.0), 3);
@@ -75,9 +75,7 @@ static bs_status check_nav(ahr_nav *nav, int clamp)
                       3);
         bs_clamp_each(nav->accel_bias, BS_REAL(-1.0), BS_REAL(1.0), 3);
     }
-    if (status == BS_OK) {
-        status = bs_check(nav->position, position_low, position_high, 3);
-    }
+    status = bs_check(nav->position, position_low, position_high, 3);
     if (status == BS_OK) {
         status = bs_check_each(nav->v_n, BS_REAL(-1000.0), BS_REAL(1000.0), 3);
     }
@@ -99,7 +97,7 @@ static bs_status check_nav(ahr_nav *nav, int clamp)
 
 static bs_status check_reference(ahr_reference *reference, int clamp)
 {
-    bs_status status = BS_OK;
+    bs_status status;
     if (clamp != 0) {
         if (bs_check_norm(reference->q_ref_wxyz, BS_REAL(0.998001), BS_REAL(1.0020009999999997),
                           4) != BS_OK) {
@@ -108,9 +106,7 @@ static bs_status check_reference(ahr_reference *reference, int clamp)
         bs_clamp_each(reference->q_ref_wxyz, BS_REAL(-1.001), BS_REAL(1.001), 4);
         bs_clamp_each(&reference->reference_error, BS_REAL(-0.5), BS_REAL(0.5), 1);
     }
-    if (status == BS_OK) {
-        status = bs_check_each(reference->q_ref_wxyz, BS_REAL(-1.001), BS_REAL(1.001), 4);
-    }
+    status = bs_check_each(reference->q_ref_wxyz, BS_REAL(-1.001), BS_REAL(1.001), 4);
     if (status == BS_OK) {
         status = bs_check_norm(reference->q_ref_wxyz, BS_REAL(0.998001),
                                BS_REAL(1.0020009999999997), 4);
@@ -328,7 +324,7 @@ typedef struct {
     int left; /* linearisations that are to come */
 } attempt;
 
-static void restore(ahr_filter *filter, const attempt *a)
+static void roll_back(ahr_filter *filter, const attempt *a)
 {
     copy(filter->x, a->x, AHR_N_STATES);
     copy(filter->P, filter->Q, AHR_N_PACKED);
@@ -374,19 +370,24 @@ static bs_status begin(attempt *a,
     return status;
 }
 
-/* Ends a measurement: with what it has made of x and P, or with both as they were. */
+/* Ends a measurement: with what it has made of x, P and the innovation, or with all as they
+ * were. */
 static bs_status finish(ahr_filter *filter,
                         const attempt *a,
-                        const measurement *of,
+                        const measurement *layout,
                         bs_status status,
+                        ahr_innovation *found,
                         ahr_innovation *innovation)
 {
-    unsigned short *const count = &filter->rejected[of->index];
+    unsigned short *const count = &filter->rejected[layout->index];
     bs_status end = status;
+    if ((end == BS_OK) && (!((found->nis - found->nis) <= BS_REAL(0.0)))) {
+        end = BS_NOT_POSITIVE;
+    }
     if (end == BS_OK) {
-        if ((a->joint > BS_REAL(0.0)) && (!(innovation->nis <= a->joint))) {
-            restore(filter, a);
-            innovation->used = 0U;
+        if ((a->joint > BS_REAL(0.0)) && (!(found->nis <= a->joint))) {
+            roll_back(filter, a);
+            found->used = 0U;
         }
         end = judge(filter->x, filter->P);
         if ((end == BS_AT_CEILING) && (filter->ceilings < 65535U)) {
@@ -394,15 +395,16 @@ static bs_status finish(ahr_filter *filter,
         }
     }
     if (!bs_good(end)) {
-        restore(filter, a);
-        innovation->used = 0U;
-        innovation->nis = BS_REAL(0.0);
-    } else if (innovation->used != a->asked) {
-        *count = (*count < 65535U) ? (unsigned short)(*count + 1U) : *count;
-    } else if (a->asked != 0U) {
-        *count = 0U;
+        roll_back(filter, a);
     } else {
-        /* nothing was asked for */
+        *innovation = *found;
+        if (found->used != a->asked) {
+            *count = (*count < 65535U) ? (unsigned short)(*count + 1U) : *count;
+        } else if (a->asked != 0U) {
+            *count = 0U;
+        } else {
+            /* nothing was asked for */
+        }
     }
     return end;
 }
@@ -436,7 +438,7 @@ static void leave_out(ahr_filter *filter,
 /* The rows of one measurement, one after another.  H stands in filter->work. */
 static bs_status take(ahr_filter *filter,
                       const attempt *a,
-                      const measurement *of,
+                      const measurement *layout,
                       const bs_real *z,
                       const bs_real *R,
                       unsigned int rows,
@@ -444,14 +446,14 @@ static bs_status take(ahr_filter *filter,
                       ahr_innovation *innovation)
 {
     const bs_real *const H = filter->work;
-    bs_real *const gain = &filter->work[of->start[of->m]]; /* where states are considered */
+    bs_real *const gain = &filter->work[layout->start[layout->m]]; /* where states are considered */
     bs_status status = BS_OK;
     innovation->used = 0U;
     innovation->nis = BS_REAL(0.0);
-    for (int i = 0; (i < of->m) && (status == BS_OK); ++i) {
-        const int start = (int)of->start[i];
-        bs_row row = { &H[start], &of->at[start], (int)of->start[i + 1] - start, z[i], R[i], gate,
-                       z[i], R[i], 0, NULL };
+    for (int i = 0; (i < layout->m) && (status == BS_OK); ++i) {
+        const int start = (int)layout->start[i];
+        bs_row row = { &H[start], &layout->at[start], (int)layout->start[i + 1] - start, z[i], R[i],
+                       gate, z[i], R[i], 0, NULL };
         if (filter->considering != 0U) {
             row.gain = &gain[i * AHR_N_STATES];
         }
@@ -467,7 +469,7 @@ static bs_status take(ahr_filter *filter,
         }
     }
     if ((filter->considering != 0U) && (status == BS_OK)) {
-        leave_out(filter, a->x, gain, of->m, innovation);
+        leave_out(filter, a->x, gain, layout->m, innovation);
     }
     return status;
 }
@@ -615,10 +617,7 @@ bs_status ahr_filter_strapdown(ahr_filter *filter,
         return BS_NULL_POINTER;
     }
     next_nav = filter->nav;
-    status = BS_OK;
-    if (status == BS_OK) {
-        status = check_nav(&filter->nav, 0);
-    }
+    status = check_nav(&filter->nav, 0);
     if (status == BS_OK) {
         status = check_reference(&filter->reference, 0);
     }
@@ -680,13 +679,11 @@ static bs_status carry(ahr_filter *filter, const bs_real *x)
 bs_status ahr_filter_propagate(ahr_filter *filter, const ahr_imu *imu, const ahr_noise *noise)
 {
     bs_real next[AHR_N_STATES];
-    bs_status status = BS_OK;
+    bs_status status;
     if ((filter == NULL) || (imu == NULL) || (noise == NULL)) {
         return BS_NULL_POINTER;
     }
-    if (status == BS_OK) {
-        status = check_nav(&filter->nav, 0);
-    }
+    status = check_nav(&filter->nav, 0);
     if (status == BS_OK) {
         status = check_reference(&filter->reference, 0);
     }
@@ -718,16 +715,17 @@ bs_status ahr_filter_measure_zupt(ahr_filter *filter,
                                   const bs_gates *gates,
                                   ahr_innovation *innovation)
 {
-    static const unsigned short start_of[4] = { 0, 1, 2, 3 };
-    static const unsigned short at[3] = { 3, 4, 5 };
-    const measurement of = { start_of, at, 3, AHR_MEASUREMENT_ZUPT };
-    attempt it;
+    static const unsigned short row_start[4] = { 0, 1, 2, 3 };
+    static const unsigned short columns[3] = { 3, 4, 5 };
+    const measurement layout = { row_start, columns, 3, AHR_MEASUREMENT_ZUPT };
+    attempt trial;
+    ahr_innovation found;
     bs_real z[3];
     bs_status status;
     if ((filter == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = begin(&it, filter, gates, R, 1, 3);
+    status = begin(&trial, filter, gates, R, 1, 3);
     if (status == BS_OK) {
         status = check_nav(&filter->nav, 0);
     }
@@ -741,9 +739,9 @@ bs_status ahr_filter_measure_zupt(ahr_filter *filter,
         ahr_zupt_H_kernel(filter->work);
     }
     if (status == BS_OK) {
-        status = take(filter, &it, &of, z, R, it.rows, it.gate, innovation);
+        status = take(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
     }
-    return finish(filter, &it, &of, status, innovation);
+    return finish(filter, &trial, &layout, status, &found, innovation);
 }
 
 bs_status ahr_filter_measure_zaru(ahr_filter *filter,
@@ -752,16 +750,17 @@ bs_status ahr_filter_measure_zaru(ahr_filter *filter,
                                   const bs_gates *gates,
                                   ahr_innovation *innovation)
 {
-    static const unsigned short start_of[4] = { 0, 5, 10, 15 };
-    static const unsigned short at[15] = { 1, 6, 7, 8, 9, 1, 6, 7, 8, 10, 1, 6, 7, 8, 11 };
-    const measurement of = { start_of, at, 3, AHR_MEASUREMENT_ZARU };
-    attempt it;
+    static const unsigned short row_start[4] = { 0, 5, 10, 15 };
+    static const unsigned short columns[15] = { 1, 6, 7, 8, 9, 1, 6, 7, 8, 10, 1, 6, 7, 8, 11 };
+    const measurement layout = { row_start, columns, 3, AHR_MEASUREMENT_ZARU };
+    attempt trial;
+    ahr_innovation found;
     bs_real z[3];
     bs_status status;
     if ((filter == NULL) || (imu == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = begin(&it, filter, gates, R, 1, 3);
+    status = begin(&trial, filter, gates, R, 1, 3);
     if (status == BS_OK) {
         status = check_nav(&filter->nav, 0);
     }
@@ -778,9 +777,9 @@ bs_status ahr_filter_measure_zaru(ahr_filter *filter,
         ahr_zaru_H_kernel(filter->nav.position, filter->nav.q_b2n_wxyz, filter->work);
     }
     if (status == BS_OK) {
-        status = take(filter, &it, &of, z, R, it.rows, it.gate, innovation);
+        status = take(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
     }
-    return finish(filter, &it, &of, status, innovation);
+    return finish(filter, &trial, &layout, status, &found, innovation);
 }
 
 bs_status ahr_filter_measure_azimuth(ahr_filter *filter,
@@ -788,16 +787,17 @@ bs_status ahr_filter_measure_azimuth(ahr_filter *filter,
                                      const bs_gates *gates,
                                      ahr_innovation *innovation)
 {
-    static const unsigned short start_of[2] = { 0, 2 };
-    static const unsigned short at[2] = { 8, 15 };
-    const measurement of = { start_of, at, 1, AHR_MEASUREMENT_AZIMUTH };
-    attempt it;
+    static const unsigned short row_start[2] = { 0, 2 };
+    static const unsigned short columns[2] = { 8, 15 };
+    const measurement layout = { row_start, columns, 1, AHR_MEASUREMENT_AZIMUTH };
+    attempt trial;
+    ahr_innovation found;
     bs_real z[1];
     bs_status status;
     if ((filter == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = begin(&it, filter, gates, R, 1, 1);
+    status = begin(&trial, filter, gates, R, 1, 1);
     if (status == BS_OK) {
         status = check_nav(&filter->nav, 0);
     }
@@ -812,9 +812,9 @@ bs_status ahr_filter_measure_azimuth(ahr_filter *filter,
         ahr_azimuth_H_kernel(filter->work);
     }
     if (status == BS_OK) {
-        status = take(filter, &it, &of, z, R, it.rows, it.gate, innovation);
+        status = take(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
     }
-    return finish(filter, &it, &of, status, innovation);
+    return finish(filter, &trial, &layout, status, &found, innovation);
 }
 
 bs_status ahr_filter_correct(ahr_filter *filter)
@@ -902,23 +902,34 @@ bs_status ahr_filter_consider(ahr_filter *filter, const unsigned char considered
     return status;
 }
 
+/* The variances of the states where all that the filter holds of them is sound. */
+static bs_status sound_variances(const ahr_filter *filter, bs_real *all)
+{
+    bs_status status = sound(filter->x, filter->P);
+    if (status == BS_OK) {
+        variances(filter->P, all);
+        status = bs_check_finite(all, AHR_N_STATES); /* U D U' of finite factors may overflow */
+    }
+    return status;
+}
+
 bs_status ahr_filter_covariance(const ahr_filter *filter, bs_real P[AHR_N_STATES * AHR_N_STATES])
 {
+    bs_real all[AHR_N_STATES];
     bs_status status;
     if ((filter == NULL) || (P == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = sound(filter->x, filter->P);
-    if (status == BS_OK) {
+    status = sound_variances(filter, all);
+    if (status == BS_OK) { /* no covariance is larger than both of its variances */
         DENSE(filter->P, P);
-        /* U D U' of finite factors may overflow */
-        status = bs_check_finite(P, AHR_N_STATES * AHR_N_STATES);
     }
     return status;
 }
 
 bs_status ahr_filter_variance(const ahr_filter *filter, int i, bs_real *value)
 {
+    bs_real all[AHR_N_STATES];
     bs_status status;
     if ((filter == NULL) || (value == NULL)) {
         return BS_NULL_POINTER;
@@ -926,29 +937,25 @@ bs_status ahr_filter_variance(const ahr_filter *filter, int i, bs_real *value)
     if ((i < 0) || (i >= AHR_N_STATES)) {
         return BS_OUT_OF_RANGE;
     }
-    status = sound(filter->x, filter->P);
+    status = sound_variances(filter, all);
     if (status == BS_OK) {
-        bs_real all[AHR_N_STATES];
-        variances(filter->P, all);
         *value = all[i];
-        status = bs_check_finite(value, 1);
     }
     return status;
 }
 
 bs_status ahr_filter_sigmas(const ahr_filter *filter, bs_real sigma[AHR_N_STATES])
 {
+    bs_real all[AHR_N_STATES];
     bs_status status;
     if ((filter == NULL) || (sigma == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = sound(filter->x, filter->P);
+    status = sound_variances(filter, all);
     if (status == BS_OK) {
-        variances(filter->P, sigma);
         for (int i = 0; i < AHR_N_STATES; ++i) {
-            sigma[i] = BS_SQRT(sigma[i]);
+            sigma[i] = BS_SQRT(all[i]);
         }
-        status = bs_check_finite(sigma, AHR_N_STATES);
     }
     return status;
 }
@@ -964,6 +971,16 @@ bs_status ahr_filter_health(const ahr_filter *filter, ahr_health *health)
         health->rejected[i] = filter->rejected[i];
     }
     return BS_OK;
+}
+
+size_t ahr_filter_size(void)
+{
+    return sizeof(ahr_filter);
+}
+
+size_t ahr_snapshot_size(void)
+{
+    return (size_t)AHR_SNAPSHOT_SIZE;
 }
 
 /* ---- a snapshot: its head, then what is carried from call to call, number after number as it lies

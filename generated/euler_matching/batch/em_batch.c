@@ -394,8 +394,8 @@ int em_omega_in_n_bound(void *const *at)
 
 
 /* Numbers that a filter takes room for. */
-size_t em_filter_size(void);
-size_t em_filter_size(void)
+size_t em_batch_filter_size(void);
+size_t em_batch_filter_size(void)
 {
     return sizeof(em_filter) / sizeof(bs_real);
 }

@@ -20,7 +20,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "4745cc4874488e217b240398910468617177a6c80c67b46486a5d0368739433d"
+#define EM_MODEL_HASH "ce68504166622f3ccce1fe9f040861b7b71201349cf4a6de81e2f1d961e3f40b"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1
@@ -58,6 +58,7 @@
 #define em_joseph_update em_joseph_update_f32
 #define em_omega_in_n em_omega_in_n_f32
 #define em_predict_state em_predict_state_f32
+#define em_snapshot_size em_snapshot_size_f32
 #define em_strapdown em_strapdown_f32
 #define em_ud_add em_ud_add_f32
 #define em_ud_dense em_ud_dense_f32
@@ -80,6 +81,7 @@
 #define em_filter_restore BS_FORM(em_filter_restore)
 #define em_filter_set_nav BS_FORM(em_filter_set_nav)
 #define em_filter_sigmas BS_FORM(em_filter_sigmas)
+#define em_filter_size BS_FORM(em_filter_size)
 #define em_filter_snapshot BS_FORM(em_filter_snapshot)
 #define em_filter_strapdown BS_FORM(em_filter_strapdown)
 #define em_filter_variance BS_FORM(em_filter_variance)

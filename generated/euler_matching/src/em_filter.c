@@ -57,7 +57,7 @@ static void copy(bs_real *to, const bs_real *from, int n)
 
 static bs_status check_nav(em_nav *nav, int clamp)
 {
-    bs_status status = BS_OK;
+    bs_status status;
     if (clamp != 0) {
         if (bs_check_norm(nav->q_b2n_wxyz, BS_REAL(0.998001), BS_REAL(1.0020009999999997),
                           4) != BS_OK) {
@@ -66,9 +66,7 @@ static bs_status check_nav(em_nav *nav, int clamp)
         bs_clamp_each(nav->q_b2n_wxyz, BS_REAL(-1.001), BS_REAL(1.001), 4);
         bs_clamp_each(nav->mu, BS_REAL(-0.5), BS_REAL(0.5), 3);
     }
-    if (status == BS_OK) {
-        status = bs_check_each(nav->q_b2n_wxyz, BS_REAL(-1.001), BS_REAL(1.001), 4);
-    }
+    status = bs_check_each(nav->q_b2n_wxyz, BS_REAL(-1.001), BS_REAL(1.001), 4);
     if (status == BS_OK) {
         status = bs_check_norm(nav->q_b2n_wxyz, BS_REAL(0.998001), BS_REAL(1.0020009999999997), 4);
     }
@@ -261,7 +259,7 @@ typedef struct {
     bool again;    /* whether there was one */
 } attempt;
 
-static void restore(em_filter *filter, const attempt *a)
+static void roll_back(em_filter *filter, const attempt *a)
 {
     copy(filter->x, a->x, EM_N_STATES);
     copy(filter->P, filter->Q, EM_N_PACKED);
@@ -310,19 +308,24 @@ static bs_status begin(attempt *a,
     return status;
 }
 
-/* Ends a measurement: with what it has made of x and P, or with both as they were. */
+/* Ends a measurement: with what it has made of x, P and the innovation, or with all as they
+ * were. */
 static bs_status finish(em_filter *filter,
                         const attempt *a,
-                        const measurement *of,
+                        const measurement *layout,
                         bs_status status,
+                        em_innovation *found,
                         em_innovation *innovation)
 {
-    unsigned short *const count = &filter->rejected[of->index];
+    unsigned short *const count = &filter->rejected[layout->index];
     bs_status end = status;
+    if ((end == BS_OK) && (!((found->nis - found->nis) <= BS_REAL(0.0)))) {
+        end = BS_NOT_POSITIVE;
+    }
     if (end == BS_OK) {
-        if ((a->joint > BS_REAL(0.0)) && (!(innovation->nis <= a->joint))) {
-            restore(filter, a);
-            innovation->used = 0U;
+        if ((a->joint > BS_REAL(0.0)) && (!(found->nis <= a->joint))) {
+            roll_back(filter, a);
+            found->used = 0U;
         }
         end = judge(filter->x, filter->P);
         if ((end == BS_AT_CEILING) && (filter->ceilings < 65535U)) {
@@ -330,15 +333,16 @@ static bs_status finish(em_filter *filter,
         }
     }
     if (!bs_good(end)) {
-        restore(filter, a);
-        innovation->used = 0U;
-        innovation->nis = BS_REAL(0.0);
-    } else if (innovation->used != a->asked) {
-        *count = (*count < 65535U) ? (unsigned short)(*count + 1U) : *count;
-    } else if (a->asked != 0U) {
-        *count = 0U;
+        roll_back(filter, a);
     } else {
-        /* nothing was asked for */
+        *innovation = *found;
+        if (found->used != a->asked) {
+            *count = (*count < 65535U) ? (unsigned short)(*count + 1U) : *count;
+        } else if (a->asked != 0U) {
+            *count = 0U;
+        } else {
+            /* nothing was asked for */
+        }
     }
     return end;
 }
@@ -372,7 +376,7 @@ static void leave_out(em_filter *filter,
 /* The rows of one measurement, one after another.  H stands in filter->work. */
 static bs_status take(em_filter *filter,
                       const attempt *a,
-                      const measurement *of,
+                      const measurement *layout,
                       const bs_real *z,
                       const bs_real *R,
                       unsigned int rows,
@@ -380,14 +384,14 @@ static bs_status take(em_filter *filter,
                       em_innovation *innovation)
 {
     const bs_real *const H = filter->work;
-    bs_real *const gain = &filter->work[of->start[of->m]]; /* where states are considered */
+    bs_real *const gain = &filter->work[layout->start[layout->m]]; /* where states are considered */
     bs_status status = BS_OK;
     innovation->used = 0U;
     innovation->nis = BS_REAL(0.0);
-    for (int i = 0; (i < of->m) && (status == BS_OK); ++i) {
-        const int start = (int)of->start[i];
-        bs_row row = { &H[start], &of->at[start], (int)of->start[i + 1] - start, z[i], R[i], gate,
-                       z[i], R[i], 0, NULL };
+    for (int i = 0; (i < layout->m) && (status == BS_OK); ++i) {
+        const int start = (int)layout->start[i];
+        bs_row row = { &H[start], &layout->at[start], (int)layout->start[i + 1] - start, z[i], R[i],
+                       gate, z[i], R[i], 0, NULL };
         if (filter->considering != 0U) {
             row.gain = &gain[i * EM_N_STATES];
         }
@@ -403,18 +407,18 @@ static bs_status take(em_filter *filter,
         }
     }
     if ((filter->considering != 0U) && (status == BS_OK)) {
-        leave_out(filter, a->x, gain, of->m, innovation);
+        leave_out(filter, a->x, gain, layout->m, innovation);
     }
     return status;
 }
 /* Whole turns are taken from the z of a row that is an angle, so that z - H x lies in [-pi, pi). */
-static void turn(const measurement *of, bs_real *z, const bs_real *H, const bs_real *x)
+static void turn(const measurement *layout, bs_real *z, const bs_real *H, const bs_real *x)
 {
-    for (int i = 0; i < of->m; ++i) {
-        if (((of->angles >> (unsigned int)i) & 1U) != 0U) {
+    for (int i = 0; i < layout->m; ++i) {
+        if (((layout->angles >> (unsigned int)i) & 1U) != 0U) {
             bs_real nu = z[i];
-            for (int q = (int)of->start[i]; q < (int)of->start[i + 1]; ++q) {
-                nu -= H[q] * x[of->at[q]];
+            for (int q = (int)layout->start[i]; q < (int)layout->start[i + 1]; ++q) {
+                nu -= H[q] * x[layout->at[q]];
             }
             z[i] -= nu - bs_wrap(nu);
         }
@@ -423,19 +427,19 @@ static void turn(const measurement *of, bs_real *z, const bs_real *H, const bs_r
 
 /* h(x) becomes z - h(x) + H x, so that the rows may treat it as linear in the state.  Of a row that
  * is an angle, z - h(x) lies in [-pi, pi). */
-static void linear(const measurement *of,
+static void linear(const measurement *layout,
                    bs_real *h,
                    const bs_real *z,
                    const bs_real *H,
                    const bs_real *x)
 {
-    for (int i = 0; i < of->m; ++i) {
+    for (int i = 0; i < layout->m; ++i) {
         h[i] = z[i] - h[i];
-        if (((of->angles >> (unsigned int)i) & 1U) != 0U) {
+        if (((layout->angles >> (unsigned int)i) & 1U) != 0U) {
             h[i] = bs_wrap(h[i]);
         }
-        for (int q = (int)of->start[i]; q < (int)of->start[i + 1]; ++q) {
-            h[i] += H[q] * x[of->at[q]];
+        for (int q = (int)layout->start[i]; q < (int)layout->start[i + 1]; ++q) {
+            h[i] += H[q] * x[layout->at[q]];
         }
     }
 }
@@ -443,7 +447,7 @@ static void linear(const measurement *of,
 /* The square of how many sigmas a state, or a row that is used, moves at most from `from` to
  * filter->x. */
 static bs_real moved(const em_filter *filter,
-                     const measurement *of,
+                     const measurement *layout,
                      const bs_real *from,
                      const bs_real *R,
                      unsigned int used)
@@ -458,10 +462,10 @@ static bs_real moved(const em_filter *filter,
             most = (by * by) / of_state[i];
         }
     }
-    for (int i = 0; i < of->m; ++i) {
+    for (int i = 0; i < layout->m; ++i) {
         bs_real by = BS_REAL(0.0);
-        for (int q = (int)of->start[i]; q < (int)of->start[i + 1]; ++q) {
-            by += H[q] * (filter->x[of->at[q]] - from[of->at[q]]);
+        for (int q = (int)layout->start[i]; q < (int)layout->start[i + 1]; ++q) {
+            by += H[q] * (filter->x[layout->at[q]] - from[layout->at[q]]);
         }
         if ((((used >> (unsigned int)i) & 1U) != 0U) && ((by * by) > (most * R[i]))) {
             most = (by * by) / R[i];
@@ -474,9 +478,9 @@ static bs_real moved(const em_filter *filter,
  * no state and no row moves by more than .01 sigma, or the first is beyond the joint gate.  Where
  * one moves by more than a sigma and by more than before, or there is no answer, the first is taken
  * again. */
-static bs_status iterate(attempt *it,
+static bs_status iterate(attempt *trial,
                          em_filter *filter,
-                         const measurement *of,
+                         const measurement *layout,
                          bs_status answer,
                          const bs_real *z,
                          bs_real *target,
@@ -486,30 +490,30 @@ static bs_status iterate(attempt *it,
     bs_real most = BS_REAL(0.0);
     bs_status status = answer;
     if (status == BS_OK) {
-        linear(of, target, z, filter->work, it->at);
-        restore(filter, it);
-        status = take(filter, it, of, target, R, it->rows, it->gate, innovation);
-        if ((status == BS_OK) && (it->again || (it->left > 1))) {
-            most = moved(filter, of, it->at, R, innovation->used);
+        linear(layout, target, z, filter->work, trial->at);
+        roll_back(filter, trial);
+        status = take(filter, trial, layout, target, R, trial->rows, trial->gate, innovation);
+        if ((status == BS_OK) && (trial->again || (trial->left > 1))) {
+            most = moved(filter, layout, trial->at, R, innovation->used);
         }
     }
-    if (it->again && ((status != BS_OK) || ((most > it->moved) && (most > BS_REAL(1.0))))) {
-        copy(it->at, it->x, EM_N_STATES);
-        copy(filter->x, it->x, EM_N_STATES);
-        it->again = false;
-        it->left = 1;
+    if (trial->again && ((status != BS_OK) || ((most > trial->moved) && (most > BS_REAL(1.0))))) {
+        copy(trial->at, trial->x, EM_N_STATES);
+        copy(filter->x, trial->x, EM_N_STATES);
+        trial->again = false;
+        trial->left = 1;
         status = BS_OK;
     } else if ((status != BS_OK) ||
-               ((it->joint > BS_REAL(0.0)) && (!(innovation->nis <= it->joint)))) {
-        it->left = 0;
+               ((trial->joint > BS_REAL(0.0)) && (!(innovation->nis <= trial->joint)))) {
+        trial->left = 0;
     } else {
-        copy(it->at, filter->x, EM_N_STATES);
-        it->moved = most;
-        it->again = true;
-        it->rows = innovation->used;
-        it->gate = BS_REAL(0.0);
-        it->joint = BS_REAL(0.0);
-        it->left = (most > BS_REAL(1e-4)) ? (it->left - 1) : 0;
+        copy(trial->at, filter->x, EM_N_STATES);
+        trial->moved = most;
+        trial->again = true;
+        trial->rows = innovation->used;
+        trial->gate = BS_REAL(0.0);
+        trial->joint = BS_REAL(0.0);
+        trial->left = (most > BS_REAL(1e-4)) ? (trial->left - 1) : 0;
     }
     return status;
 }
@@ -635,10 +639,7 @@ bs_status em_filter_strapdown(em_filter *filter, const em_step *step)
         return BS_NULL_POINTER;
     }
     next_nav = filter->nav;
-    status = BS_OK;
-    if (status == BS_OK) {
-        status = check_nav(&filter->nav, 0);
-    }
+    status = check_nav(&filter->nav, 0);
     if (status == BS_OK) {
         status = check_step_of_strapdown(step);
     }
@@ -691,13 +692,11 @@ static bs_status carry(em_filter *filter, const bs_real *x)
 bs_status em_filter_propagate(em_filter *filter, const em_step *step, const em_noise *noise)
 {
     bs_real next[EM_N_STATES];
-    bs_status status = BS_OK;
+    bs_status status;
     if ((filter == NULL) || (step == NULL) || (noise == NULL)) {
         return BS_NULL_POINTER;
     }
-    if (status == BS_OK) {
-        status = check_nav(&filter->nav, 0);
-    }
+    status = check_nav(&filter->nav, 0);
     if (status == BS_OK) {
         status = check_step_of_propagate(step);
     }
@@ -725,16 +724,17 @@ bs_status em_filter_measure_euler(em_filter *filter,
                                   const bs_gates *gates,
                                   em_innovation *innovation)
 {
-    static const unsigned short start_of[4] = { 0, 5, 9, 14 };
-    static const unsigned short at[14] = { 0, 1, 3, 4, 5, 0, 1, 4, 5, 0, 1, 2, 4, 5 };
-    const measurement of = { start_of, at, 3, EM_MEASUREMENT_EULER, 7U };
-    attempt it;
+    static const unsigned short row_start[4] = { 0, 5, 9, 14 };
+    static const unsigned short columns[14] = { 0, 1, 3, 4, 5, 0, 1, 4, 5, 0, 1, 2, 4, 5 };
+    const measurement layout = { row_start, columns, 3, EM_MEASUREMENT_EULER, 7U };
+    attempt trial;
+    em_innovation found;
     bs_real z[3];
     bs_status status;
     if ((filter == NULL) || (angles == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = begin(&it, filter, gates, R, 1, 3);
+    status = begin(&trial, filter, gates, R, 1, 3);
     if (status == BS_OK) {
         status = check_nav(&filter->nav, 0);
     }
@@ -748,10 +748,10 @@ bs_status em_filter_measure_euler(em_filter *filter,
         em_euler_H_kernel(angles->euler_b, angles->euler_m, filter->work);
     }
     if (status == BS_OK) {
-        turn(&of, z, filter->work, filter->x);
-        status = take(filter, &it, &of, z, R, it.rows, it.gate, innovation);
+        turn(&layout, z, filter->work, filter->x);
+        status = take(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
     }
-    return finish(filter, &it, &of, status, innovation);
+    return finish(filter, &trial, &layout, status, &found, innovation);
 }
 
 bs_status em_filter_measure_euler_exact(em_filter *filter,
@@ -760,17 +760,19 @@ bs_status em_filter_measure_euler_exact(em_filter *filter,
                                         const bs_gates *gates,
                                         em_innovation *innovation)
 {
-    static const unsigned short start_of[4] = { 0, 6, 12, 18 };
-    static const unsigned short at[18] = { 0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5 };
-    const measurement of = { start_of, at, 3, EM_MEASUREMENT_EULER_EXACT, 7U };
-    attempt it;
+    static const unsigned short row_start[4] = { 0, 6, 12, 18 };
+    static const unsigned short columns[18] = { 0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4,
+                                                5 };
+    const measurement layout = { row_start, columns, 3, EM_MEASUREMENT_EULER_EXACT, 7U };
+    attempt trial;
+    em_innovation found;
     bs_real z[3];
     bs_real target[3];
     bs_status status;
     if ((filter == NULL) || (angles == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = begin(&it, filter, gates, R, 1, 3);
+    status = begin(&trial, filter, gates, R, 1, 3);
     if (status == BS_OK) {
         status = check_nav(&filter->nav, 0);
     }
@@ -780,7 +782,7 @@ bs_status em_filter_measure_euler_exact(em_filter *filter,
     if (status == BS_OK) {
         em_euler_exact_z_kernel(filter->nav.mu, angles->euler_b, angles->euler_m, z);
     }
-    while ((status == BS_OK) && (it.left > 0)) {
+    while ((status == BS_OK) && (trial.left > 0)) {
         bs_status answer = check_x(filter->x);
         if (answer == BS_OK) {
             em_euler_exact_H_kernel(filter->x, filter->nav.mu, angles->euler_b, filter->work);
@@ -788,9 +790,9 @@ bs_status em_filter_measure_euler_exact(em_filter *filter,
         if (answer == BS_OK) {
             em_euler_exact_h_kernel(filter->x, filter->nav.mu, angles->euler_b, target);
         }
-        status = iterate(&it, filter, &of, answer, z, target, R, innovation);
+        status = iterate(&trial, filter, &layout, answer, z, target, R, &found);
     }
-    return finish(filter, &it, &of, status, innovation);
+    return finish(filter, &trial, &layout, status, &found, innovation);
 }
 
 bs_status em_filter_correct(em_filter *filter)
@@ -861,23 +863,34 @@ bs_status em_filter_consider(em_filter *filter, const unsigned char considered[E
     return status;
 }
 
+/* The variances of the states where all that the filter holds of them is sound. */
+static bs_status sound_variances(const em_filter *filter, bs_real *all)
+{
+    bs_status status = sound(filter->x, filter->P);
+    if (status == BS_OK) {
+        variances(filter->P, all);
+        status = bs_check_finite(all, EM_N_STATES); /* U D U' of finite factors may overflow */
+    }
+    return status;
+}
+
 bs_status em_filter_covariance(const em_filter *filter, bs_real P[EM_N_STATES * EM_N_STATES])
 {
+    bs_real all[EM_N_STATES];
     bs_status status;
     if ((filter == NULL) || (P == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = sound(filter->x, filter->P);
-    if (status == BS_OK) {
+    status = sound_variances(filter, all);
+    if (status == BS_OK) { /* no covariance is larger than both of its variances */
         DENSE(filter->P, P);
-        /* U D U' of finite factors may overflow */
-        status = bs_check_finite(P, EM_N_STATES * EM_N_STATES);
     }
     return status;
 }
 
 bs_status em_filter_variance(const em_filter *filter, int i, bs_real *value)
 {
+    bs_real all[EM_N_STATES];
     bs_status status;
     if ((filter == NULL) || (value == NULL)) {
         return BS_NULL_POINTER;
@@ -885,29 +898,25 @@ bs_status em_filter_variance(const em_filter *filter, int i, bs_real *value)
     if ((i < 0) || (i >= EM_N_STATES)) {
         return BS_OUT_OF_RANGE;
     }
-    status = sound(filter->x, filter->P);
+    status = sound_variances(filter, all);
     if (status == BS_OK) {
-        bs_real all[EM_N_STATES];
-        variances(filter->P, all);
         *value = all[i];
-        status = bs_check_finite(value, 1);
     }
     return status;
 }
 
 bs_status em_filter_sigmas(const em_filter *filter, bs_real sigma[EM_N_STATES])
 {
+    bs_real all[EM_N_STATES];
     bs_status status;
     if ((filter == NULL) || (sigma == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = sound(filter->x, filter->P);
+    status = sound_variances(filter, all);
     if (status == BS_OK) {
-        variances(filter->P, sigma);
         for (int i = 0; i < EM_N_STATES; ++i) {
-            sigma[i] = BS_SQRT(sigma[i]);
+            sigma[i] = BS_SQRT(all[i]);
         }
-        status = bs_check_finite(sigma, EM_N_STATES);
     }
     return status;
 }
@@ -923,6 +932,16 @@ bs_status em_filter_health(const em_filter *filter, em_health *health)
         health->rejected[i] = filter->rejected[i];
     }
     return BS_OK;
+}
+
+size_t em_filter_size(void)
+{
+    return sizeof(em_filter);
+}
+
+size_t em_snapshot_size(void)
+{
+    return (size_t)EM_SNAPSHOT_SIZE;
 }
 
 /* ---- a snapshot: its head, then what is carried from call to call, number after number as it lies

@@ -18,7 +18,7 @@
 #endif
 
 #define PHI_MODEL "phi-error"
-#define PHI_MODEL_HASH "522ea7666288c1b8d49c6329eaeab1a37ee9ae1a61c10be73a625cc90f79e510"
+#define PHI_MODEL_HASH "55d48356178f8a63357eb39e587c8a229ed88b4bd24aa823f178bfc5db9f3e12"
 #define PHI_VERSION "0.1.0" /* of the Boresight that printed it */
 #define PHI_VERSION_MAJOR 0
 #define PHI_VERSION_MINOR 1

@@ -18,7 +18,7 @@
 #endif
 
 #define DET_MODEL "stationary-detector"
-#define DET_MODEL_HASH "53d16db5662b3beae4bfc7332f45ac0807de859a43cf2e7a11729315345e3253"
+#define DET_MODEL_HASH "264b8f4175a95d79499b18d195c1073fda983ad5c03447eb75b48a4383393d5b"
 #define DET_VERSION "0.1.0" /* of the Boresight that printed it */
 #define DET_VERSION_MAJOR 0
 #define DET_VERSION_MINOR 1

@@ -160,7 +160,7 @@ static inline bs_status bs_check_finite(const bs_real *value, int n)
  * returns BS_OK, or BS_CONTRACTED: a product and a sum are rounded once
  * (compile with -ffp-contract=off), sums are reordered, constants are cut to single precision, a
  * quotient is a product by a reciprocal, or the guards against NaN are optimised away.
- * It computes with a NaN, and so raises the flag of the invalid operation. */
+ * It raises no flag but that of an inexact result, and no trap where only that one is masked. */
 static inline bs_status bs_probe(void)
 {
     /* volatile, so that the compiler computes none of it itself */
@@ -177,21 +177,27 @@ static inline bs_status bs_probe(void)
     const bs_real unit = one;
     const bs_real nan = none;
     const bs_real by = three;
-    const bs_real product = (a * a) + b;           /* 0, or e * e where it is contracted */
-    const bs_real sum = (unit + quarter) - unit;   /* 0, or e / 4 where it is reordered */
-    const bs_real tenth = (ten * BS_REAL(0.1)) - unit; /* 0, or 1e-8 where the constant is a
-                                                        * float */
-    /* each 0, or half a step */
-    const bs_real fifth = ((BS_REAL(5.0) * unit) / by) - BS_REAL(1.6666666666666667);
-    const bs_real seventh = ((BS_REAL(7.0) * unit) / by) - BS_REAL(2.3333333333333335);
-    const bs_real last = (ten / by) - BS_REAL(3.3333333333333335);
-    const bs_real thirds = BS_FABS(fifth) + BS_FABS(seventh) + BS_FABS(last);
-    if ((product > BS_REAL(0.0)) || (thirds > BS_REAL(0.0)) || (sum > BS_REAL(0.0)) ||
-        (tenth > BS_REAL(0.0)) || (tenth < BS_REAL(0.0)) ||
-        (bs_check_finite(&nan, 1) != BS_NOT_FINITE)) {
-        return BS_CONTRACTED;
+    const bs_real left[2] = { unit, a };
+    const bs_real right[2] = { b, a };
+    volatile bs_real off[7]; /* stored, since a comparison may be made of the parts of a sum
+                              * instead */
+    bs_real dot = BS_REAL(0.0);
+    bs_real most = BS_REAL(0.0);
+    for (int i = 0; i < 2; ++i) { /* as the loops of a covariance */
+        dot += left[i] * right[i];
     }
-    return BS_OK;
+    off[0] = dot;                                /* 0, or e * e where it is contracted */
+    off[1] = (a * a) + b;                        /* likewise */
+    off[2] = (unit + quarter) - unit;            /* 0, or e / 4 where it is reordered */
+    off[3] = (ten * BS_REAL(0.1)) - unit;        /* 0, or 1e-8 where the constant is a float */
+    /* each 0, or half a step */
+    off[4] = ((BS_REAL(5.0) * unit) / by) - BS_REAL(1.6666666666666667);
+    off[5] = ((BS_REAL(7.0) * unit) / by) - BS_REAL(2.3333333333333335);
+    off[6] = (ten / by) - BS_REAL(3.3333333333333335);
+    for (int i = 0; i < 7; ++i) {
+        most += BS_FABS(off[i]);
+    }
+    return ((most > BS_REAL(0.0)) || (!isunordered(nan, unit))) ? BS_CONTRACTED : BS_OK;
 }
 
 /* Status of the Euclidean norm of n finite values against a range of its square. */

@@ -18,7 +18,7 @@
 #endif
 
 #define SD_MODEL "strapdown"
-#define SD_MODEL_HASH "4faeb9567d00532a0d33467ee71012e167c5384eaa85b99972be656faa553f39"
+#define SD_MODEL_HASH "be7973956ef971efbc211ee47844d86d52647c83e5bc58f077df47bda9908b24"
 #define SD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define SD_VERSION_MAJOR 0
 #define SD_VERSION_MINOR 1

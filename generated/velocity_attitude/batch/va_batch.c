@@ -594,8 +594,8 @@ int va_feedback_bound(void *const *at)
 
 
 /* Numbers that a filter takes room for. */
-size_t va_filter_size(void);
-size_t va_filter_size(void)
+size_t va_batch_filter_size(void);
+size_t va_batch_filter_size(void)
 {
     return sizeof(va_filter) / sizeof(bs_real);
 }

@@ -20,7 +20,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "886aa84726811204b8309d524c7ed768eb4c73fbe9537cc09e8bfa05aa0196c7"
+#define VA_MODEL_HASH "ba9c427b3235884a6956d78209b7f186294c8b6233359e4a2876203efb847700"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1
@@ -61,6 +61,7 @@
 #define va_quaternion_H_nz va_quaternion_H_nz_f32
 #define va_quaternion_h va_quaternion_h_f32
 #define va_quaternion_z va_quaternion_z_f32
+#define va_snapshot_size va_snapshot_size_f32
 #define va_strapdown va_strapdown_f32
 #define va_ud_add va_ud_add_f32
 #define va_ud_dense va_ud_dense_f32
@@ -88,6 +89,7 @@
 #define va_filter_restore BS_FORM(va_filter_restore)
 #define va_filter_set_nav BS_FORM(va_filter_set_nav)
 #define va_filter_sigmas BS_FORM(va_filter_sigmas)
+#define va_filter_size BS_FORM(va_filter_size)
 #define va_filter_snapshot BS_FORM(va_filter_snapshot)
 #define va_filter_strapdown BS_FORM(va_filter_strapdown)
 #define va_filter_variance BS_FORM(va_filter_variance)

@@ -604,8 +604,8 @@ int val_feedback_bound(void *const *at)
 
 
 /* Numbers that a filter takes room for. */
-size_t val_filter_size(void);
-size_t val_filter_size(void)
+size_t val_batch_filter_size(void);
+size_t val_batch_filter_size(void)
 {
     return sizeof(val_filter) / sizeof(bs_real);
 }

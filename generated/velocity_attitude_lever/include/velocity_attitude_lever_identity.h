@@ -20,7 +20,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "f7ad921a09ac2ecb00e62d7280d151926b8700ae5d5cf4fb38557afe84a92b76"
+#define VAL_MODEL_HASH "715017fe4a9c49fa12de832fa091ab5aa8411a03987080aaa8a447e67e324e7f"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1
@@ -61,6 +61,7 @@
 #define val_quaternion_H_nz val_quaternion_H_nz_f32
 #define val_quaternion_h val_quaternion_h_f32
 #define val_quaternion_z val_quaternion_z_f32
+#define val_snapshot_size val_snapshot_size_f32
 #define val_strapdown val_strapdown_f32
 #define val_ud_add val_ud_add_f32
 #define val_ud_dense val_ud_dense_f32
@@ -88,6 +89,7 @@
 #define val_filter_restore BS_FORM(val_filter_restore)
 #define val_filter_set_nav BS_FORM(val_filter_set_nav)
 #define val_filter_sigmas BS_FORM(val_filter_sigmas)
+#define val_filter_size BS_FORM(val_filter_size)
 #define val_filter_snapshot BS_FORM(val_filter_snapshot)
 #define val_filter_strapdown BS_FORM(val_filter_strapdown)
 #define val_filter_variance BS_FORM(val_filter_variance)

@@ -832,8 +832,8 @@ int vas_feedback_bound(void *const *at)
 
 
 /* Numbers that a filter takes room for. */
-size_t vas_filter_size(void);
-size_t vas_filter_size(void)
+size_t vas_batch_filter_size(void);
+size_t vas_batch_filter_size(void)
 {
     return sizeof(vas_filter) / sizeof(bs_real);
 }

@@ -1782,6 +1782,29 @@ typedef struct {
     bs_bits good;                 /* where it went its usual way */
 } taken;
 
+/* Whether what the rows have made of x may be, and nis is finite. */
+static bs_bits settled(const taken *t)
+{
+    static const double ceiling[VAS_N_STATES] = { (1000000.0), (1000000.0), (1000000.0),
+                                                  (10000000000.0), (10000000000.0), (10000000000.0),
+                                                  (10000.0), (10000.0), (10000.0), (1000000.0),
+                                                  (1000000.0), (1000000.0), (1000000.0),
+                                                  (1000000.0), (1000000.0), (1000000.0),
+                                                  (10000000000.0), (10000000000.0), (10000000000.0),
+                                                  (10000.0), (10000.0), (10000.0), (1000000.0),
+                                                  (1000000.0), (1000000.0), (10000.0), (10000.0),
+                                                  (10000.0), (10000.0), (10000.0), (10000.0),
+                                                  (10000.0), (10000.0), (10000.0), (10000.0),
+                                                  (10000.0), (10000.0), (10000.0), (10000.0),
+                                                  (10000.0), (10000.0), (10000.0), (10000.0),
+                                                  (1000000.0), (1000000.0), (1000000.0) };
+    bs_bits good = (t->nis - t->nis) <= 0.0;
+    for (int i = 0; i < VAS_N_STATES; ++i) {
+        good &= (t->x[i] * t->x[i]) <= ceiling[i];
+    }
+    return good;
+}
+
 /* P - K g' - own K', of P where it stands or elsewhere. */
 static __attribute__((noinline)) void write_row(const bs_lanes *P,
                      bs_lanes *to,
@@ -1893,10 +1916,9 @@ BS_INLINE void take_row(block *b,
         for (int i = 0; i < VAS_N_STATES; ++i) {
             const bs_lanes variance = (P[diagonal(i)] - (K[i] * g[i])) - (own[i] * K[i]);
             size += bs_magnitude(g[i]) + bs_magnitude(own[i]);
-            t->good &= (variance >= 0.0) & (variance <= ceiling[i]) & ((t->x[i] *
-                                                                        t->x[i]) <= ceiling[i]);
+            t->good &= (variance >= 0.0) & (variance <= ceiling[i]);
         }
-        t->good &= size <= 0x1p242;
+        t->good &= (size <= 0x1p242) & settled(t);
         to = bs_everywhere(t->good) ? b->P : s->P;
     }
     write_row(P, to, K, g, own);
@@ -1959,7 +1981,7 @@ static void end_taking(block *b,
         if (taking->gates[1] > 0.0) {
             t->good &= t->nis <= taking->gates[1];
         }
-        t->good &= judged(t->x, t->P);
+        t->good &= judged(t->x, t->P) & settled(t);
     }
     if (t->P != b->P) {
         bs_keep(b->P, t->P, t->good, VAS_N_PACKED);

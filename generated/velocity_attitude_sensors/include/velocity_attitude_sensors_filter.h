@@ -7,20 +7,29 @@
  * angle, nu lies in [-pi, pi).
  * In double the covariance is flown in symmetric Joseph form, in single precision (BORESIGHT_FLOAT)
  * as UD factors.
- * Every function returns a bs_status.  Numbers are checked against the boxes in
- * velocity_attitude_sensors.h.
+ * Numbers are checked against the boxes in velocity_attitude_sensors.h.  Every function but the two
+ * of sizes returns a bs_status:
+ *
+ *   status           state, outputs    what to do next
+ *   BS_OK            as the call says  go on
+ *   BS_AT_CEILING    as the call says  go on; a variance was at its ceiling: measure more
+ *   BS_NULL_POINTER  as they were      mend the call
+ *   BS_NOT_FINITE    as they were      leave the input out; if health says so too, begin anew
+ *   BS_OUT_OF_RANGE  as they were      leave the input out; if it stays, vas_filter_set_nav
+ *   BS_NOT_POSITIVE  as they were      leave it out; if health says so too, begin anew
+ *   BS_CONTRACTED    as they were      compile with -ffp-contract=off, see bs_probe
+ *
  * BS_OK means that every number of x, nav, mounting, bending, triads, biases and P is finite, nav,
  * mounting, bending, triads, biases lie in their boxes and every variance is at least 0; with UD
  * also that P is positive semidefinite; with Joseph no more than the diagonal is claimed.  With
  * another status (but BS_AT_CEILING, which claims the same as BS_OK) x, P and nav, mounting,
  * bending, triads, biases are as they were, bit for bit.  x and P are judged by every call that
  * reads or writes them: by all but vas_filter_strapdown.
- * A measurement is taken with all of its rows that pass, or not at all: with a status that is
- * neither BS_OK nor BS_AT_CEILING no row of it stays taken, and innovation->used is 0;
- * BS_NULL_POINTER alone writes no innovation.
+ * A measurement is taken with all of its rows that pass, or not at all.  One whose nis is not
+ * finite is refused.
  * A function that changes nothing judges x and P alone.
- * What a call is given may not lie in the filter that it changes, nor what it writes in what it
- * reads; inputs may share memory.
+ * No argument may point into *filter, but what vas_filter_set_nav is given.  Outputs must not
+ * overlap inputs; inputs may overlap.
  * A variance has a ceiling.  Where a step carries one beyond it, its row and column of P are
  * divided by a power of two, which changes no correlation, the step is taken, and the status is
  * BS_AT_CEILING.  The ceilings, as sigmas: phi 1e+03, 1e+03, 1e+03 (rad), dv_n 1e+05, 1e+05, 1e+05
@@ -163,11 +172,11 @@ bs_status vas_filter_consider(vas_filter *filter, const unsigned char considered
  * Equations: kang-2025 (4), kang-2025 (5).
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
  * in   gates       see bs_gates; NULL: every row, no gate
- * out  innovation  nu, S and used of each row, nis of those used; with a status that is neither
- *                  BS_OK nor BS_AT_CEILING used and nis are 0, and nu and S say nothing
- * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or
- * BS_NOT_POSITIVE: nu or S of a row is no number, S is not above 0, or a variance would be
- * negative */
+ * out  innovation  nu, S and used of each row, nis of those used; written with BS_OK and
+ *                  BS_AT_CEILING alone
+ * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE; BS_OUT_OF_RANGE: an input lies
+ * outside its box, or x would lie beyond its ceiling; or BS_NOT_POSITIVE: nu, S or nis is no finite
+ * number, S is not above 0, or a variance would be negative */
 bs_status vas_filter_measure_dcm(vas_filter *filter,
                                  const vas_imu *imu,
                                  const vas_master *master,
@@ -183,11 +192,11 @@ bs_status vas_filter_measure_dcm(vas_filter *filter,
  *                  where no state and no row moves by more than .01 sigma.  Where one moves by more
  *                  than a sigma and by more than before, or x leaves its box, the first result is
  *                  taken
- * out  innovation  nu, S and used of each row, nis of those used; with a status that is neither
- *                  BS_OK nor BS_AT_CEILING used and nis are 0, and nu and S say nothing
- * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or
- * BS_NOT_POSITIVE: nu or S of a row is no number, S is not above 0, or a variance would be
- * negative */
+ * out  innovation  nu, S and used of each row, nis of those used; written with BS_OK and
+ *                  BS_AT_CEILING alone
+ * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE; BS_OUT_OF_RANGE: an input lies
+ * outside its box, or x would lie beyond its ceiling; or BS_NOT_POSITIVE: nu, S or nis is no finite
+ * number, S is not above 0, or a variance would be negative */
 bs_status vas_filter_measure_quaternion(vas_filter *filter,
                                         const vas_imu *imu,
                                         const vas_master *master,
@@ -199,11 +208,11 @@ bs_status vas_filter_measure_quaternion(vas_filter *filter,
  * Equations: song-lee-2001 (13).
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
  * in   gates       see bs_gates; NULL: every row, no gate
- * out  innovation  nu, S and used of each row, nis of those used; with a status that is neither
- *                  BS_OK nor BS_AT_CEILING used and nis are 0, and nu and S say nothing
- * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or
- * BS_NOT_POSITIVE: nu or S of a row is no number, S is not above 0, or a variance would be
- * negative */
+ * out  innovation  nu, S and used of each row, nis of those used; written with BS_OK and
+ *                  BS_AT_CEILING alone
+ * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE; BS_OUT_OF_RANGE: an input lies
+ * outside its box, or x would lie beyond its ceiling; or BS_NOT_POSITIVE: nu, S or nis is no finite
+ * number, S is not above 0, or a variance would be negative */
 bs_status vas_filter_measure_euler(vas_filter *filter,
                                    const vas_imu *imu,
                                    const vas_master *master,
@@ -215,11 +224,11 @@ bs_status vas_filter_measure_euler(vas_filter *filter,
  * Equations: kang-2025 (1), kang-2025 (3).
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
  * in   gates       see bs_gates; NULL: every row, no gate
- * out  innovation  nu, S and used of each row, nis of those used; with a status that is neither
- *                  BS_OK nor BS_AT_CEILING used and nis are 0, and nu and S say nothing
- * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; or
- * BS_NOT_POSITIVE: nu or S of a row is no number, S is not above 0, or a variance would be
- * negative */
+ * out  innovation  nu, S and used of each row, nis of those used; written with BS_OK and
+ *                  BS_AT_CEILING alone
+ * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE; BS_OUT_OF_RANGE: an input lies
+ * outside its box, or x would lie beyond its ceiling; or BS_NOT_POSITIVE: nu, S or nis is no finite
+ * number, S is not above 0, or a variance would be negative */
 bs_status vas_filter_measure_velocity(vas_filter *filter,
                                       const vas_imu *imu,
                                       const vas_master *master,
@@ -252,6 +261,10 @@ bs_status vas_filter_health(const vas_filter *filter, vas_health *health);
  * alone */
 bs_status vas_filter_snapshot(const vas_filter *filter, unsigned char bytes[VAS_SNAPSHOT_SIZE]);
 bs_status vas_filter_restore(vas_filter *filter, const unsigned char bytes[VAS_SNAPSHOT_SIZE]);
+
+/* Bytes of the filter, and of a snapshot, for callers that cannot read this header. */
+size_t vas_filter_size(void);
+size_t vas_snapshot_size(void);
 
 /* The covariance as a dense matrix, row-major, whatever its form.
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_NOT_POSITIVE */

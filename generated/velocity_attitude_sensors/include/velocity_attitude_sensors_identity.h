@@ -20,7 +20,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "a020ed46479232fb8191b6ca54d2b62796c3b8f387f256177748df475a1097d4"
+#define VAS_MODEL_HASH "8f1ab9e331597c22f732b5372abc7b8342ade176eae36088f902decd420d4422"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1
@@ -61,6 +61,7 @@
 #define vas_quaternion_H_nz vas_quaternion_H_nz_f32
 #define vas_quaternion_h vas_quaternion_h_f32
 #define vas_quaternion_z vas_quaternion_z_f32
+#define vas_snapshot_size vas_snapshot_size_f32
 #define vas_strapdown vas_strapdown_f32
 #define vas_ud_add vas_ud_add_f32
 #define vas_ud_dense vas_ud_dense_f32
@@ -88,6 +89,7 @@
 #define vas_filter_restore BS_FORM(vas_filter_restore)
 #define vas_filter_set_nav BS_FORM(vas_filter_set_nav)
 #define vas_filter_sigmas BS_FORM(vas_filter_sigmas)
+#define vas_filter_size BS_FORM(vas_filter_size)
 #define vas_filter_snapshot BS_FORM(vas_filter_snapshot)
 #define vas_filter_strapdown BS_FORM(vas_filter_strapdown)
 #define vas_filter_variance BS_FORM(vas_filter_variance)

@@ -65,7 +65,7 @@ static bs_status check_nav(vas_nav *nav, int clamp)
                                              BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
     static const bs_real position_high[3] = { BS_REAL(1.4835298641951802),
                                               BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-    bs_status status = BS_OK;
+    bs_status status;
     if (clamp != 0) {
         bs_clamp(nav->position, position_low, position_high, 3);
         bs_clamp_each(nav->v_n, BS_REAL(-1000.0), BS_REAL(1000.0), 3);
@@ -84,9 +84,7 @@ static bs_status check_nav(vas_nav *nav, int clamp)
         bs_clamp_each(nav->q_b2m_wxyz, BS_REAL(-1.001), BS_REAL(1.001), 4);
         bs_clamp_each(&nav->tau, BS_REAL(-1.0), BS_REAL(1.0), 1);
     }
-    if (status == BS_OK) {
-        status = bs_check(nav->position, position_low, position_high, 3);
-    }
+    status = bs_check(nav->position, position_low, position_high, 3);
     if (status == BS_OK) {
         status = bs_check_each(nav->v_n, BS_REAL(-1000.0), BS_REAL(1000.0), 3);
     }
@@ -117,19 +115,17 @@ static bs_status check_nav(vas_nav *nav, int clamp)
 
 static bs_status check_mounting(vas_mounting *mounting, int clamp)
 {
-    bs_status status = BS_OK;
+    bs_status status;
     if (clamp != 0) {
         bs_clamp_each(mounting->lever_b, BS_REAL(-100.0), BS_REAL(100.0), 3);
     }
-    if (status == BS_OK) {
-        status = bs_check_each(mounting->lever_b, BS_REAL(-100.0), BS_REAL(100.0), 3);
-    }
+    status = bs_check_each(mounting->lever_b, BS_REAL(-100.0), BS_REAL(100.0), 3);
     return status;
 }
 
 static bs_status check_bending(vas_bending *bending, int clamp)
 {
-    bs_status status = BS_OK;
+    bs_status status;
     if (clamp != 0) {
         bs_clamp_each(bending->flexure, BS_REAL(-0.1), BS_REAL(0.1), 3);
         bs_clamp_each(bending->flexure_rate, BS_REAL(-1.0), BS_REAL(1.0), 3);
@@ -137,9 +133,7 @@ static bs_status check_bending(vas_bending *bending, int clamp)
         bs_clamp_each(bending->flexure_damping, BS_REAL(0.0), BS_REAL(10.0), 3);
         bs_clamp_each(bending->flexure_noise, BS_REAL(0.0), BS_REAL(1000.0), 3);
     }
-    if (status == BS_OK) {
-        status = bs_check_each(bending->flexure, BS_REAL(-0.1), BS_REAL(0.1), 3);
-    }
+    status = bs_check_each(bending->flexure, BS_REAL(-0.1), BS_REAL(0.1), 3);
     if (status == BS_OK) {
         status = bs_check_each(bending->flexure_rate, BS_REAL(-1.0), BS_REAL(1.0), 3);
     }
@@ -157,16 +151,14 @@ static bs_status check_bending(vas_bending *bending, int clamp)
 
 static bs_status check_triads(vas_triads *triads, int clamp)
 {
-    bs_status status = BS_OK;
+    bs_status status;
     if (clamp != 0) {
         bs_clamp_each(triads->gyro_scale, BS_REAL(-0.1), BS_REAL(0.1), 3);
         bs_clamp_each(triads->accel_scale, BS_REAL(-0.1), BS_REAL(0.1), 3);
         bs_clamp_each(triads->gyro_axes, BS_REAL(-0.1), BS_REAL(0.1), 6);
         bs_clamp_each(triads->accel_axes, BS_REAL(-0.1), BS_REAL(0.1), 3);
     }
-    if (status == BS_OK) {
-        status = bs_check_each(triads->gyro_scale, BS_REAL(-0.1), BS_REAL(0.1), 3);
-    }
+    status = bs_check_each(triads->gyro_scale, BS_REAL(-0.1), BS_REAL(0.1), 3);
     if (status == BS_OK) {
         status = bs_check_each(triads->accel_scale, BS_REAL(-0.1), BS_REAL(0.1), 3);
     }
@@ -181,7 +173,7 @@ static bs_status check_triads(vas_triads *triads, int clamp)
 
 static bs_status check_biases(vas_biases *biases, int clamp)
 {
-    bs_status status = BS_OK;
+    bs_status status;
     if (clamp != 0) {
         bs_clamp_each(biases->gyro_turn_on, BS_REAL(-0.017453292519943295),
                       BS_REAL(0.017453292519943295), 3);
@@ -189,10 +181,8 @@ static bs_status check_biases(vas_biases *biases, int clamp)
         bs_clamp_each(biases->gyro_bias_beta, BS_REAL(0.0), BS_REAL(10.0), 3);
         bs_clamp_each(biases->accel_bias_beta, BS_REAL(0.0), BS_REAL(10.0), 3);
     }
-    if (status == BS_OK) {
-        status = bs_check_each(biases->gyro_turn_on, BS_REAL(-0.017453292519943295),
-                               BS_REAL(0.017453292519943295), 3);
-    }
+    status = bs_check_each(biases->gyro_turn_on, BS_REAL(-0.017453292519943295),
+                           BS_REAL(0.017453292519943295), 3);
     if (status == BS_OK) {
         status = bs_check_each(biases->accel_turn_on, BS_REAL(-1.0), BS_REAL(1.0), 3);
     }
@@ -496,7 +486,7 @@ typedef struct {
     bool again;    /* whether there was one */
 } attempt;
 
-static void restore(vas_filter *filter, const attempt *a)
+static void roll_back(vas_filter *filter, const attempt *a)
 {
     copy(filter->x, a->x, VAS_N_STATES);
     copy(filter->P, filter->Q, VAS_N_PACKED);
@@ -545,19 +535,24 @@ static bs_status begin(attempt *a,
     return status;
 }
 
-/* Ends a measurement: with what it has made of x and P, or with both as they were. */
+/* Ends a measurement: with what it has made of x, P and the innovation, or with all as they
+ * were. */
 static bs_status finish(vas_filter *filter,
                         const attempt *a,
-                        const measurement *of,
+                        const measurement *layout,
                         bs_status status,
+                        vas_innovation *found,
                         vas_innovation *innovation)
 {
-    unsigned short *const count = &filter->rejected[of->index];
+    unsigned short *const count = &filter->rejected[layout->index];
     bs_status end = status;
+    if ((end == BS_OK) && (!((found->nis - found->nis) <= BS_REAL(0.0)))) {
+        end = BS_NOT_POSITIVE;
+    }
     if (end == BS_OK) {
-        if ((a->joint > BS_REAL(0.0)) && (!(innovation->nis <= a->joint))) {
-            restore(filter, a);
-            innovation->used = 0U;
+        if ((a->joint > BS_REAL(0.0)) && (!(found->nis <= a->joint))) {
+            roll_back(filter, a);
+            found->used = 0U;
         }
         end = judge(filter->x, filter->P);
         if ((end == BS_AT_CEILING) && (filter->ceilings < 65535U)) {
@@ -565,15 +560,16 @@ static bs_status finish(vas_filter *filter,
         }
     }
     if (!bs_good(end)) {
-        restore(filter, a);
-        innovation->used = 0U;
-        innovation->nis = BS_REAL(0.0);
-    } else if (innovation->used != a->asked) {
-        *count = (*count < 65535U) ? (unsigned short)(*count + 1U) : *count;
-    } else if (a->asked != 0U) {
-        *count = 0U;
+        roll_back(filter, a);
     } else {
-        /* nothing was asked for */
+        *innovation = *found;
+        if (found->used != a->asked) {
+            *count = (*count < 65535U) ? (unsigned short)(*count + 1U) : *count;
+        } else if (a->asked != 0U) {
+            *count = 0U;
+        } else {
+            /* nothing was asked for */
+        }
     }
     return end;
 }
@@ -607,7 +603,7 @@ static void leave_out(vas_filter *filter,
 /* The rows of one measurement, one after another.  H stands in filter->work. */
 static bs_status take(vas_filter *filter,
                       const attempt *a,
-                      const measurement *of,
+                      const measurement *layout,
                       const bs_real *z,
                       const bs_real *R,
                       unsigned int rows,
@@ -615,14 +611,14 @@ static bs_status take(vas_filter *filter,
                       vas_innovation *innovation)
 {
     const bs_real *const H = filter->work;
-    bs_real *const gain = &filter->work[of->start[of->m]]; /* where states are considered */
+    bs_real *const gain = &filter->work[layout->start[layout->m]]; /* where states are considered */
     bs_status status = BS_OK;
     innovation->used = 0U;
     innovation->nis = BS_REAL(0.0);
-    for (int i = 0; (i < of->m) && (status == BS_OK); ++i) {
-        const int start = (int)of->start[i];
-        bs_row row = { &H[start], &of->at[start], (int)of->start[i + 1] - start, z[i], R[i], gate,
-                       z[i], R[i], 0, NULL };
+    for (int i = 0; (i < layout->m) && (status == BS_OK); ++i) {
+        const int start = (int)layout->start[i];
+        bs_row row = { &H[start], &layout->at[start], (int)layout->start[i + 1] - start, z[i], R[i],
+                       gate, z[i], R[i], 0, NULL };
         if (filter->considering != 0U) {
             row.gain = &gain[i * VAS_N_STATES];
         }
@@ -638,18 +634,18 @@ static bs_status take(vas_filter *filter,
         }
     }
     if ((filter->considering != 0U) && (status == BS_OK)) {
-        leave_out(filter, a->x, gain, of->m, innovation);
+        leave_out(filter, a->x, gain, layout->m, innovation);
     }
     return status;
 }
 /* Whole turns are taken from the z of a row that is an angle, so that z - H x lies in [-pi, pi). */
-static void turn(const measurement *of, bs_real *z, const bs_real *H, const bs_real *x)
+static void turn(const measurement *layout, bs_real *z, const bs_real *H, const bs_real *x)
 {
-    for (int i = 0; i < of->m; ++i) {
-        if (((of->angles >> (unsigned int)i) & 1U) != 0U) {
+    for (int i = 0; i < layout->m; ++i) {
+        if (((layout->angles >> (unsigned int)i) & 1U) != 0U) {
             bs_real nu = z[i];
-            for (int q = (int)of->start[i]; q < (int)of->start[i + 1]; ++q) {
-                nu -= H[q] * x[of->at[q]];
+            for (int q = (int)layout->start[i]; q < (int)layout->start[i + 1]; ++q) {
+                nu -= H[q] * x[layout->at[q]];
             }
             z[i] -= nu - bs_wrap(nu);
         }
@@ -657,16 +653,16 @@ static void turn(const measurement *of, bs_real *z, const bs_real *H, const bs_r
 }
 
 /* h(x) becomes z - h(x) + H x, so that the rows may treat it as linear in the state. */
-static void linear(const measurement *of,
+static void linear(const measurement *layout,
                    bs_real *h,
                    const bs_real *z,
                    const bs_real *H,
                    const bs_real *x)
 {
-    for (int i = 0; i < of->m; ++i) {
+    for (int i = 0; i < layout->m; ++i) {
         h[i] = z[i] - h[i];
-        for (int q = (int)of->start[i]; q < (int)of->start[i + 1]; ++q) {
-            h[i] += H[q] * x[of->at[q]];
+        for (int q = (int)layout->start[i]; q < (int)layout->start[i + 1]; ++q) {
+            h[i] += H[q] * x[layout->at[q]];
         }
     }
 }
@@ -674,7 +670,7 @@ static void linear(const measurement *of,
 /* The square of how many sigmas a state, or a row that is used, moves at most from `from` to
  * filter->x. */
 static bs_real moved(const vas_filter *filter,
-                     const measurement *of,
+                     const measurement *layout,
                      const bs_real *from,
                      const bs_real *R,
                      unsigned int used)
@@ -689,10 +685,10 @@ static bs_real moved(const vas_filter *filter,
             most = (by * by) / of_state[i];
         }
     }
-    for (int i = 0; i < of->m; ++i) {
+    for (int i = 0; i < layout->m; ++i) {
         bs_real by = BS_REAL(0.0);
-        for (int q = (int)of->start[i]; q < (int)of->start[i + 1]; ++q) {
-            by += H[q] * (filter->x[of->at[q]] - from[of->at[q]]);
+        for (int q = (int)layout->start[i]; q < (int)layout->start[i + 1]; ++q) {
+            by += H[q] * (filter->x[layout->at[q]] - from[layout->at[q]]);
         }
         if ((((used >> (unsigned int)i) & 1U) != 0U) && ((by * by) > (most * R[i]))) {
             most = (by * by) / R[i];
@@ -705,9 +701,9 @@ static bs_real moved(const vas_filter *filter,
  * no state and no row moves by more than .01 sigma, or the first is beyond the joint gate.  Where
  * one moves by more than a sigma and by more than before, or there is no answer, the first is taken
  * again. */
-static bs_status iterate(attempt *it,
+static bs_status iterate(attempt *trial,
                          vas_filter *filter,
-                         const measurement *of,
+                         const measurement *layout,
                          bs_status answer,
                          const bs_real *z,
                          bs_real *target,
@@ -717,30 +713,30 @@ static bs_status iterate(attempt *it,
     bs_real most = BS_REAL(0.0);
     bs_status status = answer;
     if (status == BS_OK) {
-        linear(of, target, z, filter->work, it->at);
-        restore(filter, it);
-        status = take(filter, it, of, target, R, it->rows, it->gate, innovation);
-        if ((status == BS_OK) && (it->again || (it->left > 1))) {
-            most = moved(filter, of, it->at, R, innovation->used);
+        linear(layout, target, z, filter->work, trial->at);
+        roll_back(filter, trial);
+        status = take(filter, trial, layout, target, R, trial->rows, trial->gate, innovation);
+        if ((status == BS_OK) && (trial->again || (trial->left > 1))) {
+            most = moved(filter, layout, trial->at, R, innovation->used);
         }
     }
-    if (it->again && ((status != BS_OK) || ((most > it->moved) && (most > BS_REAL(1.0))))) {
-        copy(it->at, it->x, VAS_N_STATES);
-        copy(filter->x, it->x, VAS_N_STATES);
-        it->again = false;
-        it->left = 1;
+    if (trial->again && ((status != BS_OK) || ((most > trial->moved) && (most > BS_REAL(1.0))))) {
+        copy(trial->at, trial->x, VAS_N_STATES);
+        copy(filter->x, trial->x, VAS_N_STATES);
+        trial->again = false;
+        trial->left = 1;
         status = BS_OK;
     } else if ((status != BS_OK) ||
-               ((it->joint > BS_REAL(0.0)) && (!(innovation->nis <= it->joint)))) {
-        it->left = 0;
+               ((trial->joint > BS_REAL(0.0)) && (!(innovation->nis <= trial->joint)))) {
+        trial->left = 0;
     } else {
-        copy(it->at, filter->x, VAS_N_STATES);
-        it->moved = most;
-        it->again = true;
-        it->rows = innovation->used;
-        it->gate = BS_REAL(0.0);
-        it->joint = BS_REAL(0.0);
-        it->left = (most > BS_REAL(1e-4)) ? (it->left - 1) : 0;
+        copy(trial->at, filter->x, VAS_N_STATES);
+        trial->moved = most;
+        trial->again = true;
+        trial->rows = innovation->used;
+        trial->gate = BS_REAL(0.0);
+        trial->joint = BS_REAL(0.0);
+        trial->left = (most > BS_REAL(1e-4)) ? (trial->left - 1) : 0;
     }
     return status;
 }
@@ -946,10 +942,7 @@ bs_status vas_filter_strapdown(vas_filter *filter,
     }
     next_nav = filter->nav;
     next_bending = filter->bending;
-    status = BS_OK;
-    if (status == BS_OK) {
-        status = check_nav(&filter->nav, 0);
-    }
+    status = check_nav(&filter->nav, 0);
     if (status == BS_OK) {
         status = check_mounting(&filter->mounting, 0);
     }
@@ -1031,13 +1024,11 @@ static bs_status carry(vas_filter *filter, const bs_real *x)
 bs_status vas_filter_propagate(vas_filter *filter, const vas_imu *imu, const vas_noise *noise)
 {
     bs_real next[VAS_N_STATES];
-    bs_status status = BS_OK;
+    bs_status status;
     if ((filter == NULL) || (imu == NULL) || (noise == NULL)) {
         return BS_NULL_POINTER;
     }
-    if (status == BS_OK) {
-        status = check_nav(&filter->nav, 0);
-    }
+    status = check_nav(&filter->nav, 0);
     if (status == BS_OK) {
         status = check_mounting(&filter->mounting, 0);
     }
@@ -1087,18 +1078,19 @@ bs_status vas_filter_measure_dcm(vas_filter *filter,
                                  const bs_gates *gates,
                                  vas_innovation *innovation)
 {
-    static const unsigned short start_of[4] = { 0, 8, 16, 24 };
-    static const unsigned short at[24] = { 0, 12, 13, 14, 15, 19, 20, 21, 1, 12, 13, 14, 15, 19, 20,
-                                           21, 2, 12, 13, 14, 15, 19, 20, 21 };
-    const measurement of = { start_of, at, 3, VAS_MEASUREMENT_DCM, 0U };
-    attempt it;
+    static const unsigned short row_start[4] = { 0, 8, 16, 24 };
+    static const unsigned short columns[24] = { 0, 12, 13, 14, 15, 19, 20, 21, 1, 12, 13, 14, 15,
+                                                19, 20, 21, 2, 12, 13, 14, 15, 19, 20, 21 };
+    const measurement layout = { row_start, columns, 3, VAS_MEASUREMENT_DCM, 0U };
+    attempt trial;
+    vas_innovation found;
     bs_real z[3];
     bs_status status;
     if ((filter == NULL) || (imu == NULL) || (master == NULL) || (R == NULL) ||
         (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = begin(&it, filter, gates, R, 1, 3);
+    status = begin(&trial, filter, gates, R, 1, 3);
     if (status == BS_OK) {
         status = check_nav(&filter->nav, 0);
     }
@@ -1133,9 +1125,9 @@ bs_status vas_filter_measure_dcm(vas_filter *filter,
                          filter->triads.gyro_axes, filter->work);
     }
     if (status == BS_OK) {
-        status = take(filter, &it, &of, z, R, it.rows, it.gate, innovation);
+        status = take(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
     }
-    return finish(filter, &it, &of, status, innovation);
+    return finish(filter, &trial, &layout, status, &found, innovation);
 }
 
 bs_status vas_filter_measure_quaternion(vas_filter *filter,
@@ -1145,14 +1137,16 @@ bs_status vas_filter_measure_quaternion(vas_filter *filter,
                                         const bs_gates *gates,
                                         vas_innovation *innovation)
 {
-    static const unsigned short start_of[4] = { 0, 25, 50, 75 };
-    static const unsigned short at[75] = { 0, 1, 2, 6, 7, 8, 12, 13, 14, 15, 19, 20, 21, 22, 23, 24,
-                                           25, 26, 27, 31, 32, 33, 34, 35, 36, 0, 1, 2, 6, 7, 8, 12,
-                                           13, 14, 15, 19, 20, 21, 22, 23, 24, 25, 26, 27, 31, 32,
-                                           33, 34, 35, 36, 0, 1, 2, 6, 7, 8, 12, 13, 14, 15, 19, 20,
-                                           21, 22, 23, 24, 25, 26, 27, 31, 32, 33, 34, 35, 36 };
-    const measurement of = { start_of, at, 3, VAS_MEASUREMENT_QUATERNION, 0U };
-    attempt it;
+    static const unsigned short row_start[4] = { 0, 25, 50, 75 };
+    static const unsigned short columns[75] = { 0, 1, 2, 6, 7, 8, 12, 13, 14, 15, 19, 20, 21, 22,
+                                                23, 24, 25, 26, 27, 31, 32, 33, 34, 35, 36, 0, 1, 2,
+                                                6, 7, 8, 12, 13, 14, 15, 19, 20, 21, 22, 23, 24, 25,
+                                                26, 27, 31, 32, 33, 34, 35, 36, 0, 1, 2, 6, 7, 8,
+                                                12, 13, 14, 15, 19, 20, 21, 22, 23, 24, 25, 26, 27,
+                                                31, 32, 33, 34, 35, 36 };
+    const measurement layout = { row_start, columns, 3, VAS_MEASUREMENT_QUATERNION, 0U };
+    attempt trial;
+    vas_innovation found;
     bs_real z[3];
     bs_real target[3];
     bs_status status;
@@ -1160,7 +1154,7 @@ bs_status vas_filter_measure_quaternion(vas_filter *filter,
         (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = begin(&it, filter, gates, R, 1, 3);
+    status = begin(&trial, filter, gates, R, 1, 3);
     if (status == BS_OK) {
         status = check_nav(&filter->nav, 0);
     }
@@ -1188,7 +1182,7 @@ bs_status vas_filter_measure_quaternion(vas_filter *filter,
                                 &master->lag, filter->bending.flexure, filter->bending.flexure_rate,
                                 filter->triads.gyro_scale, filter->triads.gyro_axes, z);
     }
-    while ((status == BS_OK) && (it.left > 0)) {
+    while ((status == BS_OK) && (trial.left > 0)) {
         bs_status answer = check_x(filter->x);
         if (answer == BS_OK) {
             vas_quaternion_H_kernel(filter->x, filter->nav.position, filter->nav.v_n,
@@ -1204,9 +1198,9 @@ bs_status vas_filter_measure_quaternion(vas_filter *filter,
                                     filter->bending.flexure_rate, filter->triads.gyro_scale,
                                     filter->triads.gyro_axes, target);
         }
-        status = iterate(&it, filter, &of, answer, z, target, R, innovation);
+        status = iterate(&trial, filter, &layout, answer, z, target, R, &found);
     }
-    return finish(filter, &it, &of, status, innovation);
+    return finish(filter, &trial, &layout, status, &found, innovation);
 }
 
 bs_status vas_filter_measure_euler(vas_filter *filter,
@@ -1216,18 +1210,19 @@ bs_status vas_filter_measure_euler(vas_filter *filter,
                                    const bs_gates *gates,
                                    vas_innovation *innovation)
 {
-    static const unsigned short start_of[4] = { 0, 9, 16, 24 };
-    static const unsigned short at[24] = { 0, 1, 12, 13, 14, 15, 19, 20, 21, 0, 1, 13, 14, 15, 20,
-                                           21, 0, 1, 2, 13, 14, 15, 20, 21 };
-    const measurement of = { start_of, at, 3, VAS_MEASUREMENT_EULER, 7U };
-    attempt it;
+    static const unsigned short row_start[4] = { 0, 9, 16, 24 };
+    static const unsigned short columns[24] = { 0, 1, 12, 13, 14, 15, 19, 20, 21, 0, 1, 13, 14, 15,
+                                                20, 21, 0, 1, 2, 13, 14, 15, 20, 21 };
+    const measurement layout = { row_start, columns, 3, VAS_MEASUREMENT_EULER, 7U };
+    attempt trial;
+    vas_innovation found;
     bs_real z[3];
     bs_status status;
     if ((filter == NULL) || (imu == NULL) || (master == NULL) || (R == NULL) ||
         (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = begin(&it, filter, gates, R, 1, 3);
+    status = begin(&trial, filter, gates, R, 1, 3);
     if (status == BS_OK) {
         status = check_nav(&filter->nav, 0);
     }
@@ -1262,10 +1257,10 @@ bs_status vas_filter_measure_euler(vas_filter *filter,
                            filter->triads.gyro_axes, filter->work);
     }
     if (status == BS_OK) {
-        turn(&of, z, filter->work, filter->x);
-        status = take(filter, &it, &of, z, R, it.rows, it.gate, innovation);
+        turn(&layout, z, filter->work, filter->x);
+        status = take(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
     }
-    return finish(filter, &it, &of, status, innovation);
+    return finish(filter, &trial, &layout, status, &found, innovation);
 }
 
 bs_status vas_filter_measure_velocity(vas_filter *filter,
@@ -1275,22 +1270,23 @@ bs_status vas_filter_measure_velocity(vas_filter *filter,
                                       const bs_gates *gates,
                                       vas_innovation *innovation)
 {
-    static const unsigned short start_of[4] = { 0, 26, 52, 78 };
-    static const unsigned short at[78] = { 0, 1, 2, 3, 6, 7, 8, 12, 13, 14, 15, 16, 17, 18, 22, 23,
-                                           24, 25, 26, 27, 31, 32, 33, 34, 35, 36, 0, 1, 2, 4, 6, 7,
-                                           8, 12, 13, 14, 15, 16, 17, 18, 22, 23, 24, 25, 26, 27,
-                                           31, 32, 33, 34, 35, 36, 0, 1, 2, 5, 6, 7, 8, 12, 13, 14,
-                                           15, 16, 17, 18, 22, 23, 24, 25, 26, 27, 31, 32, 33, 34,
-                                           35, 36 };
-    const measurement of = { start_of, at, 3, VAS_MEASUREMENT_VELOCITY, 0U };
-    attempt it;
+    static const unsigned short row_start[4] = { 0, 26, 52, 78 };
+    static const unsigned short columns[78] = { 0, 1, 2, 3, 6, 7, 8, 12, 13, 14, 15, 16, 17, 18, 22,
+                                                23, 24, 25, 26, 27, 31, 32, 33, 34, 35, 36, 0, 1, 2,
+                                                4, 6, 7, 8, 12, 13, 14, 15, 16, 17, 18, 22, 23, 24,
+                                                25, 26, 27, 31, 32, 33, 34, 35, 36, 0, 1, 2, 5, 6,
+                                                7, 8, 12, 13, 14, 15, 16, 17, 18, 22, 23, 24, 25,
+                                                26, 27, 31, 32, 33, 34, 35, 36 };
+    const measurement layout = { row_start, columns, 3, VAS_MEASUREMENT_VELOCITY, 0U };
+    attempt trial;
+    vas_innovation found;
     bs_real z[3];
     bs_status status;
     if ((filter == NULL) || (imu == NULL) || (master == NULL) || (R == NULL) ||
         (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = begin(&it, filter, gates, R, 1, 3);
+    status = begin(&trial, filter, gates, R, 1, 3);
     if (status == BS_OK) {
         status = check_nav(&filter->nav, 0);
     }
@@ -1326,9 +1322,9 @@ bs_status vas_filter_measure_velocity(vas_filter *filter,
                               filter->triads.gyro_axes, filter->work);
     }
     if (status == BS_OK) {
-        status = take(filter, &it, &of, z, R, it.rows, it.gate, innovation);
+        status = take(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
     }
-    return finish(filter, &it, &of, status, innovation);
+    return finish(filter, &trial, &layout, status, &found, innovation);
 }
 
 bs_status vas_filter_correct(vas_filter *filter)
@@ -1465,23 +1461,34 @@ bs_status vas_filter_consider(vas_filter *filter, const unsigned char considered
     return status;
 }
 
+/* The variances of the states where all that the filter holds of them is sound. */
+static bs_status sound_variances(const vas_filter *filter, bs_real *all)
+{
+    bs_status status = sound(filter->x, filter->P);
+    if (status == BS_OK) {
+        variances(filter->P, all);
+        status = bs_check_finite(all, VAS_N_STATES); /* U D U' of finite factors may overflow */
+    }
+    return status;
+}
+
 bs_status vas_filter_covariance(const vas_filter *filter, bs_real P[VAS_N_STATES * VAS_N_STATES])
 {
+    bs_real all[VAS_N_STATES];
     bs_status status;
     if ((filter == NULL) || (P == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = sound(filter->x, filter->P);
-    if (status == BS_OK) {
+    status = sound_variances(filter, all);
+    if (status == BS_OK) { /* no covariance is larger than both of its variances */
         DENSE(filter->P, P);
-        /* U D U' of finite factors may overflow */
-        status = bs_check_finite(P, VAS_N_STATES * VAS_N_STATES);
     }
     return status;
 }
 
 bs_status vas_filter_variance(const vas_filter *filter, int i, bs_real *value)
 {
+    bs_real all[VAS_N_STATES];
     bs_status status;
     if ((filter == NULL) || (value == NULL)) {
         return BS_NULL_POINTER;
@@ -1489,29 +1496,25 @@ bs_status vas_filter_variance(const vas_filter *filter, int i, bs_real *value)
     if ((i < 0) || (i >= VAS_N_STATES)) {
         return BS_OUT_OF_RANGE;
     }
-    status = sound(filter->x, filter->P);
+    status = sound_variances(filter, all);
     if (status == BS_OK) {
-        bs_real all[VAS_N_STATES];
-        variances(filter->P, all);
         *value = all[i];
-        status = bs_check_finite(value, 1);
     }
     return status;
 }
 
 bs_status vas_filter_sigmas(const vas_filter *filter, bs_real sigma[VAS_N_STATES])
 {
+    bs_real all[VAS_N_STATES];
     bs_status status;
     if ((filter == NULL) || (sigma == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = sound(filter->x, filter->P);
+    status = sound_variances(filter, all);
     if (status == BS_OK) {
-        variances(filter->P, sigma);
         for (int i = 0; i < VAS_N_STATES; ++i) {
-            sigma[i] = BS_SQRT(sigma[i]);
+            sigma[i] = BS_SQRT(all[i]);
         }
-        status = bs_check_finite(sigma, VAS_N_STATES);
     }
     return status;
 }
@@ -1527,6 +1530,16 @@ bs_status vas_filter_health(const vas_filter *filter, vas_health *health)
         health->rejected[i] = filter->rejected[i];
     }
     return BS_OK;
+}
+
+size_t vas_filter_size(void)
+{
+    return sizeof(vas_filter);
+}
+
+size_t vas_snapshot_size(void)
+{
+    return (size_t)VAS_SNAPSHOT_SIZE;
 }
 
 /* ---- a snapshot: its head, then what is carried from call to call, number after number as it lies

@@ -424,8 +424,8 @@ int vd_feedback_bound(void *const *at)
 
 
 /* Numbers that a filter takes room for. */
-size_t vd_filter_size(void);
-size_t vd_filter_size(void)
+size_t vd_batch_filter_size(void);
+size_t vd_batch_filter_size(void)
 {
     return sizeof(vd_filter) / sizeof(bs_real);
 }

@@ -20,7 +20,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "89704b5851e736f504980742f8993eeb9a0555e2a64c371542edcd31e2bcf267"
+#define VD_MODEL_HASH "06fc8d456b7bf96a3ebb9cffaa789c931d1bc6c4d756b57406d293196ce53350"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1
@@ -57,6 +57,7 @@
 #define vd_joseph_predict vd_joseph_predict_f32
 #define vd_joseph_update vd_joseph_update_f32
 #define vd_predict_state vd_predict_state_f32
+#define vd_snapshot_size vd_snapshot_size_f32
 #define vd_strapdown vd_strapdown_f32
 #define vd_ud_add vd_ud_add_f32
 #define vd_ud_dense vd_ud_dense_f32
@@ -83,6 +84,7 @@
 #define vd_filter_restore BS_FORM(vd_filter_restore)
 #define vd_filter_set_nav BS_FORM(vd_filter_set_nav)
 #define vd_filter_sigmas BS_FORM(vd_filter_sigmas)
+#define vd_filter_size BS_FORM(vd_filter_size)
 #define vd_filter_snapshot BS_FORM(vd_filter_snapshot)
 #define vd_filter_strapdown BS_FORM(vd_filter_strapdown)
 #define vd_filter_variance BS_FORM(vd_filter_variance)

@@ -1,0 +1,30 @@
+"""A shipped self-test assumes of a model what every model has, not what the built-in ones happen to have.
+
+`python tests/codegen/drawn.py` tries fifty of them.
+"""
+
+import pytest
+from drawn import drawn
+
+from boresight import BoresightError, export, generate
+from boresight.codegen import export as exporting
+
+
+@pytest.mark.usefixtures("quickly")
+@pytest.mark.parametrize("precision", ["double", "float"])
+def test_the_self_test_of_a_drawn_model_passes(precision, tmp_path):
+    model = drawn(6)  # total, in little time
+    generate(model, tmp_path / "made")
+    assert export(model, tmp_path / "out", precision, tmp_path / "made").files  # which runs it
+
+
+def test_an_export_whose_self_test_fails_is_refused_and_nothing_is_written(pendulum_folder):
+    manifest = exporting.read_manifest(pendulum_folder)
+    files = {path: (pendulum_folder / path).read_text() for path in manifest["files"] if path.endswith((".c", ".h"))}
+    names = {"name": manifest["model"], "snake": manifest["model"], "prefix": manifest["c_prefix"]}
+    files |= exporting.identity_files(files, names, True, "double")[0]
+    exporting.check_self_test(files, "double")
+    kernel = "src/pd_tip_hx_kernel.h"
+    files[kernel] = files[kernel].replace("BS_SIN", "BS_COS", 1)
+    with pytest.raises(BoresightError, match=r"self-test fails on this machine .*tip_h"):
+        exporting.check_self_test(files, "double")
