@@ -209,8 +209,8 @@ def described(model: Model) -> dict[str, dict[str, str]]:
     for f in model.functions:
         parts[f"function {f.name}"] = {"meaning": f.meaning, "equations": ", ".join(f.equations)}
         for o in f.outputs:
-            parts[f"{o.name} of {f.name}"] = {"unit": o.unit, "meaning": o.meaning, "frame": o.frame}
-            parts[f"{o.name} of {f.name}"]["box"] = ", ".join(bounds(o))
+            box = ", ".join(bounds(o))
+            parts[f"{o.name} of {f.name}"] = {"unit": o.unit, "meaning": o.meaning, "frame": o.frame, "box": box}
     for c in behind(constants_in(*expressions(model))):
         parts[f"constant {c.name}"] = {"value": shown(c.value), "unit": c.unit, "meaning": c.meaning}
     return parts

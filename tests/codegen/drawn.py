@@ -20,10 +20,7 @@ def drawn(number):
     x = [v.scalar for v in states]
     size = {v.scalar: (v.high[0] - v.low[0]) / 2 for v in states}
     dt = variable("dt", "dt", "s", "length of the step", 1e-4, rng.choice((0.05, 0.5, 1.0, 10.0)))
-    given = [
-        variable(f"input_{i}", f"w{i}", "1", "an input", *sorted((rng.uniform(-9, -1), rng.uniform(1, 9))))
-        for i in range(3)
-    ]
+    given = [variable(f"input_{i}", f"w{i}", "1", "an input", rng.uniform(-9, -1), rng.uniform(1, 9)) for i in range(3)]
     noise = [
         variable(f"noise_{i}", f"n{i}", "rad/sqrt(s)", "a noise density", 0.0, 10.0 ** rng.randint(-4, -1))
         for i in range(n)
@@ -32,9 +29,7 @@ def drawn(number):
 
     def rate(i):
         """What a state changes by per second: a small part of its box, of others, of inputs."""
-        part = sum(
-            rng.uniform(-0.1, 0.1) * size[x[i]] * term for term in rng.sample(terms(x, size, w, rng), min(2, 2 + n))
-        )
+        part = sum(rng.uniform(-0.1, 0.1) * size[x[i]] * term for term in rng.sample(terms(x, size, w, rng), 2))
         return PER_S * (part - rng.uniform(0, 0.1) * x[i])
 
     measurements = tuple(measured(rng, k, x, size, w, total, states) for k in range(rng.randint(1, 3)))

@@ -4,6 +4,7 @@
 """
 
 import pytest
+from conftest import PENDULUM
 from drawn import drawn
 
 from boresight import BoresightError, export, generate
@@ -18,7 +19,7 @@ def test_the_self_test_of_a_drawn_model_passes(precision, tmp_path):
     assert export(model, tmp_path / "out", precision, tmp_path / "made").files  # which runs it
 
 
-def test_an_export_whose_self_test_fails_is_refused_and_nothing_is_written(pendulum_folder):
+def test_an_export_whose_self_test_fails_is_refused_and_nothing_is_written(pendulum_folder, tmp_path, monkeypatch):
     manifest = exporting.read_manifest(pendulum_folder)
     files = {path: (pendulum_folder / path).read_text() for path in manifest["files"] if path.endswith((".c", ".h"))}
     names = {"name": manifest["model"], "snake": manifest["model"], "prefix": manifest["c_prefix"]}
@@ -28,3 +29,8 @@ def test_an_export_whose_self_test_fails_is_refused_and_nothing_is_written(pendu
     files[kernel] = files[kernel].replace("BS_SIN", "BS_COS", 1)
     with pytest.raises(BoresightError, match=r"self-test fails on this machine .*tip_h"):
         exporting.check_self_test(files, "double")
+    check = exporting.check_self_test
+    monkeypatch.setattr(exporting, "check_self_test", lambda _, precision: check(files, precision))
+    with pytest.raises(BoresightError, match="self-test fails"):
+        export(PENDULUM, tmp_path / "out", "double", pendulum_folder)
+    assert not any(tmp_path.iterdir())

@@ -773,16 +773,10 @@ typedef struct {
     bs_bits good;                 /* where it went its usual way */
 } taken;
 
-/* Whether what the rows have made of x may be, and nis is finite. */
+/* Whether nis is finite. */
 static bs_bits settled(const taken *t)
 {
-    static const double ceiling[VD_N_STATES] = { (10000000000.0), (10000000000.0), (10000000000.0),
-                                                 (1000000.0), (1000000.0), (1000000.0), (1000000.0),
-                                                 (1000000.0), (1000000.0), (1000000.0) };
     bs_bits good = (t->nis - t->nis) <= 0.0;
-    for (int i = 0; i < VD_N_STATES; ++i) {
-        good &= (t->x[i] * t->x[i]) <= ceiling[i];
-    }
     return good;
 }
 
@@ -886,7 +880,8 @@ BS_INLINE void take_row(block *b,
         for (int i = 0; i < VD_N_STATES; ++i) {
             const bs_lanes variance = (P[diagonal(i)] - (K[i] * g[i])) - (own[i] * K[i]);
             size += bs_magnitude(g[i]) + bs_magnitude(own[i]);
-            t->good &= (variance >= 0.0) & (variance <= ceiling[i]);
+            t->good &= (variance >= 0.0) & (variance <= ceiling[i]) & ((t->x[i] *
+                                                                        t->x[i]) <= ceiling[i]);
         }
         t->good &= (size <= 0x1p242) & settled(t);
         to = bs_everywhere(t->good) ? b->P : s->P;
