@@ -20,7 +20,7 @@ from boresight.runtime.library import load
 MODEL, SECONDS, RATE = "azimuth-hold", 60, 100
 NOISE = {"gyro_noise": 1e-4, "accel_noise": 5e-3, "gyro_bias_noise": 1e-7, "accel_bias_noise": 1e-5}
 SIGMA = np.array([1e-6, 1e-6, 5, 0.1, 0.1, 0.1, 0.01, 0.01, 0.02, *3 * (1e-5,), *3 * (0.01,)])
-NAV = {"position": np.array([0.5, 0.75, 100.0]), "v_n": np.array([0.01, -0.02, 0.0]),
+NAV = {"lon_lat_height": np.array([0.5, 0.75, 100.0]), "v_n": np.array([0.01, -0.02, 0.0]),
        "q_b2n_wxyz": np.array([1.0, 0, 0, 0]), "gyro_bias": np.zeros(3), "accel_bias": np.zeros(3)}  # fmt: skip
 REFERENCE, R_ZUPT, R_AZIMUTH = np.array([1.0, 0, 0, 0]), np.full(3, 1e-4), np.full(1, 1e-6)
 LOOP = r"""
@@ -33,8 +33,8 @@ int minute(const ah_nav *nav, const double *sigma, const ah_increments *incremen
            const ah_reference *reference, const double *R, double *end)
 {
     static ah_filter filter;
-    const ah_imu sample = { .dt = 0.01 };
-    const ah_imu second = { .dt = 1.0, .f_b = { 0.0, 0.0, 9.8 } };
+    const ah_corrected_imu sample = { .dt = 0.01 };
+    const ah_corrected_imu second = { .dt = 1.0, .f_b = { 0.0, 0.0, 9.8 } };
     ah_innovation innovation;
     int refused = ah_filter_init_sigmas(&filter, nav, sigma) != BS_OK;
     for (int k = 0; k < 60; ++k) {

@@ -13,7 +13,7 @@ from boresight.runtime.rotation import matrix_from_quaternion, quaternion_from_m
 
 SECONDS, RATE_HZ = 1000, 100
 EARTH_RATE, A, E2 = 7.292115e-5, 6378137.0, 0.0066943799901413165
-AT_REST = {"position": np.array([2.2, 0.63, 100.0]), "v_n": np.zeros(3), "q_b2n_wxyz": np.array([1.0, 0, 0, 0])}
+AT_REST = {"lon_lat_height": np.array([2.2, 0.63, 100.0]), "v_n": np.zeros(3), "q_b2n_wxyz": np.array([1.0, 0, 0, 0])}
 NOISE = {
     "gyro_noise": np.full(3, 3e-5),
     "accel_noise": np.full(3, 1e-3),
@@ -64,7 +64,7 @@ class Plain:
 
 def plain_loop():
     plain, C_ref = Plain(), np.eye(3)
-    nav, P, dt = (AT_REST["position"], np.zeros(3), np.eye(3)), np.diag(np.full(15, 1e-6)), 1 / RATE_HZ
+    nav, P, dt = (AT_REST["lon_lat_height"], np.zeros(3), np.eye(3)), np.diag(np.full(15, 1e-6)), 1 / RATE_HZ
     H = np.zeros((4, 15))
     H[:3, 3:6], H[3, 8] = np.eye(3), 1.0
     R = np.diag([1e-4, 1e-4, 1e-4, 1e-6])
@@ -85,7 +85,7 @@ def plain_loop():
 
 
 def earth_and_gravity():
-    lat = AT_REST["position"][1]
+    lat = AT_REST["lon_lat_height"][1]
     return EARTH_RATE * np.array([0, np.cos(lat), np.sin(lat)]) / RATE_HZ, np.array([0, 0, 9.798]) / RATE_HZ
 
 
@@ -115,7 +115,7 @@ def generated_loop():
         loop.update("zupt", np.full(3, 1e-4))
         loop.update("azimuth", np.full(1, 1e-6), q_ref_wxyz=AT_REST["q_b2n_wxyz"])
         loop.feedback()
-    return loop.nav["position"], loop.nav["v_n"], matrix_from_quaternion(loop.nav["q_b2n_wxyz"])
+    return loop.nav["lon_lat_height"], loop.nav["v_n"], matrix_from_quaternion(loop.nav["q_b2n_wxyz"])
 
 
 def main():

@@ -96,10 +96,10 @@ double in_a_loop(int which, int often, size_t n, ah_filter *filter, const bs_giv
             bs_status said = BS_OK;
             switch (which) {
             case 0:
-                said = ah_filter_strapdown(&filter[i], (const ah_imu *)one, (const ah_increments *)other);
+                said = ah_filter_strapdown(&filter[i], (const ah_corrected_imu *)one, (const ah_increments *)other);
                 break;
             case 1:
-                said = ah_filter_propagate(&filter[i], (const ah_imu *)one, (const ah_noise *)other);
+                said = ah_filter_propagate(&filter[i], (const ah_corrected_imu *)one, (const ah_noise *)other);
                 break;
             case 2:
                 said = ah_filter_measure_zupt(&filter[i], one, NULL, &innovation);
@@ -142,7 +142,7 @@ def flown(width, n):
     rng = np.random.default_rng(1)
     sigma = np.array([1e-6, 1e-6, 5, 0.1, 0.1, 0.1, 0.01, 0.01, 0.02, *3 * (1e-5,), *3 * (0.01,)])
     q = np.array([1, 0.001, -0.002, 0.005]) + rng.normal(0, 1e-3, (n, 4))
-    nav = {"position": np.array([0.5, 0.75, 100.0]), "v_n": rng.normal(0, 0.01, (n, 3)),
+    nav = {"lon_lat_height": np.array([0.5, 0.75, 100.0]), "v_n": rng.normal(0, 0.01, (n, 3)),
            "q_b2n_wxyz": q / np.linalg.norm(q, axis=-1, keepdims=True), "gyro_bias": np.zeros(3),
            "accel_bias": np.zeros(3)}  # fmt: skip
     loop = CompiledFilter(load(MODEL, lanes=width), nav, np.broadcast_to(np.diag(sigma**2), (n, 15, 15)))

@@ -498,7 +498,7 @@ def wrapped(angle: arb) -> arb:
 # ---------------------------------------------------------------- strapdown
 
 
-NAVIGATION = ("position", "v_n", "q_b2n_wxyz")
+NAVIGATION = {frame: (place, "v_n", "q_b2n_wxyz") for frame, place in (("NED", "lat_lon_height"), ("ENU", "lon_lat_height"))}
 
 
 def navigating(model: Model) -> list[tuple[Function, ellipsoid.Level]]:
@@ -510,25 +510,25 @@ def navigating(model: Model) -> list[tuple[Function, ellipsoid.Level]]:
         (f, level)
         for f in functions
         if level
-        and {o.name for o in f.outputs} >= set(NAVIGATION)
+        and {o.name for o in f.outputs} >= set(NAVIGATION[model.frame[:3]])
         and increments <= symbols_in(*(o.value for o in f.outputs))
     ]
 
 
 def check_strapdown(model: Model, f: Function, level: ellipsoid.Level) -> MechanicsCheck:
     """A short step against Newton's law; what else the function reads, such as biases, is zero."""
-    fields = {v.name: v for v in model.inputs}
+    fields, carried = {v.name: v for v in model.inputs}, NAVIGATION[model.frame[:3]]
     dt = next(v for v in model.inputs if v.name == "dt").scalar
-    outputs = [next(o for o in f.outputs if o.name == name) for name in NAVIGATION]
+    outputs = [next(o for o in f.outputs if o.name == name) for name in carried]
     run = compiled(*(o.value for o in outputs))
-    rows = [s.name for name in NAVIGATION for s in fields[name].symbols]
+    rows = [s.name for name in carried for s in fields[name].symbols]
     verdict = Verdict()
     rng = generator("newton", model.name, f.name)
     for drawn in points(model, f.name):
-        now = [Matrix([drawn[s] for s in fields[name].symbols]) for name in NAVIGATION]
+        now = [Matrix([drawn[s] for s in fields[name].symbols]) for name in carried]
         omega, force = (Matrix([arb(float(c)) for c in rng.uniform(-size, size, 3)]) for size in (1, 20))
         values: Values = dict.fromkeys(symbols_in(*(o.value for o in outputs)), arb(0)) | {dt: STEP}
-        for name, column in zip(NAVIGATION, now, strict=True):
+        for name, column in zip(carried, now, strict=True):
             values.update(zip(fields[name].symbols, column, strict=True))
         for variable, sensed in zip(INCREMENTS, (omega, force, omega, force), strict=True):
             values.update(zip(variable.symbols, sensed * STEP, strict=True))

@@ -258,7 +258,9 @@ def drawing(function: Function, manifest: dict[str, Any]) -> list[str]:
         elif parameter.type == "unsigned char" and parameter.size:
             lines.append(f"draw_bytes({name}, sizeof({name}));")
         elif parameter.type == "int" and not parameter.pointer:
-            lines.append(f"{name} = draw_int({'2' if parameter.name == 'clamp' else 'ATTACK_N + 1'}) - 1;")
+            lines.append(f"{name} = draw_int(ATTACK_N + 1) - 1;")
+        elif parameter.type == "bs_beyond":
+            lines.append(f"{name} = (bs_beyond)(draw_int(2) - 1);")
         else:
             raise BoresightError(f"{function.symbol}: nothing says how {parameter.type} {parameter.name} is drawn")
     name = innovation(function, manifest)

@@ -171,7 +171,7 @@ def in_python(samples: int) -> Flown:
     model = load("azimuth-hold")
     n, rate, dt, step = len(model.states), 128.0, 1 / 128, 100
     sigma = [1e-6, 1e-6, 5, 0.1, 0.1, 0.1, 0.01, 0.01, 0.02, 1e-5, 1e-5, 1e-5, 0.01, 0.01, 0.01]
-    nav = {"position": [0.5, 0.75, 100.0], "v_n": [0.05, -0.03, 0.01], "q_b2n_wxyz": [1.0, 0.001, -0.002, 0.005],
+    nav = {"lon_lat_height": [0.5, 0.75, 100.0], "v_n": [0.05, -0.03, 0.01], "q_b2n_wxyz": [1.0, 0.001, -0.002, 0.005],
            "gyro_bias": [0.0, 0.0, 0.0], "accel_bias": [0.0, 0.0, 0.0]}  # fmt: skip
     loop = CompiledFilter(model, {k: np.array(v) for k, v in nav.items()}, np.diag(np.array(sigma) * np.array(sigma)))
     luck, digest = Luck(), hashlib.sha256()

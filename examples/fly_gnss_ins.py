@@ -71,7 +71,7 @@ def fly(library, runs=RUNS, seed=0):
     error = START * rng.standard_normal((runs, 15))
     gyro_bias, accel_bias = -error[:, 9:12], -error[:, 12:]  # the estimates begin at zero
     nav = {
-        "position": truth.position[0] + error[:, :3],
+        "lat_lon_height": truth.position[0] + error[:, :3],
         "v_n": truth.v_n[0] + error[:, 3:6],
         "q_b2n_wxyz": rotation.turned(truth.q_b2n_wxyz[0], -error[:, 6:9]),
         "gyro_bias": np.zeros((runs, 3)),
@@ -121,7 +121,7 @@ def fly(library, runs=RUNS, seed=0):
             loop.feedback()
 
             error = np.concatenate([
-                loop.nav["position"] - truth.position[k + 1],
+                loop.nav["lat_lon_height"] - truth.position[k + 1],
                 loop.nav["v_n"] - truth.v_n[k + 1],
                 rotation.attitude_error(loop.nav["q_b2n_wxyz"], truth.q_b2n_wxyz[k + 1]),
                 loop.nav["gyro_bias"] - gyro_bias,

@@ -268,7 +268,7 @@ def numbers(p: Problem, seed: int = 0) -> dict[str, np.ndarray]:
     rng = np.random.default_rng(seed)
     q = np.array([0.9, 0.1, -0.2, 0.3])
     given = {
-        "position": [2.2, 0.63, 100.0], "v_n": [3.0, -2.0, 0.5],
+        "lon_lat_height": [2.2, 0.63, 100.0], "v_n": [3.0, -2.0, 0.5],
         "q_b2n_wxyz": q / np.linalg.norm(q), "q_ref_wxyz": q / np.linalg.norm(q),
         "f_b": [0.5, -0.3, 9.8], "f_n": [0.5, -0.3, 9.8], "omega_ib_b": [0.01, -0.02, 0.03], "dt": [1.0],
         "gyro_noise": [1e-3] * 3, "accel_noise": [0.5] * 3, "gyro_bias_noise": [1e-5] * 3,

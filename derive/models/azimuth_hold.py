@@ -58,7 +58,7 @@ def azimuth_hold() -> Model:
         states=(d_position, dv, phi, D_BG, D_BA),
         structs=(
             Struct("nav", "what is carried and corrected", (position, v_n, q, BG, BA)),
-            Struct("imu", "inertial data over one step", (F_B, OMEGA_IB_B, DT)),
+            Struct("corrected_imu", "inertial data over one step, estimated biases removed", (F_B, OMEGA_IB_B, DT)),
             Struct("increments", "what the sensors deliver over one step, and over the step before", var.INCREMENTS),
             Struct("noise", "process noise", noises),
             Struct("reference", "what the alignment left", (q_ref,)),

@@ -55,9 +55,9 @@ GYRO_BIAS, ACCEL_BIAS = radians(1.0), 1.0  # rad/s (3600 deg/h) and m/s^2 (0.1 g
 
 
 def position(frame: Frame) -> Variable:
-    """The geodetic coordinates in the frame's order."""
+    """The geodetic coordinates, named for the frame's order."""
     units, meanings, low, high = zip(*(COORDINATES[name] for name in frame.coordinates), strict=True)
-    return variable("position", " ".join(frame.coordinates), ", ".join(units), ", ".join(meanings), low, high,
+    return variable("_".join(frame.coordinates), " ".join(frame.coordinates), ", ".join(units), ", ".join(meanings), low, high,
                     frame="WGS-84")  # fmt: skip
 
 
@@ -169,7 +169,7 @@ def nav_outputs(frame: Frame, position_next: Matrix, v_next: Matrix, q_next: Mat
     """Position, velocity and attitude as a function returns them; q_next is of unit norm."""
     order, unit = ", ".join(frame.coordinates), position(frame).unit
     return (
-        Output("position", position_next, unit, order, "WGS-84"),
+        Output(position(frame).name, position_next, unit, order, "WGS-84"),
         Output("v_n", v_next, "m/s", "velocity over the ground", frame.name),
         Output("q_b2n_wxyz", q_next, "1", "attitude, of unit norm", f"body to {frame.name}"),
     )

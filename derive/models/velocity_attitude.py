@@ -128,7 +128,7 @@ def velocity_attitude() -> Model:
         states=(PHI, DV, D_BG, D_BA, D_MOUNT, D_TAU),
         structs=(
             Struct("nav", "what the slave carries and the filter corrects", (POSITION, V_N, Q, BG, BA, Q_MOUNT, TAU)),
-            Struct("imu", "inertial data over one step", (F_B, OMEGA_IB_B, DT)),
+            Struct("corrected_imu", "inertial data over one step, estimated biases removed", (F_B, OMEGA_IB_B, DT)),
             Struct("increments", "what the sensors deliver over one step, and over the step before", var.INCREMENTS),
             Struct("noise", "process noise", noises),
             Struct("mounting", "where the slave stands", (LEVER_B,)),

@@ -52,7 +52,7 @@ def velocity_dcm() -> Model:
         states=(dv, psi, D_MU, D_TAU),
         structs=(
             Struct("nav", "what the slave carries and the filter corrects", (position, v_n, q, MU, TAU)),
-            Struct("imu", "inertial data over one step", (F_B, DT)),
+            Struct("corrected_imu", "inertial data over one step, estimated biases removed", (F_B, DT)),
             Struct("increments", "what the sensors deliver over one step, and over the step before", var.INCREMENTS),
             Struct("noise", "process noise", (GYRO_NOISE, ACCEL_NOISE)),
             Struct("master", "what the master reports, and the motion then", (v_m, q_m, a_n, omega_nm)),

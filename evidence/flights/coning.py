@@ -42,13 +42,13 @@ def errors(motion: Motion, rate_hz: float, seconds: float, by: Callable[..., Any
     model, steps, zero = load("velocity-attitude"), round(seconds * rate_hz), np.array(0.0)
     dtheta, dv = motion.increments(np.arange(-3, steps + 1) / rate_hz)
     taken = (dtheta[3:], dv[3:]) if by is None else compensated(dtheta, dv, by)
-    nav = {"position": motion.position(zero), "v_n": motion.velocity(zero)[0], "gyro_bias": np.zeros(3),
+    nav = {"lat_lon_height": motion.position(zero), "v_n": motion.velocity(zero)[0], "gyro_bias": np.zeros(3),
            "q_b2n_wxyz": quaternion(motion.C_b2n(zero)), "accel_bias": np.zeros(3)}  # fmt: skip
     for k in range(steps):
         nav |= model.strapdown(**nav, dtheta_ib_b=taken[0][k], dv_b=taken[1][k], dtheta_before=dtheta[k + 2],
                                dv_before=dv[k + 2], dt=1 / rate_hz)  # fmt: skip
     end = np.array(steps / rate_hz)
-    place = (nav["position"] - motion.position(end)) * [A, A * np.cos(nav["position"][0]), -1.0]
+    place = (nav["lat_lon_height"] - motion.position(end)) * [A, A * np.cos(nav["lat_lon_height"][0]), -1.0]
     return np.stack([turn_between(nav["q_b2n_wxyz"], motion.C_b2n(end)), nav["v_n"] - motion.velocity(end)[0], place])
 
 

@@ -19,7 +19,7 @@ int flight(void);
 /* A message on its way. */
 typedef struct {
     int arrives; /* at this sample; -1: none is on its way */
-    ah_imu imu;
+    ah_corrected_imu imu;
     ah_reference reference;
 } message;
 
@@ -110,7 +110,7 @@ static void sense(ah_increments *increments, bs_real turning)
 }
 
 /* The same as rates, the estimated biases removed. */
-static void rates(ah_imu *imu, const ah_increments *increments, bs_real dt)
+static void rates(ah_corrected_imu *imu, const ah_increments *increments, bs_real dt)
 {
     for (int i = 0; i < 3; ++i) {
         imu->f_b[i] = (increments->dv_b[i] * (bs_real)RATE) - filter.nav.accel_bias[i];
@@ -120,7 +120,7 @@ static void rates(ah_imu *imu, const ah_increments *increments, bs_real dt)
 }
 
 /* Of each message one in eight is skipped, and the others arrive up to 63 samples late. */
-static void send(message *sent, int k, const ah_imu *imu)
+static void send(message *sent, int k, const ah_corrected_imu *imu)
 {
     const uint32_t luck = drawn();
     const uint32_t late = drawn() % 64U;
@@ -164,7 +164,7 @@ int flight(void)
     static message azimuth;
     static bs_digest digest;
     ah_innovation innovation;
-    ah_imu imu;
+    ah_corrected_imu imu;
     state = 20261123U;
     for (int i = 0; i < 5; ++i) {
         flight_counts[i] = 0;

@@ -45,11 +45,11 @@ static void keep(flight *f, const bs_real dtheta[3], const bs_real dv[3])
 }
 
 /* Means of rate and specific force, biases removed, between two instants so many ticks ago. */
-static va_imu mean(const flight *f, int from, int to)
+static va_corrected_imu mean(const flight *f, int from, int to)
 {
     const bs_real dt = (bs_real)f->setup.dt;
     const bs_real seconds = (bs_real)(from - to) * dt;
-    va_imu imu;
+    va_corrected_imu imu;
 
     for (int i = 0; i < 3; ++i) {
         bs_real angle = BS_REAL(0.0);
@@ -71,7 +71,7 @@ static bs_status carry(flight *f)
     bs_status status = BS_OK;
 
     if (f->behind > 0) {
-        const va_imu imu = mean(f, f->behind, 0);
+        const va_corrected_imu imu = mean(f, f->behind, 0);
         status = va_filter_propagate(&f->filter, &imu, &f->noise);
         f->behind = 0;
     }
@@ -95,7 +95,7 @@ static bs_status start(flight *f, const flight_message *message)
     bs_status status;
     va_nav nav = { .q_b2m_wxyz = { BS_REAL(1.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) } };
 
-    convert(nav.position, message->position, 3);
+    convert(nav.lat_lon_height, message->position, 3);
     convert(nav.v_n, message->v_m_n, 3);
     convert(nav.q_b2n_wxyz, message->q_m2n_wxyz, 4);
     convert(q, message->q_m2n_wxyz, 4);
@@ -147,7 +147,7 @@ void flight_begin(flight *f, const flight_setup *setup)
 
 bs_status flight_slave(flight *f, const double dtheta[3], const double dv[3])
 {
-    const va_imu imu = { .dt = (bs_real)f->setup.dt };
+    const va_corrected_imu imu = { .dt = (bs_real)f->setup.dt };
     const flight_tick *before = ago(f, 0);
     va_increments now;
     bs_status refused;
@@ -186,7 +186,7 @@ bs_status flight_slave(flight *f, const double dtheta[3], const double dv[3])
 /* The velocity expected of the master so many ticks ago. */
 static bs_status expected_velocity(const flight *f, int ticks, bs_real v_m_n[3])
 {
-    const va_imu imu = mean(f, ticks + FLIGHT_HALF, ticks - FLIGHT_HALF);
+    const va_corrected_imu imu = mean(f, ticks + FLIGHT_HALF, ticks - FLIGHT_HALF);
     va_nav nav = f->filter.nav;
     bs_real q_m2n_wxyz[4];
     bs_real omega_nb_n[3];
@@ -222,7 +222,7 @@ bs_status flight_master(flight *f, const flight_message *message)
     bs_status status, velocity, attitude;
     va_health health;
     unsigned int all;
-    va_imu imu;
+    va_corrected_imu imu;
     va_nav now;
     int ticks;
 
@@ -260,11 +260,11 @@ bs_status flight_master(flight *f, const flight_message *message)
     now = f->filter.nav;
     (void)memcpy(f->filter.nav.v_n, ago(f, ticks)->v_n, sizeof now.v_n);
     (void)memcpy(f->filter.nav.q_b2n_wxyz, ago(f, ticks)->q_b2n_wxyz, sizeof now.q_b2n_wxyz);
-    convert(f->filter.nav.position, message->position, 3);
+    convert(f->filter.nav.lat_lon_height, message->position, 3);
     velocity = va_filter_measure_velocity(&f->filter, &imu, &f->mounting, &master, R_velocity, &gates, &innovation[0]);
     attitude = va_filter_measure_dcm(&f->filter, &imu, &master, R_attitude, &gates, &innovation[1]);
     if (bs_good(velocity) || bs_good(attitude)) { /* both have looked at the position */
-        (void)memcpy(now.position, f->filter.nav.position, sizeof now.position);
+        (void)memcpy(now.lat_lon_height, f->filter.nav.lat_lon_height, sizeof now.lat_lon_height);
     }
     f->filter.nav = now;
     status = va_filter_correct(&f->filter);

@@ -38,7 +38,7 @@ class Flight:
         s = self.setup
         # As flight.c: the master's velocity and attitude as they are; the setup says how wrong they are.
         C_m2n, zero = rotation.matrix_from_quaternion(message[7:11]), np.zeros(3)
-        nav = {"position": message[1:4], "v_n": message[4:7], "q_b2n_wxyz": message[7:11]}
+        nav = {"lat_lon_height": message[1:4], "v_n": message[4:7], "q_b2n_wxyz": message[7:11]}
         nav |= {
             "gyro_bias": zero,
             "accel_bias": zero,
@@ -105,7 +105,7 @@ class Flight:
         k = self.now - ticks
         early, late = (loop.call("expected", **self.then(at))["v_m_n"] for at in (k - HALF, k + HALF))
         a_n = (late - early) / (2 * HALF * s.dt)
-        inputs = {**self.then(k), "position": message[1:4], "a_n": a_n, "lag": age - ticks * s.dt}
+        inputs = {**self.then(k), "lat_lon_height": message[1:4], "a_n": a_n, "lag": age - ticks * s.dt}
         used = {}
         for name, sigma, given in (
             ("velocity", s.velocity_sigma, {"v_m_n": message[4:7]}),
@@ -117,7 +117,7 @@ class Flight:
                 print(f"{self.now * s.dt:8.4f}: {error}")
         loop.feedback()
         if used:
-            loop.nav["position"] = message[1:4]
+            loop.nav["lat_lon_height"] = message[1:4]
         self.remember()
         self.corrected = self.now
         for name, rows in used.items():

@@ -17,7 +17,7 @@ static void narrow(const double *from, bs_real *to, int n)
 static ah_nav as_ah(const navigation *nav)
 {
     ah_nav made;
-    narrow(nav->position, made.position, 3);
+    narrow(nav->lon_lat_height, made.lon_lat_height, 3);
     narrow(nav->v_n, made.v_n, 3);
     narrow(nav->q_b2n_wxyz, made.q_b2n_wxyz, 4);
     narrow(nav->gyro_bias, made.gyro_bias, 3);
@@ -37,7 +37,7 @@ int errors_begin(const navigation *nav)
 int errors_step(const navigation *nav, const double omega_ib_b[3], const double f_b[3], double dt)
 {
     static const ah_noise noise = { { 1e-6F, 1e-6F, 1e-6F }, { 1e-4F, 1e-4F, 1e-4F }, { 0.0F, 0.0F, 0.0F }, { 0.0F, 0.0F, 0.0F } };
-    ah_imu imu;
+    ah_corrected_imu imu;
     narrow(f_b, imu.f_b, 3);
     narrow(omega_ib_b, imu.omega_ib_b, 3);
     imu.dt = (bs_real)dt;

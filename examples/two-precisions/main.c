@@ -39,7 +39,7 @@ int main(void)
             }
         }
         if ((status == 0) && ((k % 1000) == 0)) {
-            (void)printf("%4d %18.14f %14.3e %14.3e\n", k / 100, nav.position[0], nav.v_n[0], sigma);
+            (void)printf("%4d %18.14f %14.3e %14.3e\n", k / 100, nav.lon_lat_height[0], nav.v_n[0], sigma);
         }
     }
     (void)printf("status %d\n", status);

@@ -6,7 +6,7 @@ enum { ERRORS = 15 };
 
 /* As ah_nav: rad and m, m/s in ENU, body to ENU, rad/s, m/s^2. */
 typedef struct {
-    double position[3];
+    double lon_lat_height[3];
     double v_n[3];
     double q_b2n_wxyz[4];
     double gyro_bias[3];

@@ -17,21 +17,32 @@ from boresight.runtime.rotation import attitude_error, matrix_from_quaternion
 
 ROUNDS = 30  # of the inversion; each shrinks what is left by the angle turned in a step or more
 TOGETHER = 8192  # intervals of all runs in one call: what the processor's cache holds
+PLACES = ("lat_lon_height", "lon_lat_height")  # the integrator's position, named for the order of its coordinates
 ENOUGH = 1e-14  # rad, and the same part of the velocity increments (m/s): rounding
 
 
 @dataclass(frozen=True)
 class Trajectory:
-    """position (T+1, ..., 3), v_n (T+1, ..., 3) m/s, q_b2n_wxyz (T+1, ..., 4), at samples dt seconds apart."""
+    """position (T+1, ..., 3), v_n (T+1, ..., 3) m/s, q_b2n_wxyz (T+1, ..., 4), at samples dt seconds apart.
+
+    place: what the integrator calls the position, lat_lon_height or lon_lat_height (rad, rad, m).
+    """
 
     position: Array
     v_n: Array
     q_b2n_wxyz: Array
     dt: float
+    place: str
 
     def nav(self, samples: int | slice) -> dict[str, Array]:
         """The fields of the integrator at these samples."""
-        return {name: getattr(self, name)[samples] for name in ("position", "v_n", "q_b2n_wxyz")}
+        values = {self.place: self.position, "v_n": self.v_n, "q_b2n_wxyz": self.q_b2n_wxyz}
+        return {name: value[samples] for name, value in values.items()}
+
+
+def place_of(step: Unit) -> str:
+    """What the integrator calls the position: lat_lon_height or lon_lat_height."""
+    return next(name for name in PLACES if name in step.fields)
 
 
 def before(increments: Array, first: Array | None) -> Array:
@@ -65,7 +76,7 @@ def increments(step: Unit, position: Array, v_n: Array, q_b2n_wxyz: Array, dt: f
     the Trajectory are the ones it makes with them.  Raises BoresightError where no increments of its box do, and on a
     trajectory that leaves it.
     """
-    v_n, q = np.ascontiguousarray(v_n, float), np.ascontiguousarray(q_b2n_wxyz, float)
+    v_n, q, place = np.ascontiguousarray(v_n, float), np.ascontiguousarray(q_b2n_wxyz, float), place_of(step)
     runs, count = v_n.shape[1:-1], len(v_n) - 1
     p = np.empty((count + 1, *runs, 3))
     p[:] = position
@@ -81,7 +92,7 @@ def increments(step: Unit, position: Array, v_n: Array, q_b2n_wxyz: Array, dt: f
             end = min(begin + at_a_time, count)
             now, then = slice(begin, end), slice(begin + 1, end + 1)
             made = step(
-                position=p[now], v_n=v_n[now], q_b2n_wxyz=q[now], dtheta_ib_b=dtheta[then], dv_b=dv[then],
+                **{place: p[now]}, v_n=v_n[now], q_b2n_wxyz=q[now], dtheta_ib_b=dtheta[then], dv_b=dv[then],
                 dtheta_before=dtheta[now], dv_before=dv[now], **unbiased(step), dt=dt,
             )  # fmt: skip
             # C_made = exp(-[e x]) C_wanted: the body has to turn by e more, here in its own axes
@@ -89,16 +100,16 @@ def increments(step: Unit, position: Array, v_n: Array, q_b2n_wxyz: Array, dt: f
             dv_step = rotated(to_body[now], v_n[then] - made["v_n"])
             dtheta[then] += turn
             dv[then] += dv_step
-            np.subtract(made["position"], p[now], out=gone[then])
+            np.subtract(made[place], p[now], out=gone[then])
             away = max(away, np.abs(turn).max(), np.abs(dv_step).max() / fastest)
         # one position after the other, as the integrator adds them up
         moved = np.cumsum(gone, axis=0)
         away, p = max(away, np.abs(moved - p).max() * 1e-3), moved
         if away < ENOUGH:
             # The last bit of a longitude is 3e-9 m: the positions are those of a run, to the bit.
-            start = {"position": p[0], "v_n": v_n[0], "q_b2n_wxyz": q[0]}
+            start = {place: p[0], "v_n": v_n[0], "q_b2n_wxyz": q[0]}
             position = integrate(step, start, dtheta[1:], dv[1:], dt).position
-            return dtheta[1:], dv[1:], Trajectory(position, v_n, q, dt)
+            return dtheta[1:], dv[1:], Trajectory(position, v_n, q, dt, place)
     raise BoresightError(
         f"no increments make this trajectory: after {ROUNDS} rounds {away:.1e} rad are left; sample it more often than "
         f"every {dt} s"
@@ -106,7 +117,7 @@ def increments(step: Unit, position: Array, v_n: Array, q_b2n_wxyz: Array, dt: f
 
 
 def integrate(step: Unit, start: dict[str, Array], dtheta: Array, dv: Array, dt: float, first=None) -> Trajectory:
-    """The integrator over T intervals.  start: position, v_n, q_b2n_wxyz at the first sample, (..., 3 or 4).
+    """The integrator over T intervals.  start: the position by its name, v_n, q_b2n_wxyz at the first sample, (..., 3 or 4).
 
     dtheta, dv: (T, ..., 3), or (T, 3) where all runs have the same.  first: (dtheta, dv) of the interval before the
     first one, (..., 3) each, if it is known.  Raises BoresightError on other shapes, and on leaving the box.
@@ -118,7 +129,8 @@ def integrate(step: Unit, start: dict[str, Array], dtheta: Array, dv: Array, dt:
             raise BoresightError(f"integrate: {name} has shape {values.shape}; it must be (T, ..., 3), one T of both")
     if np.ndim(dt):
         raise BoresightError(f"integrate: dt has shape {np.shape(dt)}; give one number for all intervals")
-    one = {name: start[name] for name in ("position", "v_n", "q_b2n_wxyz")}
+    carried = place_of(step), "v_n", "q_b2n_wxyz"
+    one = {name: start[name] for name in carried}
     one |= {"dtheta_ib_b": np.empty(dtheta.shape[1:]), "dv_b": np.empty(dv.shape[1:])}
     if first is not None:
         one |= {"dtheta_before": first[0], "dv_before": first[1]}
@@ -128,7 +140,7 @@ def integrate(step: Unit, start: dict[str, Array], dtheta: Array, dv: Array, dt:
     spread = (values.reshape(shape) for values, shape in zip((dtheta, dv), axes, strict=True))
     dtheta, dv = (np.ascontiguousarray(np.broadcast_to(values, (count, *runs, 3))) for values in spread)
     out = {}
-    for name in ("position", "v_n", "q_b2n_wxyz"):
+    for name in carried:
         out[name] = np.empty((count + 1, *runs, begun[name].shape[-1]))
         out[name][0] = begun[name]
     inputs = {**out, **intervals(dtheta, dv, first), **unbiased(step), "dt": np.array([dt], float)}
@@ -138,4 +150,4 @@ def integrate(step: Unit, start: dict[str, Array], dtheta: Array, dv: Array, dt:
             step(**{name: values[k] if values.ndim > 1 else values for name, values in inputs.items()} | {"dt": dt})
         except BoresightError as error:
             raise BoresightError(f"in interval {k}: {error}") from None
-    return Trajectory(**out, dt=dt)
+    return Trajectory(*out.values(), dt, carried[0])

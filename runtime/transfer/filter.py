@@ -663,11 +663,11 @@ class Transfer:
         ready = ready & (self.time - lag - span >= gaps.back_at)
         if given.position is None or len(given.said) < 2:
             return np.zeros(self.runs, bool)
-        ready = ready & ~outside(loop.model, {"position": given.position, "v_n": given.said["v_m_n"]}, self.runs)[0]
+        ready = ready & ~outside(loop.model, {"lat_lon_height": given.position, "v_n": given.said["v_m_n"]}, self.runs)[0]
         if not ready.any():
             return ready
         # what the other runs are given is finite, and what comes of it is not used
-        place = {"position": loop.nav["position"], "v_m_n": loop.nav["v_n"], "q_m2n_wxyz": loop.nav["q_b2n_wxyz"],
+        place = {"position": loop.nav["lat_lon_height"], "v_m_n": loop.nav["v_n"], "q_m2n_wxyz": loop.nav["q_b2n_wxyz"],
                  "euler_m": np.zeros((*self.runs, 3))}  # fmt: skip
         whole = Message(
             np.where(ready, given.time, np.min(given.time[ready])), of_runs(ready, given.R, np.ones((*self.runs, 6))),
@@ -690,7 +690,7 @@ class Transfer:
             kept = history.recent(name)[again_known]
             history.recent(name)[again_known] = np.where(ready.reshape(-1, 1), past.at(name, times), kept)
         gaps.found(ready, past.time[0])
-        self.position.begin(ready, self.time, loop.nav["position"], given.position_sigma)
+        self.position.begin(ready, self.time, loop.nav["lat_lon_height"], given.position_sigma)
         return ready
 
     def _update(
@@ -774,14 +774,14 @@ class Transfer:
         usable = (taken & np.isfinite(said).all(-1))[..., None]
         way = loop.nav["v_n"] * lag[..., None] * np.array([1.0, 1.0, -1.0])
         said = np.where(usable, moved(np.where(usable, said, 0.0), np.where(usable, way, 0.0)), np.nan)
-        box = loop.model.field["position"]
+        box = loop.model.field["lat_lon_height"]
         used = self.position.takes(
-            self.time, said, sigma, loop.nav["position"],
+            self.time, said, sigma, loop.nav["lat_lon_height"],
             np.sqrt(np.einsum("...ii->...i", loop.P)[..., DV].max(-1)),
             np.linalg.norm(np.broadcast_to(self._lever(), said.shape), axis=-1),
             (np.array(box["low"]), np.array(box["high"])), self.watch.note,
         )  # fmt: skip
-        loop.nav["position"] = np.where(used[..., None], said, loop.nav["position"])
+        loop.nav["lat_lon_height"] = np.where(used[..., None], said, loop.nav["lat_lon_height"])
 
     def _lever(self) -> Array:
         """(..., 3) m as it is believed, in the axes that it is given in."""

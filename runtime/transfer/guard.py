@@ -100,7 +100,7 @@ def outside(model: Any, nav: Mapping[str, Array], runs: tuple[int, ...] = ()) ->
             at = tuple(np.argwhere(off)[0])
             axis = at[-1] if box["size"] > 1 else 0
             label = f"{name}[{axis}]" if box["size"] > 1 else name
-            if name == "position":
+            if name == "lat_lon_height":
                 label = ("latitude", "longitude", "height")[axis]
             span = f"{box['low'][axis]:.6g} to {box['high'][axis]:.6g}"
             advice = "; give the known bias, known=Calibration(...)" if name.endswith("_bias") else ""

@@ -165,7 +165,7 @@ def again(
     for name, density in (walk or {}).items():
         noise[..., fields[name], fields[name]] += np.broadcast_to(np.asarray(density, float), len(fields[name])) ** 2
     kept = np.asarray(P, float) + seconds * noise
-    estimates = {name: value for name, value in nav.items() if name not in ("position", "v_n", "q_b2n_wxyz")}
+    estimates = {name: value for name, value in nav.items() if name not in ("lat_lon_height", "v_n", "q_b2n_wxyz")}
     return first(message, model, constants, P=kept, estimates=estimates, **how)
 
 
@@ -221,7 +221,7 @@ def _begun(
         raise BoresightError("first: the message holds no q_m2n_wxyz; wait for one that does, or begin by `headings`")
     for known, names in (
         ({*fields, *LEVERS}, sigmas),
-        (set(model.field) - {"position", "v_n", "q_b2n_wxyz"}, estimates),
+        (set(model.field) - {"lat_lon_height", "v_n", "q_b2n_wxyz"}, estimates),
     ):
         for name in set(names) - known:
             raise BoresightError(f"first: {model.name} estimates no {name!r}{did_you_mean(name, known)}")
@@ -232,7 +232,7 @@ def _begun(
     said = {"v_m_n": np.asarray(message.v_m_n, float), "q_m2n_wxyz": q}
     if attitude.startswith("euler"):
         said["euler_m"] = rotation.euler_from_matrix(rotation.matrix_from_quaternion(q)) if euler is None else euler
-    start = {"position": message.position, "v_n": message.v_m_n, "q_b2n_wxyz": q}
+    start = {"lat_lon_height": message.position, "v_n": message.v_m_n, "q_b2n_wxyz": q}
     _, why = outside(model, {name: np.asarray(value, float) for name, value in start.items()})
     if why:
         raise BoresightError(f"first: of the message {why}")
@@ -283,7 +283,7 @@ def _flown(
     if history is not None:
         now, begin = history.time[-1], history.time[0]
         part = ((now - then) / (now - begin))[..., None]
-        loop.nav["position"] = start["position"] + part * (loop.nav["position"] - start["position"])
+        loop.nav["lat_lon_height"] = start["lat_lon_height"] + part * (loop.nav["lat_lon_height"] - start["lat_lon_height"])
     return history, beside
 
 

@@ -293,7 +293,7 @@ def align(models: Models, scenario: Scenario, *, runs: int, seed: int, first_run
     drawn = draw(scenario, seed, runs, first_run)
     dtheta_m, dv_m, truth = bench(models, scenario)
     C_b2m = rotation.matrix_from_vector(drawn.mu)
-    to_level = models.psi.phi_from_psi(position=truth.position[0], v_n=np.zeros(3))
+    to_level = models.psi.phi_from_psi(lon_lat_height=truth.position[0], v_n=np.zeros(3))
     per_metre = coordinates_per_metre(models, truth.position[0])
     d_position = drawn.position * per_metre
     phi_m = drawn.master_psi + d_position @ to_level[6:9, :3].T
@@ -311,7 +311,7 @@ def align(models: Models, scenario: Scenario, *, runs: int, seed: int, first_run
     v_start, q_start = master(0, master_noise())
     loop = CompiledFilter(
         models.alignment,
-        {"position": truth.position[0] + d_position, "v_n": v_start, "q_b2n_wxyz": q_start,
+        {"lon_lat_height": truth.position[0] + d_position, "v_n": v_start, "q_b2n_wxyz": q_start,
          "mu": np.zeros((runs, 3)), "tau": np.zeros(runs)},
         first_covariance(scenario, rotation.matrix_from_quaternion(q_start)),
     )  # fmt: skip
@@ -364,7 +364,7 @@ def align(models: Models, scenario: Scenario, *, runs: int, seed: int, first_run
         S = handover.updated(S, P_before, loop.P, H, R)
         loop.nav.update(now)
         loop.feedback()
-        loop.nav["position"] = truth.position[second * hz] + d_position
+        loop.nav["lon_lat_height"] = truth.position[second * hz] + d_position
 
         q_true = rotation.turned(truth.q_b2n_wxyz[second * hz], drawn.mu)
         phi = rotation.attitude_error(loop.nav["q_b2n_wxyz"], q_true)
@@ -380,12 +380,12 @@ def align(models: Models, scenario: Scenario, *, runs: int, seed: int, first_run
     position, velocity, psi = scenario.master_sigma
     considered = np.diag(np.concatenate([bias_variances(scenario, rest_f), velocity**2, psi**2]))
     P = handover.hand_over(loop.P, S, considered, np.diag((position * per_metre) ** 2), to_level)
-    nav = {name: loop.nav[name] for name in ("position", "v_n", "q_b2n_wxyz")}
+    nav = {name: loop.nav[name] for name in ("lon_lat_height", "v_n", "q_b2n_wxyz")}
     nav |= {"gyro_bias": np.zeros((runs, 3)), "accel_bias": np.zeros((runs, 3))}
     return Aligned(
         nav=nav,
         P=P,
-        earth=models.strapdown.earth(position=truth.position[-1], v_n=np.zeros(3)),
+        earth=models.strapdown.earth(lon_lat_height=truth.position[-1], v_n=np.zeros(3)),
         position=truth.position[-1],
         q_b2n_wxyz=rotation.turned(truth.q_b2n_wxyz[-1], drawn.mu),
         drawn=drawn,
@@ -422,7 +422,7 @@ def process_noise(scenario: Scenario) -> dict[str, Array]:
 def coordinates_per_metre(models: Models, position: Array) -> Array:
     """(3,) by how much longitude, latitude and height change in a metre to the east, north and up."""
     rates = models.strapdown.rates(
-        position=position, v_n=np.ones(3), q_b2n_wxyz=[1.0, 0, 0, 0], f_b=np.zeros(3), omega_ib_b=np.zeros(3)
+        lon_lat_height=position, v_n=np.ones(3), q_b2n_wxyz=[1.0, 0, 0, 0], f_b=np.zeros(3), omega_ib_b=np.zeros(3)
     )
     per_metre: Array = np.asarray(rates["position_rate"])
     return per_metre
@@ -430,7 +430,7 @@ def coordinates_per_metre(models: Models, position: Array) -> Array:
 
 def rest_specific_force(models: Models, position: Array, q_b2n_wxyz: Array) -> Array:
     """(..., 3) m/s^2, of a body at rest."""
-    gravity = models.strapdown.earth(position=position, v_n=np.zeros(3))["gravity_n"]
+    gravity = models.strapdown.earth(lon_lat_height=position, v_n=np.zeros(3))["gravity_n"]
     return -np.einsum("...ji,j->...i", rotation.matrix_from_quaternion(q_b2n_wxyz), gravity)
 
 

@@ -118,7 +118,7 @@ def hold(
     bias = sensors.bias_at(omega_b, f_b)
     error = np.concatenate(
         [
-            loop.nav["position"] - start.position,
+            loop.nav["lon_lat_height"] - start.position,
             loop.nav["v_n"],
             history[-1][0],
             loop.nav["gyro_bias"] - bias[0],
@@ -155,7 +155,7 @@ def hold_vertical(loop: CompiledFilter, start: Aligned) -> None:
 
     Left alone, 1 mg would grow to 6 km in 1000 s and to 870 km in an hour, as exp(t / 570 s).
     """
-    loop.nav["position"][0, :, 2] = start.position[2]
+    loop.nav["lon_lat_height"][0, :, 2] = start.position[2]
     loop.nav["v_n"][0, :, 2] = 0.0
     for state, sigma in ((2, 1.0), (5, 1e-3)):
         loop.P[0, :, state, :] = loop.P[0, :, :, state] = 0.0

@@ -46,7 +46,7 @@ def level_sigma(
         P[6:8, 6:8] += floor @ np.diag(variances[3:]) @ floor.T
         P[6:8, 12:] = floor @ np.diag(variances[3:])
         P[12:, 6:8] = P[6:8, 12:].T
-    nav = {"position": position, "q_b2n_wxyz": q} | dict.fromkeys(("v_n", "gyro_bias", "accel_bias"), np.zeros(3))
+    nav = {"lon_lat_height": position, "q_b2n_wxyz": q} | dict.fromkeys(("v_n", "gyro_bias", "accel_bias"), np.zeros(3))
     loop = CompiledFilter(models.hold, nav, P)
     drift = accel_drift_ug_sqrt_h * 1e-3 * MILLI_G / 60
     noise = alignment.rest_noise(scenario) | {"accel_bias_noise": np.full(3, drift)}

@@ -137,7 +137,7 @@ def covariances(model: Any, master: hull.Pose, scenario: at_sea.Scenario) -> Arr
     position = np.array([s.latitude_deg * DEG, 0.0, 0.0])
     given = at_sea.constants(s)
     ends = slice(2 * per_update, None, 2 * per_update)
-    there = {"position": position, "v_n": slave.v_n[ends], "q_b2n_wxyz": slave.q_b2n_wxyz[ends],
+    there = {"lat_lon_height": position, "v_n": slave.v_n[ends], "q_b2n_wxyz": slave.q_b2n_wxyz[ends],
              "omega_ib_b": omega_ib_b[ends], "lever_b": given["lever_b"], "a_n": master.a_n[ends],
              "q_b2m_wxyz": np.array([1.0, 0, 0, 0]), "q_m2n_wxyz": master.q_b2n_wxyz[ends]}  # fmt: skip
     H = np.concatenate(
@@ -148,7 +148,7 @@ def covariances(model: Any, master: hull.Pose, scenario: at_sea.Scenario) -> Arr
 
     def moments() -> Iterator[Moment]:
         for k in range(1, len(f_b), 2):
-            inputs = {"position": position, "v_n": slave.v_n[k], "q_b2n_wxyz": slave.q_b2n_wxyz[k], "f_b": f_b[k],
+            inputs = {"lat_lon_height": position, "v_n": slave.v_n[k], "q_b2n_wxyz": slave.q_b2n_wxyz[k], "f_b": f_b[k],
                       "dt": dt, **noise}  # fmt: skip
             update, rest = divmod(k + 1, 2 * per_update)
             yield Moment(inputs) if rest else Moment(inputs, H[update - 1], R)

@@ -43,10 +43,10 @@ static void copy(const bs_real *from, bs_real *to, int n)
 static bs_status transition(const double motion[MOTION], const double noise[12], double dt, scratch *s)
 {
     ah_nav nav = { { 0 }, { 0 }, { 0 }, { 0 }, { 0 } };
-    ah_imu imu = { { 0 }, { 0 }, 0 };
+    ah_corrected_imu imu = { { 0 }, { 0 }, 0 };
     ah_noise density;
     bs_status status;
-    convert(motion, nav.position, 3);
+    convert(motion, nav.lon_lat_height, 3);
     convert(&motion[3], nav.v_n, 3);
     convert(&motion[6], nav.q_b2n_wxyz, 4);
     convert(&motion[10], imu.f_b, 3);
@@ -250,7 +250,7 @@ typedef bs_status corrector(const double x[N], const double nav[NAV], double pos
 
 static void tell(const double nav[NAV], ah_nav *told)
 {
-    convert(nav, told->position, 3);
+    convert(nav, told->lon_lat_height, 3);
     convert(&nav[VELOCITY], told->v_n, 3);
     convert(&nav[ATTITUDE], told->q_b2n_wxyz, 4);
     convert(&nav[GYRO_BIAS], told->gyro_bias, 3);
@@ -275,7 +275,7 @@ int navigate(int steps, int predict_every, int update_every, double dt, const do
     double dv_sum[3] = { 0 };
     int updates = 0;
     ah_nav start;
-    ah_imu imu = { { 0 }, { 0 }, 0 };
+    ah_corrected_imu imu = { { 0 }, { 0 }, 0 };
     ah_noise density;
     ah_reference reference;
     bs_real dense[N * N] = { 0 };

@@ -94,7 +94,7 @@ def run(
     place = np.array([0.0, lat, 0.0])
     q = level(accel[start].mean(axis=0))
     C_n2b = rotation.matrix_from_quaternion(q).T
-    earth = strapdown.earth(position=place, v_n=np.zeros(3))
+    earth = strapdown.earth(lon_lat_height=place, v_n=np.zeros(3))
     gyro_bias = gyro[start].mean(axis=0) - C_n2b @ earth["omega_ie_n"]
     accel_bias = accel[start].mean(axis=0) + C_n2b @ earth["gravity_n"]
     metres = np.array([EARTH_RADIUS_M * np.cos(lat), EARTH_RADIUS_M, 1.0])
@@ -105,7 +105,7 @@ def run(
         np.full(3, np.radians(START["gyro_bias_deg_s"])),
         np.full(3, START["accel_bias_m_s2"]),
     ])  # fmt: skip
-    nav = {"position": place, "v_n": np.zeros(3), "q_b2n_wxyz": q, "gyro_bias": gyro_bias, "accel_bias": accel_bias}
+    nav = {"lon_lat_height": place, "v_n": np.zeros(3), "q_b2n_wxyz": q, "gyro_bias": gyro_bias, "accel_bias": accel_bias}
     loop = Filter(hold, nav, np.diag(sigma**2))
     noise = {
         "gyro_noise": np.full(3, MOTION_FACTOR * found["noise"]["sigma_gyro"] * np.sqrt(dt)),
@@ -137,7 +137,7 @@ def run(
                 v = float(np.linalg.norm(loop.nav["v_n"]))
                 seen = loop.update("zupt", np.full(3, ZUPT_SIGMA_M_S**2))
                 if not resting and k > first:
-                    away = float(np.linalg.norm((loop.nav["position"] - place) * metres))
+                    away = float(np.linalg.norm((loop.nav["lon_lat_height"] - place) * metres))
                     stops.append(
                         {"from_s": float(time[k]), "speed_m_s": v, "nis": float(seen.nis), "from_start_m": away}
                     )
@@ -145,7 +145,7 @@ def run(
             if resting and not rest[k] and stops:
                 stops[-1]["to_s"] = float(time[k])
             resting = bool(rest[k])
-        track[k], speed[k] = (loop.nav["position"] - place) * metres, np.linalg.norm(loop.nav["v_n"])
+        track[k], speed[k] = (loop.nav["lon_lat_height"] - place) * metres, np.linalg.norm(loop.nav["v_n"])
     if stops:
         stops[-1].setdefault("to_s", float(time[-1]))
     return {

@@ -116,11 +116,11 @@ def shared(sea: Sea, seed: int, number: int) -> Shared:
     master = np.concatenate([true.master.v_n, true.master.q_b2n_wxyz], axis=-1)[:, 0]
     opening = Message(
         time=0.0, R=at_sea.matching_variances(s), rows=np.ones(6, bool), v_m_n=master[0, 0, :3],
-        q_m2n_wxyz=master[0, 0, 3:], position=ends["position"][0, 0, 0],
+        q_m2n_wxyz=master[0, 0, 3:], position=ends["lat_lon_height"][0, 0, 0],
     )  # fmt: skip
     _, P = at_sea.begin(model, opening, s, at_sea.Belief())
     return Shared(
-        true.dtheta[one], true.dv[one], ends["position"][one], ends["v_n"][-1, 0, 0], ends["q_b2n_wxyz"][-1, 0, 0],
+        true.dtheta[one], true.dv[one], ends["lat_lon_height"][one], ends["v_n"][-1, 0, 0], ends["q_b2n_wxyz"][-1, 0, 0],
         true.q_b2m_wxyz[-1].reshape(4), delays, np.moveaxis(master, 1, 0), P,
     )  # fmt: skip
 
@@ -169,7 +169,7 @@ def over_one(model: Library, sea: Sea, seed: int, runs: range, number: int) -> A
     lever = np.array(s.lever_b)
     swing = np.repeat(np.cross(true.dtheta[0] / dt, lever)[:, None], n, axis=1)
     nav = {
-        "position": np.broadcast_to(true.position[0], (n, 3)), "q_b2n_wxyz": q_m2n[0],
+        "lat_lon_height": np.broadcast_to(true.position[0], (n, 3)), "q_b2n_wxyz": q_m2n[0],
         "v_n": v_m_n[0] + turned(q_m2n[0].T, swing).T, "gyro_bias": bias[:, :3], "accel_bias": bias[:, 3:],
         "q_b2m_wxyz": np.broadcast_to([1.0, 0, 0, 0], (n, 4)), "tau": np.zeros(n),
     }  # fmt: skip

@@ -247,8 +247,8 @@ LEVELS = ("-O0", "-O2", "-O3")
         *(given("clang", f"-ffp-contract=off {level}", Status.OK) for level in LEVELS),
         ("gcc", f"-ffp-contract=off -O3 {FUSED}", Status.OK),
         ("gcc", f"-ffp-contract=fast -O2 {FUSED}", Status.CONTRACTED if FUSED else Status.OK),
-        given("clang", f"-ffp-contract=on -O2 {FUSED}", Status.CONTRACTED if FUSED else Status.OK),
-        # where a comparison may be made of the parts of a sum, and nothing is left to be fused
+        given("clang", f"-ffp-contract=on -O2 {FUSED}", Status.OK),  # the sources' pragma forbids it
+        # the pragma is not read, and where a comparison may be made of the parts of a sum, and nothing is left to be fused
         given("clang", f"-ffp-contract=fast -O2 {FUSED}", Status.CONTRACTED if FUSED else Status.OK),
         given("clang", f"-ffp-contract=off -O2 {REORDERED}", Status.CONTRACTED),
         given("clang", f"-ffp-contract=off -O2 {NO_NAN}", Status.CONTRACTED),
@@ -263,6 +263,15 @@ def test_the_probe_finds_what_the_preprocessor_cannot_see(precision, compiler, f
     done = run(*command, tmp_path / "probe.c", "-lm", "-o", tmp_path / "probe")
     assert done.returncode == 0, done.stderr
     assert run(tmp_path / "probe").returncode == status
+
+
+def test_the_sources_forbid_what_a_compiler_fuses_by_default(folders, tmp_path):
+    folder, fused = folders("azimuth-hold", "double"), {}
+    clang = tool("clang")
+    for contract in ("on", "fast"):
+        command = [clang, "-std=gnu99", "-O2", "-mfma", f"-ffp-contract={contract}", *include(folder), "-S", "-o", "-"]
+        fused[contract] = sum(run(*command, source).stdout.count("vfm") for source in (folder / "src").glob("*.c"))
+    assert fused["on"] == 0 < fused["fast"]
 
 
 def test_constants_cut_to_single_precision_are_found(folders, tmp_path):

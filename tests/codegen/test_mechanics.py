@@ -84,7 +84,7 @@ def without_coriolis(name):
     """F with once the Earth's rate where twice is right."""
     made = model(name)
     F, v = Matrix(made.F), [str(s) for s in made.x].index("dv_e")
-    lat = next(v for v in made.inputs if v.name == "position").symbols[1]
+    lat = next(v for v in made.inputs if v.name == "lon_lat_height").symbols[1]
     F[v : v + 3, v : v + 3] += skew(earth.omega_ie_n(lat, ENU))
     return replace(made, F=F)
 

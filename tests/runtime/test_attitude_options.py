@@ -18,7 +18,7 @@ POSITION = np.array([0.61, 2.1, 12.0])
 RUNS = 24
 
 
-NONE = {"position": POSITION, "v_n": np.zeros(3), "q_b2n_wxyz": np.eye(4)[0], "q_b2m_wxyz": np.eye(4)[0], "tau": 0.0,
+NONE = {"lat_lon_height": POSITION, "v_n": np.zeros(3), "q_b2n_wxyz": np.eye(4)[0], "q_b2m_wxyz": np.eye(4)[0], "tau": 0.0,
         "gyro_bias": np.zeros(3), "accel_bias": np.zeros(3), "gyro_turn_on": np.zeros(3), "accel_turn_on": np.zeros(3),
         "gyro_bias_beta": np.zeros(3), "accel_bias_beta": np.zeros(3), "lever_b": np.zeros(3), "a_n": np.zeros(3),
         "lag": 0.0, "omega_ib_b": np.zeros(3), "f_b": np.array([0, 0, -9.8]), "dtheta_ib_b": np.zeros(3),
@@ -81,7 +81,7 @@ def at_truth(d, omega_hull=None, C_b2m=None):
     C_b2m = d["mount"] if C_b2m is None else C_b2m
     level = np.zeros(3)  # at the pole's height of nothing: the level's own rate cancels to 1e-4 m/s, and is the same
     v_m = d["v"] - d["C"] @ np.cross(d["omega"] if omega_hull is None else omega_hull, d["lever"]) + level
-    return {"position": POSITION, "v_n": d["v"], "a_n": np.zeros(3), "lag": 0.0}, v_m, d["C"] @ C_b2m.T
+    return {"lat_lon_height": POSITION, "v_n": d["v"], "a_n": np.zeros(3), "lag": 0.0}, v_m, d["C"] @ C_b2m.T
 
 
 def test_velocity_sees_the_lever_arm_and_feedback_corrects_it(lever, base):
@@ -94,7 +94,7 @@ def test_velocity_sees_the_lever_arm_and_feedback_corrects_it(lever, base):
             return lever.velocity_z(**shared, q_b2n_wxyz=quaternion(d["C"]), omega_ib_b=d["omega"], v_m_n=v_m,
                                     lever_b=d["lever"] + size * error)  # fmt: skip
 
-        fields = {"position": POSITION, "v_n": d["v"], "q_b2n_wxyz": quaternion(d["C"]), "omega_ib_b": d["omega"],
+        fields = {"lat_lon_height": POSITION, "v_n": d["v"], "q_b2n_wxyz": quaternion(d["C"]), "omega_ib_b": d["omega"],
                   "lever_b": d["lever"], "a_n": np.zeros(3)}  # fmt: skip
         H = lever.velocity_H(**fields)
         np.testing.assert_array_equal(H[:, :16], base.velocity_H(**fields))
@@ -171,7 +171,7 @@ def fields(numbers):
 
 def test_scaled_sensors_are_read_right_and_their_errors_enter_as_biases_in_proportion(whole, base):
     rng = np.random.default_rng(6)
-    nav = {"position": POSITION, "v_n": rng.uniform(-9, 9, 3), "q_b2n_wxyz": unit(rng)}
+    nav = {"lat_lon_height": POSITION, "v_n": rng.uniform(-9, 9, 3), "q_b2n_wxyz": unit(rng)}
     dt, omega, f = 0.01, rng.uniform(-0.5, 0.5, 3), rng.uniform(-12, 12, 3)
     gyro, accel, numbers = triads(rng, 0.03)
     bias_g, bias_a = 1e-3 * rng.standard_normal(3), 0.1 * rng.standard_normal(3)

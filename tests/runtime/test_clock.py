@@ -107,7 +107,7 @@ def test_raw_differences_spoil_a_flight_and_the_line_does_not():
     lengths = {"raw": np.diff(tag[-301:]), "live": np.array([tick.dt for tick in ticks])[-300:],
                "recording": np.full(300, regular(tag).interval_s)}  # fmt: skip
     dtheta, dv = (part / 0.01 for part in motion.increments(true[-301:]))
-    start = {"position": motion.position(0.0), "v_n": motion.velocity(np.array(0.0))[0],
+    start = {"lat_lon_height": motion.position(0.0), "v_n": motion.velocity(np.array(0.0))[0],
              "q_b2n_wxyz": quaternion(motion.C_b2n(np.array(0.0))), "gyro_bias": np.zeros(3),
              "accel_bias": np.zeros(3)}  # fmt: skip
     C, v = motion.C_b2n(true[-300:]), motion.velocity(true[-300:])[0]

@@ -151,7 +151,7 @@ NOISE = {
 def at_rest(kind, runs=()):
     """A filter of the azimuth hold, its covariance with every correlation."""
     nav = {
-        "position": np.array([0.1, 0.6, 100.0]),
+        "lon_lat_height": np.array([0.1, 0.6, 100.0]),
         "v_n": np.array([0.1, 0.2, 0.3]),
         "q_b2n_wxyz": np.array([1.0, 0, 0, 0]),
         "gyro_bias": np.zeros(3),

@@ -61,7 +61,7 @@ def test_the_transfer_filter_follows_them_by_choice():
     """With a bias that it knows of: the same flight, interval by interval."""
     motion, bias, zero = vibrating(2.0), np.array([0.01, -0.02, 0.5]), np.array(0.0)
     dtheta, dv = motion.increments(np.arange(-3, 101) / 50)
-    nav = {"position": motion.position(zero), "v_n": motion.velocity(zero)[0], "gyro_bias": bias / 50,
+    nav = {"lat_lon_height": motion.position(zero), "v_n": motion.velocity(zero)[0], "gyro_bias": bias / 50,
            "accel_bias": bias, "q_b2n_wxyz": quaternion(motion.C_b2n(zero)), "q_b2m_wxyz": np.array([1.0, 0, 0, 0]),
            "tau": 0.0}  # fmt: skip
     loop = Transfer(load("velocity-attitude"), nav, np.eye(16) * 1e-12, QUIET, coning=by(4))

@@ -13,7 +13,7 @@ F_B, REFERENCE = np.array([0, 0, 9.8]), np.array([1.0, 0, 0, 1e-3])
 
 
 def begun(runs, kind=CompiledFilter, **more):
-    nav = {"position": np.array([0.5, 0.75, 100.0]), "v_n": np.full((*runs, 3), 0.01),
+    nav = {"lon_lat_height": np.array([0.5, 0.75, 100.0]), "v_n": np.full((*runs, 3), 0.01),
            "q_b2n_wxyz": np.array([1.0, 0, 0, 0]), "gyro_bias": np.zeros(3), "accel_bias": np.zeros(3)}  # fmt: skip
     return kind(load("azimuth-hold", **more), nav, np.diag(SIGMA**2))
 
@@ -139,7 +139,7 @@ def test_what_is_assigned_to_an_epoch_is_written_where_the_c_reads_it():
         zupt["RR"] = 1.0
 
 
-@pytest.mark.parametrize("name", ["position", "v_n", "q_b2n_wxyz", "gyro_bias"])
+@pytest.mark.parametrize("name", ["lon_lat_height", "v_n", "q_b2n_wxyz", "gyro_bias"])
 def test_an_epoch_flies_no_field_that_nobody_gave(name):
     whole = begun(())
     nav = {n: value for n, value in whole.nav.items() if n != name}

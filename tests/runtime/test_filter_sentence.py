@@ -340,7 +340,7 @@ def test_the_header_quotes_the_sentence_and_the_ceilings():
     assert sigmas == pytest.approx(np.sqrt(load("azimuth-hold").ceiling))
 
 
-NAV = {"position": REST[:3], "v_n": REST[3:6], "q_b2n_wxyz": REST[6:10]}
+NAV = {"lon_lat_height": REST[:3], "v_n": REST[3:6], "q_b2n_wxyz": REST[6:10]}
 NAV |= {"gyro_bias": REST[10:13], "accel_bias": REST[13:]}
 DENSITIES = ("gyro_noise", "accel_noise", "gyro_bias_noise", "accel_bias_noise")
 NOISES = dict(zip(DENSITIES, NOISE.reshape(4, 3), strict=True))

@@ -178,7 +178,7 @@ def test_full_scale_is_of_what_the_sensor_delivers_biases_in_it(motion):
 @pytest.mark.parametrize(
     ("name", "value", "said"),
     [("gyro_bias", [2 * DEG, 0, 0], r"gyro_bias\[0\] is 0.0349066.*give the known bias, known=Calibration"),
-     ("position", [86 * DEG, 0, 0], r"latitude is 1.50098, and the model's range is -1.48353 to 1.48353$")],
+     ("lat_lon_height", [86 * DEG, 0, 0], r"latitude is 1.50098, and the model's range is -1.48353 to 1.48353$")],
 )  # fmt: skip
 def test_a_slave_beyond_the_models_range_is_refused_and_told_what_to_do(motion, name, value, said):
     loop = fly(motion, **(FLOWN | {"seconds": 0.1, "runs": 2})).loop

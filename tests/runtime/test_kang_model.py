@@ -79,13 +79,13 @@ def test_errors_grow_over_a_strapdown_step_as_phi_says(align):
 
     def carried(nav):
         fields = {
-            "position": POSITION,
+            "lat_lon_height": POSITION,
             **{name: nav[name] for name in ("v_n", "q_b2n_wxyz", "gyro_bias", "accel_bias")},
         }
         made = align.strapdown(**fields, **increments)
         return {**nav, "v_n": made["v_n"], "q_b2n_wxyz": made["q_b2n_wxyz"]}
 
-    Phi = align.Phi(position=POSITION, v_n=truth["v_n"], q_b2n_wxyz=truth["q_b2n_wxyz"], f_b=f, dt=dt)
+    Phi = align.Phi(lat_lon_height=POSITION, v_n=truth["v_n"], q_b2n_wxyz=truth["q_b2n_wxyz"], f_b=f, dt=dt)
     moved = carried(truth)
 
     def left(size):
@@ -111,7 +111,7 @@ def test_the_quaternion_residual_tells_half_a_turn_from_none_and_the_dcm_residua
     C_m2n = matrix(attitudes(rng))
     axis = rng.standard_normal((RUNS, 3))
     axis /= np.linalg.norm(axis, axis=1, keepdims=True)
-    given = {"position": POSITION, "v_n": np.zeros(3), "q_b2m_wxyz": [1.0, 0, 0, 0], "omega_ib_b": np.zeros(3),
+    given = {"lat_lon_height": POSITION, "v_n": np.zeros(3), "q_b2m_wxyz": [1.0, 0, 0, 0], "omega_ib_b": np.zeros(3),
              "q_m2n_wxyz": quaternion(C_m2n), "lag": 0.0}  # fmt: skip
     for degrees in (1.0, 60.0, 90.0, 120.0, 179.0):
         angle = np.radians(degrees)
@@ -126,7 +126,7 @@ def test_phi_and_q_approach_van_loan(align, dt):
     """Against a matrix exponential: Phi drops the third power of the step, Q the fourth, the third of its own size."""
     rng = np.random.default_rng(9)
     q = attitudes(rng, 1)[0]
-    at = {"position": POSITION, "v_n": np.array([3.0, -4.0, 0.5]), "q_b2n_wxyz": q, "f_b": np.array([1.0, -2.0, 9.7])}
+    at = {"lat_lon_height": POSITION, "v_n": np.array([3.0, -4.0, 0.5]), "q_b2n_wxyz": q, "f_b": np.array([1.0, -2.0, 9.7])}
     noise = {"gyro_noise": np.full(3, 3e-5), "accel_noise": np.full(3, 1e-3), "gyro_bias_noise": np.full(3, 1e-7),
              "accel_bias_noise": np.full(3, 1e-5), "mu_noise": np.full(3, 1e-5), "tau_noise": 1e-4}  # fmt: skip
     F, C = align.F(**at), matrix(q)

@@ -66,8 +66,8 @@ def test_a_resting_gyro_sees_the_earth_and_its_errors_linearly(hold):
         p_hat = position + size * dlat[:, None] * [0, 1, 0]
         omega_hat = np.einsum("kji,j->ki", C, earth) - size * dbg  # what is left after the bias's estimate
         x = size * np.hstack([dlat[:, None] * [0, 1, 0], np.zeros((RUNS, 3)), phi, dbg, np.zeros((RUNS, 3))])
-        z = hold.zaru_z(q_b2n_wxyz=q_hat, position=p_hat, omega_ib_b=omega_hat)
-        H = hold.zaru_H(q_b2n_wxyz=q_hat, position=p_hat)
+        z = hold.zaru_z(q_b2n_wxyz=q_hat, lon_lat_height=p_hat, omega_ib_b=omega_hat)
+        H = hold.zaru_H(q_b2n_wxyz=q_hat, lon_lat_height=p_hat)
         return np.abs(z - np.einsum("kij,kj->ki", H, x)).max()
 
     assert order(error) < 1e-9
@@ -77,7 +77,7 @@ def test_navigation_errors_grow_as_in_the_phi_model_and_biases_enter_with_their_
     rng = np.random.default_rng(3)
     q = attitudes(rng)
     C = matrix(q)
-    where = {"position": np.array([2.2, 0.6, 100.0]), "v_n": np.array([3.0, -4.0, 0.5])}
+    where = {"lon_lat_height": np.array([2.2, 0.6, 100.0]), "v_n": np.array([3.0, -4.0, 0.5])}
     f_b = rng.uniform(-12, 12, (RUNS, 3))
     F = hold.F(**where, q_b2n_wxyz=q, f_b=f_b)
     nine = load("phi-error").F(**where, f_n=np.einsum("kij,kj->ki", C, f_b))
@@ -126,13 +126,13 @@ def test_feedback_takes_out_what_was_put_in(name):
     library = load(name)
     C = matrix(attitudes(rng))
     truth = {
-        "position": np.array([2.2, 0.6, 100.0]), "v_n": rng.uniform(-3, 3, (RUNS, 3)), "gyro_bias": np.full(3, 1e-4),
+        "lon_lat_height": np.array([2.2, 0.6, 100.0]), "v_n": rng.uniform(-3, 3, (RUNS, 3)), "gyro_bias": np.full(3, 1e-4),
         "accel_bias": np.full(3, 1e-2), "mu": np.full(3, 0.1), "tau": np.full(RUNS, 0.05),
     }  # fmt: skip
     x = 1e-3 * rng.standard_normal((RUNS, len(library.states)))
     turn = slice(6, 9) if name == "azimuth-hold" else slice(3, 6)
     parts = (
-        {"position": slice(0, 3), "v_n": slice(3, 6), "gyro_bias": slice(9, 12), "accel_bias": slice(12, 15)}
+        {"lon_lat_height": slice(0, 3), "v_n": slice(3, 6), "gyro_bias": slice(9, 12), "accel_bias": slice(12, 15)}
         if name == "azimuth-hold"
         else {"v_n": slice(0, 3), "mu": slice(6, 9), "tau": 9}
     )
@@ -148,9 +148,9 @@ def test_latitude_past_85_degrees_and_a_height_outside_the_box_are_refused(hold)
     from boresight import BoresightError
 
     fields = {"v_n": np.zeros(3), "q_b2n_wxyz": [1.0, 0, 0, 0], "f_b": np.zeros(3)}
-    for position, said in (([0, np.radians(85.1), 0], r"position\[1\]"), ([0, 0.6, 40000.0], r"position\[2\]")):
+    for position, said in (([0, np.radians(85.1), 0], r"lon_lat_height\[1\]"), ([0, 0.6, 40000.0], r"lon_lat_height\[2\]")):
         with pytest.raises(BoresightError, match=said):
-            hold.F(position=np.array(position), **fields)
+            hold.F(lon_lat_height=np.array(position), **fields)
 
 
 @pytest.mark.parametrize("dt", [0.01, 1.0])
@@ -161,7 +161,7 @@ def test_phi_and_q_approach_van_loan(hold, dt):
     rng = np.random.default_rng(9)
     q = attitudes(rng)[0]
     at = {
-        "position": np.array([2.2, 0.6, 100.0]),
+        "lon_lat_height": np.array([2.2, 0.6, 100.0]),
         "v_n": np.array([3.0, -4.0, 0.5]),
         "q_b2n_wxyz": q,
         "f_b": [1.0, -2.0, 9.7],
@@ -196,7 +196,7 @@ def test_an_unknown_error_of_the_reference_is_a_state_by_composition(hold):
     rng = np.random.default_rng(10)
     q = attitudes(rng)
     fields = {
-        "position": np.array([2.2, 0.6, 100.0]),
+        "lon_lat_height": np.array([2.2, 0.6, 100.0]),
         "v_n": np.zeros(3),
         "q_b2n_wxyz": q,
         "f_b": [0.0, 0.0, 9.8],

@@ -138,6 +138,7 @@ def seen(library, model, name, index, size):
 
     fields = {key: value if len(value) > 1 else value[0] for key, value in hat.items() if not key.startswith("C_")}
     fields |= {"q_b2n_wxyz": quaternion(hat["C_b2n"]), "q_b2m_wxyz": quaternion(hat["C_b2m"]), "x": 0 * x}
+    fields |= dict.fromkeys(("lat_lon_height", "lon_lat_height"), hat["position"])  # the frame's
     if name == "azimuth":
         about_up = np.array([0.0, 0.0, 1.0])
         C_ref = exp(-about_up * true["reference_error"]) @ true["C_b2n"]

@@ -40,7 +40,8 @@ NOISE = {
 UNIT = np.array([0.8, 0.2, -0.4, 0.4])
 TRUE = {
     "q_b2n_wxyz": UNIT,
-    "position": [0.6, 0.7, 9000.0],
+    "lat_lon_height": [0.6, 0.7, 9000.0],
+    "lon_lat_height": [0.6, 0.7, 9000.0],
     "v_n": [30.0, -20.0, 1.0],
     "q_b2m_wxyz": UNIT[::-1],
     "gyro_bias": [1e-4, -2e-4, 1e-4],
@@ -176,8 +177,8 @@ def fly(name, updates=True, size=1.0, change=None):
         given = [dict(zip(names, (*now, *old), strict=True)) for now, old in zip((clean, noisy), before, strict=True)]
         before = clean, noisy
         rate = {f: noisy[i] / DT - filter.nav.get(b, 0.0) for i, (f, b) in enumerate(SENSED)}
-        if "position" not in taken and "position" in true:
-            filter.nav["position"] = true["position"]  # which the filter takes from the master
+        if "lat_lon_height" not in taken and "lat_lon_height" in true:
+            filter.nav["lat_lon_height"] = true["lat_lon_height"]  # which the filter takes from the master
         start = filter.nav
         filter.strapdown(**read(library, KNOWN | given[1]))
         end, filter.nav = filter.nav, middle(start, filter.nav)
@@ -188,8 +189,8 @@ def fly(name, updates=True, size=1.0, change=None):
         if updates and k % UPDATE == UPDATE - 1:
             innovations += updated(library, filter, true, clean, size, rng)
             filter.feedback()
-    if "position" not in taken and "position" in true:
-        filter.nav["position"] = true["position"]
+    if "lat_lon_height" not in taken and "lat_lon_height" in true:
+        filter.nav["lat_lon_height"] = true["lat_lon_height"]
     return SimpleNamespace(errors=read_out(library, filter.nav, true), P=filter.P, innovations=innovations)
 
 

@@ -201,7 +201,7 @@ def without_errors(ship, seconds, compensation, runs=()):
     """A loop that knows everything and has flown ideal sensors up to a time."""
     rate_hz = round(1 / ship.track.dt)
     nav = {
-        "position": PLACE, "v_n": ship.track.v_n[0, 0], "q_b2n_wxyz": ship.track.q_b2n_wxyz[0, 0],
+        "lat_lon_height": PLACE, "v_n": ship.track.v_n[0, 0], "q_b2n_wxyz": ship.track.q_b2n_wxyz[0, 0],
         "gyro_bias": np.zeros(3), "accel_bias": np.zeros(3), "q_b2m_wxyz": MOUNTING, "tau": 0.0,
     }  # fmt: skip
     P = np.diag(np.repeat([1e-6, 1e-4, 1e-10, 1e-6, 1e-6, 1e-6], [3, 3, 3, 3, 3, 1])) * np.ones((*runs, 1, 1))

@@ -26,7 +26,7 @@ def flown(model, seconds, change=None, begin=2.0, end=np.inf):
         return replace(message, position=change(np.array(message.position))) if wrong else message
 
     done = fly(MOTION, model=model, runs=RUNS, seed=3, seconds=seconds, lost=0.0, said=said, imu_hz=50)
-    north = 6.37e6 * (done.loop.nav["position"][:, 0] - MOTION.position(np.array(seconds))[0])
+    north = 6.37e6 * (done.loop.nav["lat_lon_height"][:, 0] - MOTION.position(np.array(seconds))[0])
     return [str(note) for note in done.loop.notes], north, done
 
 
@@ -63,7 +63,7 @@ def test_a_position_across_the_date_line_is_no_jump(model):
 
     done = fly(east, model=model, runs=RUNS, seed=3, seconds=5, lost=0.0, said=said)
     assert done.loop.notes == []
-    assert (done.loop.nav["position"][:, 1] < -3).all()
+    assert (done.loop.nav["lat_lon_height"][:, 1] < -3).all()
 
 
 def test_a_position_that_is_no_number_is_told_once(model):

@@ -18,7 +18,7 @@ def covariance(size, seed):
 
 def parts(seed=0, size_position=1e-6):
     rng = np.random.default_rng(seed)
-    T = load("psi-error").phi_from_psi(position=PLACE, v_n=MOVING)
+    T = load("psi-error").phi_from_psi(lon_lat_height=PLACE, v_n=MOVING)
     return (
         covariance(10, seed),
         rng.normal(size=(10, 12)),
@@ -46,7 +46,7 @@ def test_phi_is_psi_and_the_turn_of_the_level():
     P, S, P_c = np.zeros((10, 10)), np.zeros((10, 12)), np.zeros((12, 12))
     north = np.zeros((3, 3))
     north[1, 1] = 1.5e-5**2
-    got = handover.hand_over(P, S, P_c, north, load("psi-error").phi_from_psi(position=PLACE, v_n=np.zeros(3)))
+    got = handover.hand_over(P, S, P_c, north, load("psi-error").phi_from_psi(lon_lat_height=PLACE, v_n=np.zeros(3)))
     assert np.sqrt(got[6, 6]) == pytest.approx(1.5e-5, rel=1e-12)
     assert got[1, 6] < 0 and got[8, 8] == 0  # farther north the level leans to the west: about minus east
 

@@ -14,7 +14,7 @@ STATES = (
     Row(r"\delta t_d", "d_tau", "-1", "ours is the error of the believed age; the paper's is the age itself"),
 )
 INPUTS = {
-    "position": r"\Lambda",
+    "lat_lon_height": r"\Lambda",
     "v_n": "v_s^n",
     "q_b2n_wxyz": "q_S^n",
     "q_b2m_wxyz": "q_S^M",

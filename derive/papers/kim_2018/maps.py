@@ -15,7 +15,7 @@ TRANSFER = Map(
         Row(r"\Delta t", "d_tau", "-1", "ours is the error of the estimated age; the paper's is the age itself"),
     ),
     inputs={
-        "position": POSITION,
+        "lon_lat_height": POSITION,
         "v_n": "v^n",
         "q_b2n_wxyz": "Q",
         "f_b": "f^b",
@@ -50,7 +50,7 @@ HOLD = Map(
         Row("x_{Ab}", "d_accel_bias", "-1", BIAS),
     ),
     noises=(Row(r"\delta \omega_{ib}^b", "gyro_noise"), Row(r"\delta f^b", "accel_noise")),
-    inputs={"position": POSITION, "v_n": "v^n", "q_b2n_wxyz": "Q", "f_b": "f^b"},
+    inputs={"lon_lat_height": POSITION, "v_n": "v^n", "q_b2n_wxyz": "Q", "f_b": "f^b"},
     measurements=(Row(MEASURED, "zupt"), Row(r"\phi_u", "azimuth")),
     matches=(
         Match("7", "F_k", "F"),

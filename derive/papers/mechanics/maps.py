@@ -10,13 +10,13 @@ from boresight.derive.models.velocity_attitude import velocity_attitude
 POSITION, VELOCITY = Row(r"\delta p", "d_position"), Row(r"\delta v^n", "dv_n")
 PHI, BY_C = Row(r"\phi", "phi"), (Row(r"\delta v^c", "dv_c"), Row(r"\psi", "psi"))
 NOISES = (Row(r"\delta\omega_{ib}^b", "gyro_noise"), Row(r"\delta f^b", "accel_noise"))
-IN_NED = {"position": "p", "v_n": "v^n", "f_n": "f^n", "q_b2n_wxyz": "q_b^n"}
-IN_ENU = {"position": "p^{ENU}", "v_n": "v^{ENU}", "f_n": "f^{ENU}", "q_b2n_wxyz": "q_b^{ENU}"}
+IN_NED = {"lat_lon_height": "p", "v_n": "v^n", "f_n": "f^n", "q_b2n_wxyz": "q_b^n"}
+IN_ENU = {"lon_lat_height": "p^{ENU}", "v_n": "v^{ENU}", "f_n": "f^{ENU}", "q_b2n_wxyz": "q_b^{ENU}"}
 SENSED = {"f_b": "f^b", "omega_ib_b": r"\omega_{ib}^b"}
 OF_PHI = (POSITION, VELOCITY, PHI)
 
 MAPS = (
-    Map(strapdown_ned, (), {"position": "p", "v_n": "v^n", "q_b2n_wxyz": "q_b^n", **SENSED},
+    Map(strapdown_ned, (), {"lat_lon_height": "p", "v_n": "v^n", "q_b2n_wxyz": "q_b^n", **SENSED},
         (Match("strapdown-1", r"\dot{p}", "rates.position_rate"),
          Match("strapdown-1", r"\dot{v}^n", "rates.v_n_rate"),
          Match("strapdown-1", r"\dot{q}_b^n", "rates.q_b2n_rate"),
@@ -36,7 +36,7 @@ MAPS = (
     Map(velocity_attitude,
         (PHI, VELOCITY, Row(r"\delta b_g", "d_gyro_bias"), Row(r"\delta b_a", "d_accel_bias"),
          Row(r"\delta\mu", "dmu"), Row(r"\delta\tau", "d_tau")),
-        {"position": "p", "v_n": "v^n", "q_b2n_wxyz": "q_b^n", "q_b2m_wxyz": "q_b^m", "lever_b": r"\ell^b",
+        {"lat_lon_height": "p", "v_n": "v^n", "q_b2n_wxyz": "q_b^n", "q_b2m_wxyz": "q_b^m", "lever_b": r"\ell^b",
          "a_n": "a^n", **SENSED},
         (Match("alignment-1", "F_{16}", "F"), Match("alignment-2", "H_v", "H", ("velocity",)),
          Match("alignment-3", "H_a", "H", ("dcm",))),

@@ -11,16 +11,16 @@
 size_t ah_F_batch(size_t n,
                   const ah_nav *nav,
                   size_t nav_stride,
-                  const ah_imu *imu,
-                  size_t imu_stride,
+                  const ah_corrected_imu *corrected_imu,
+                  size_t corrected_imu_stride,
                   bs_real *F,
                   unsigned char *status);
 int ah_F_bound(void *const *at);
 size_t ah_Phi_batch(size_t n,
                     const ah_nav *nav,
                     size_t nav_stride,
-                    const ah_imu *imu,
-                    size_t imu_stride,
+                    const ah_corrected_imu *corrected_imu,
+                    size_t corrected_imu_stride,
                     bs_real *Phi,
                     unsigned char *status);
 int ah_Phi_bound(void *const *at);
@@ -35,8 +35,8 @@ int ah_Qc_bound(void *const *at);
 size_t ah_Q_batch(size_t n,
                   const ah_nav *nav,
                   size_t nav_stride,
-                  const ah_imu *imu,
-                  size_t imu_stride,
+                  const ah_corrected_imu *corrected_imu,
+                  size_t corrected_imu_stride,
                   const ah_noise *noise,
                   size_t noise_stride,
                   bs_real *Q,
@@ -63,8 +63,8 @@ int ah_azimuth_H_bound(void *const *at);
 size_t ah_zaru_z_batch(size_t n,
                        const ah_nav *nav,
                        size_t nav_stride,
-                       const ah_imu *imu,
-                       size_t imu_stride,
+                       const ah_corrected_imu *corrected_imu,
+                       size_t corrected_imu_stride,
                        bs_real *z,
                        unsigned char *status);
 int ah_zaru_z_bound(void *const *at);
@@ -77,11 +77,11 @@ int ah_zaru_H_bound(void *const *at);
 size_t ah_strapdown_batch(size_t n,
                           const ah_nav *nav,
                           size_t nav_stride,
-                          const ah_imu *imu,
-                          size_t imu_stride,
+                          const ah_corrected_imu *corrected_imu,
+                          size_t corrected_imu_stride,
                           const ah_increments *increments,
                           size_t increments_stride,
-                          bs_real *position,
+                          bs_real *lon_lat_height,
                           bs_real *v_n,
                           bs_real *q_b2n_wxyz,
                           unsigned char *status);
@@ -91,7 +91,7 @@ size_t ah_feedback_batch(size_t n,
                          size_t x_stride,
                          const ah_nav *nav,
                          size_t nav_stride,
-                         bs_real *position,
+                         bs_real *lon_lat_height,
                          bs_real *v_n,
                          bs_real *q_b2n_wxyz,
                          bs_real *gyro_bias,
@@ -102,14 +102,15 @@ int ah_feedback_bound(void *const *at);
 size_t ah_F_batch(size_t n,
                   const ah_nav *nav,
                   size_t nav_stride,
-                  const ah_imu *imu,
-                  size_t imu_stride,
+                  const ah_corrected_imu *corrected_imu,
+                  size_t corrected_imu_stride,
                   bs_real *F,
                   unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)ah_F(&nav[i * nav_stride], &imu[i * imu_stride], &F[i * 225U]);
+        status[i] = (unsigned char)ah_F(&nav[i * nav_stride],
+                                        &corrected_imu[i * corrected_imu_stride], &F[i * 225U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
     return failed;
@@ -117,21 +118,21 @@ size_t ah_F_batch(size_t n,
 
 int ah_F_bound(void *const *at)
 {
-    return (int)ah_F((const ah_nav *)at[0], (const ah_imu *)at[1], (bs_real *)at[2]);
+    return (int)ah_F((const ah_nav *)at[0], (const ah_corrected_imu *)at[1], (bs_real *)at[2]);
 }
 
 size_t ah_Phi_batch(size_t n,
                     const ah_nav *nav,
                     size_t nav_stride,
-                    const ah_imu *imu,
-                    size_t imu_stride,
+                    const ah_corrected_imu *corrected_imu,
+                    size_t corrected_imu_stride,
                     bs_real *Phi,
                     unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)ah_Phi(&nav[i * nav_stride], &imu[i * imu_stride],
-                                          &Phi[i * 225U]);
+        status[i] = (unsigned char)ah_Phi(&nav[i * nav_stride],
+                                          &corrected_imu[i * corrected_imu_stride], &Phi[i * 225U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
     return failed;
@@ -139,7 +140,7 @@ size_t ah_Phi_batch(size_t n,
 
 int ah_Phi_bound(void *const *at)
 {
-    return (int)ah_Phi((const ah_nav *)at[0], (const ah_imu *)at[1], (bs_real *)at[2]);
+    return (int)ah_Phi((const ah_nav *)at[0], (const ah_corrected_imu *)at[1], (bs_real *)at[2]);
 }
 
 size_t ah_Qc_batch(size_t n,
@@ -167,8 +168,8 @@ int ah_Qc_bound(void *const *at)
 size_t ah_Q_batch(size_t n,
                   const ah_nav *nav,
                   size_t nav_stride,
-                  const ah_imu *imu,
-                  size_t imu_stride,
+                  const ah_corrected_imu *corrected_imu,
+                  size_t corrected_imu_stride,
                   const ah_noise *noise,
                   size_t noise_stride,
                   bs_real *Q,
@@ -176,7 +177,8 @@ size_t ah_Q_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)ah_Q(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)ah_Q(&nav[i * nav_stride],
+                                        &corrected_imu[i * corrected_imu_stride],
                                         &noise[i * noise_stride], &Q[i * 225U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
@@ -185,8 +187,8 @@ size_t ah_Q_batch(size_t n,
 
 int ah_Q_bound(void *const *at)
 {
-    return (int)ah_Q((const ah_nav *)at[0], (const ah_imu *)at[1], (const ah_noise *)at[2],
-                     (bs_real *)at[3]);
+    return (int)ah_Q((const ah_nav *)at[0], (const ah_corrected_imu *)at[1],
+                     (const ah_noise *)at[2], (bs_real *)at[3]);
 }
 
 size_t ah_zupt_z_batch(size_t n,
@@ -263,15 +265,15 @@ int ah_azimuth_H_bound(void *const *at)
 size_t ah_zaru_z_batch(size_t n,
                        const ah_nav *nav,
                        size_t nav_stride,
-                       const ah_imu *imu,
-                       size_t imu_stride,
+                       const ah_corrected_imu *corrected_imu,
+                       size_t corrected_imu_stride,
                        bs_real *z,
                        unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)ah_zaru_z(&nav[i * nav_stride], &imu[i * imu_stride],
-                                             &z[i * 3U]);
+        status[i] = (unsigned char)ah_zaru_z(&nav[i * nav_stride],
+                                             &corrected_imu[i * corrected_imu_stride], &z[i * 3U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
     return failed;
@@ -279,7 +281,7 @@ size_t ah_zaru_z_batch(size_t n,
 
 int ah_zaru_z_bound(void *const *at)
 {
-    return (int)ah_zaru_z((const ah_nav *)at[0], (const ah_imu *)at[1], (bs_real *)at[2]);
+    return (int)ah_zaru_z((const ah_nav *)at[0], (const ah_corrected_imu *)at[1], (bs_real *)at[2]);
 }
 
 size_t ah_zaru_H_batch(size_t n,
@@ -304,20 +306,21 @@ int ah_zaru_H_bound(void *const *at)
 size_t ah_strapdown_batch(size_t n,
                           const ah_nav *nav,
                           size_t nav_stride,
-                          const ah_imu *imu,
-                          size_t imu_stride,
+                          const ah_corrected_imu *corrected_imu,
+                          size_t corrected_imu_stride,
                           const ah_increments *increments,
                           size_t increments_stride,
-                          bs_real *position,
+                          bs_real *lon_lat_height,
                           bs_real *v_n,
                           bs_real *q_b2n_wxyz,
                           unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)ah_strapdown(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)ah_strapdown(&nav[i * nav_stride],
+                                                &corrected_imu[i * corrected_imu_stride],
                                                 &increments[i * increments_stride],
-                                                &position[i * 3U], &v_n[i * 3U],
+                                                &lon_lat_height[i * 3U], &v_n[i * 3U],
                                                 &q_b2n_wxyz[i * 4U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
@@ -326,7 +329,7 @@ size_t ah_strapdown_batch(size_t n,
 
 int ah_strapdown_bound(void *const *at)
 {
-    return (int)ah_strapdown((const ah_nav *)at[0], (const ah_imu *)at[1],
+    return (int)ah_strapdown((const ah_nav *)at[0], (const ah_corrected_imu *)at[1],
                              (const ah_increments *)at[2], (bs_real *)at[3], (bs_real *)at[4],
                              (bs_real *)at[5]);
 }
@@ -336,7 +339,7 @@ size_t ah_feedback_batch(size_t n,
                          size_t x_stride,
                          const ah_nav *nav,
                          size_t nav_stride,
-                         bs_real *position,
+                         bs_real *lon_lat_height,
                          bs_real *v_n,
                          bs_real *q_b2n_wxyz,
                          bs_real *gyro_bias,
@@ -346,8 +349,9 @@ size_t ah_feedback_batch(size_t n,
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
         status[i] = (unsigned char)ah_feedback(&x[i * x_stride], &nav[i * nav_stride],
-                                               &position[i * 3U], &v_n[i * 3U], &q_b2n_wxyz[i * 4U],
-                                               &gyro_bias[i * 3U], &accel_bias[i * 3U]);
+                                               &lon_lat_height[i * 3U], &v_n[i * 3U],
+                                               &q_b2n_wxyz[i * 4U], &gyro_bias[i * 3U],
+                                               &accel_bias[i * 3U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
     return failed;

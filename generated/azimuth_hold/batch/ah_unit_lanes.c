@@ -84,9 +84,9 @@ size_t ah_F_lanes(size_t n, const bs_given *given, double *const *out, unsigned 
                 status[run] = (unsigned char)BS_OK;
             } else {
                 ah_nav nav = {0};
-                ah_imu imu = {0};
+                ah_corrected_imu corrected_imu = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lon_lat_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -95,9 +95,9 @@ size_t ah_F_lanes(size_t n, const bs_given *given, double *const *out, unsigned 
                     nav.q_b2n_wxyz[i] = in[6 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.f_b[i] = in[10 + i][l];
+                    corrected_imu.f_b[i] = in[10 + i][l];
                 }
-                status[run] = (unsigned char)ah_F(&nav, &imu, &out[0][run * 225U]);
+                status[run] = (unsigned char)ah_F(&nav, &corrected_imu, &out[0][run * 225U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -147,9 +147,9 @@ size_t ah_Phi_lanes(size_t n, const bs_given *given, double *const *out, unsigne
                 status[run] = (unsigned char)BS_OK;
             } else {
                 ah_nav nav = {0};
-                ah_imu imu = {0};
+                ah_corrected_imu corrected_imu = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lon_lat_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -158,10 +158,10 @@ size_t ah_Phi_lanes(size_t n, const bs_given *given, double *const *out, unsigne
                     nav.q_b2n_wxyz[i] = in[6 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.f_b[i] = in[10 + i][l];
+                    corrected_imu.f_b[i] = in[10 + i][l];
                 }
-                imu.dt = in[13][l];
-                status[run] = (unsigned char)ah_Phi(&nav, &imu, &out[0][run * 225U]);
+                corrected_imu.dt = in[13][l];
+                status[run] = (unsigned char)ah_Phi(&nav, &corrected_imu, &out[0][run * 225U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -279,10 +279,10 @@ size_t ah_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned 
                 status[run] = (unsigned char)BS_OK;
             } else {
                 ah_nav nav = {0};
-                ah_imu imu = {0};
+                ah_corrected_imu corrected_imu = {0};
                 ah_noise noise = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lon_lat_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -291,9 +291,9 @@ size_t ah_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned 
                     nav.q_b2n_wxyz[i] = in[6 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.f_b[i] = in[10 + i][l];
+                    corrected_imu.f_b[i] = in[10 + i][l];
                 }
-                imu.dt = in[13][l];
+                corrected_imu.dt = in[13][l];
                 for (int i = 0; i < 3; ++i) {
                     noise.gyro_noise[i] = in[14 + i][l];
                 }
@@ -306,7 +306,8 @@ size_t ah_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned 
                 for (int i = 0; i < 3; ++i) {
                     noise.accel_bias_noise[i] = in[23 + i][l];
                 }
-                status[run] = (unsigned char)ah_Q(&nav, &imu, &noise, &out[0][run * 225U]);
+                status[run] = (unsigned char)ah_Q(&nav, &corrected_imu, &noise,
+                                                  &out[0][run * 225U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -418,17 +419,17 @@ size_t ah_zaru_z_lanes(size_t n, const bs_given *given, double *const *out, unsi
                 status[run] = (unsigned char)BS_OK;
             } else {
                 ah_nav nav = {0};
-                ah_imu imu = {0};
+                ah_corrected_imu corrected_imu = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lon_lat_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 4; ++i) {
                     nav.q_b2n_wxyz[i] = in[3 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[7 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[7 + i][l];
                 }
-                status[run] = (unsigned char)ah_zaru_z(&nav, &imu, &out[0][run * 3U]);
+                status[run] = (unsigned char)ah_zaru_z(&nav, &corrected_imu, &out[0][run * 3U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -465,7 +466,7 @@ size_t ah_zaru_H_lanes(size_t n, const bs_given *given, double *const *out, unsi
             } else {
                 ah_nav nav = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lon_lat_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 4; ++i) {
                     nav.q_b2n_wxyz[i] = in[3 + i][l];
@@ -502,7 +503,7 @@ size_t ah_strapdown_lanes(size_t n,
     size_t failed = 0U;
     for (size_t first = 0U; first < n; first += BORESIGHT_LANES) {
         bs_lanes in[29];
-        bs_lanes position_nz[3];
+        bs_lanes lon_lat_height_nz[3];
         bs_lanes v_n_nz[3];
         bs_lanes q_b2n_wxyz_nz[4];
         bs_bits good;
@@ -520,21 +521,21 @@ size_t ah_strapdown_lanes(size_t n,
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
         bs_unusual = (bs_bits)bs_all_of(0.0);
         ah_strapdown_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[16], &in[17], &in[20],
-                            &in[23], &in[26], position_nz, v_n_nz, q_b2n_wxyz_nz);
+                            &in[23], &in[26], lon_lat_height_nz, v_n_nz, q_b2n_wxyz_nz);
         good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
-                bs_write(&out[0][run * 3U], 3, position_nz, NULL, 3, l);
+                bs_write(&out[0][run * 3U], 3, lon_lat_height_nz, NULL, 3, l);
                 bs_write(&out[1][run * 3U], 3, v_n_nz, NULL, 3, l);
                 bs_write(&out[2][run * 4U], 4, q_b2n_wxyz_nz, NULL, 4, l);
                 status[run] = (unsigned char)BS_OK;
             } else {
                 ah_nav nav = {0};
-                ah_imu imu = {0};
+                ah_corrected_imu corrected_imu = {0};
                 ah_increments increments = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lon_lat_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -548,7 +549,7 @@ size_t ah_strapdown_lanes(size_t n,
                 for (int i = 0; i < 3; ++i) {
                     nav.accel_bias[i] = in[13 + i][l];
                 }
-                imu.dt = in[16][l];
+                corrected_imu.dt = in[16][l];
                 for (int i = 0; i < 3; ++i) {
                     increments.dtheta_ib_b[i] = in[17 + i][l];
                 }
@@ -561,7 +562,7 @@ size_t ah_strapdown_lanes(size_t n,
                 for (int i = 0; i < 3; ++i) {
                     increments.dv_before[i] = in[26 + i][l];
                 }
-                status[run] = (unsigned char)ah_strapdown(&nav, &imu, &increments,
+                status[run] = (unsigned char)ah_strapdown(&nav, &corrected_imu, &increments,
                                                           &out[0][run * 3U], &out[1][run * 3U],
                                                           &out[2][run * 4U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
@@ -596,7 +597,7 @@ size_t ah_feedback_lanes(size_t n, const bs_given *given, double *const *out, un
     size_t failed = 0U;
     for (size_t first = 0U; first < n; first += BORESIGHT_LANES) {
         bs_lanes in[31];
-        bs_lanes position_nz[3];
+        bs_lanes lon_lat_height_nz[3];
         bs_lanes v_n_nz[3];
         bs_lanes q_b2n_wxyz_nz[4];
         bs_lanes gyro_bias_nz[3];
@@ -611,13 +612,13 @@ size_t ah_feedback_lanes(size_t n, const bs_given *given, double *const *out, un
         good = bs_inside(in, low, high, 31);
         good &= bs_normed(&in[21], (0.998001), (1.0020009999999997), 4);
         bs_unusual = (bs_bits)bs_all_of(0.0);
-        ah_feedback_kernel(&in[0], &in[15], &in[18], &in[21], &in[25], &in[28], position_nz, v_n_nz,
-                           q_b2n_wxyz_nz, gyro_bias_nz, accel_bias_nz);
+        ah_feedback_kernel(&in[0], &in[15], &in[18], &in[21], &in[25], &in[28], lon_lat_height_nz,
+                           v_n_nz, q_b2n_wxyz_nz, gyro_bias_nz, accel_bias_nz);
         good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
-                bs_write(&out[0][run * 3U], 3, position_nz, NULL, 3, l);
+                bs_write(&out[0][run * 3U], 3, lon_lat_height_nz, NULL, 3, l);
                 bs_write(&out[1][run * 3U], 3, v_n_nz, NULL, 3, l);
                 bs_write(&out[2][run * 4U], 4, q_b2n_wxyz_nz, NULL, 4, l);
                 bs_write(&out[3][run * 3U], 3, gyro_bias_nz, NULL, 3, l);
@@ -630,7 +631,7 @@ size_t ah_feedback_lanes(size_t n, const bs_given *given, double *const *out, un
                     x[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[15 + i][l];
+                    nav.lon_lat_height[i] = in[15 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[18 + i][l];

@@ -54,7 +54,7 @@ static const casadi_int casadi_s0[3] = {15, 1, 1};
 static const casadi_int casadi_s1[3] = {3, 1, 1};
 static const casadi_int casadi_s2[3] = {4, 1, 1};
 
-/* ah_feedback_casadi:(x[15],position[3],v_n[3],q_b2n_wxyz[4],gyro_bias[3],accel_bias[3])->(out_position[3],out_v_n[3],out_q_b2n_wxyz[4],out_gyro_bias[3],out_accel_bias[3]) */
+/* ah_feedback_casadi:(x[15],lon_lat_height[3],v_n[3],q_b2n_wxyz[4],gyro_bias[3],accel_bias[3])->(out_lon_lat_height[3],out_v_n[3],out_q_b2n_wxyz[4],out_gyro_bias[3],out_accel_bias[3]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13;
@@ -208,7 +208,7 @@ CASADI_SYMBOL_EXPORT casadi_real ah_feedback_casadi_default_in(casadi_int i) {
 CASADI_SYMBOL_EXPORT const char* ah_feedback_casadi_name_in(casadi_int i) {
   switch (i) {
     case 0: return "x";
-    case 1: return "position";
+    case 1: return "lon_lat_height";
     case 2: return "v_n";
     case 3: return "q_b2n_wxyz";
     case 4: return "gyro_bias";
@@ -219,7 +219,7 @@ CASADI_SYMBOL_EXPORT const char* ah_feedback_casadi_name_in(casadi_int i) {
 
 CASADI_SYMBOL_EXPORT const char* ah_feedback_casadi_name_out(casadi_int i) {
   switch (i) {
-    case 0: return "out_position";
+    case 0: return "out_lon_lat_height";
     case 1: return "out_v_n";
     case 2: return "out_q_b2n_wxyz";
     case 3: return "out_gyro_bias";

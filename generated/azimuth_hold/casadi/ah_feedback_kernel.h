@@ -10,12 +10,12 @@
 int ah_feedback_casadi(const double **arg, double **res, int *iw, double *w, int mem);
 
 static void ah_feedback_kernel(const bs_real x[15],
-                               const bs_real position[3],
+                               const bs_real lon_lat_height[3],
                                const bs_real v_n[3],
                                const bs_real q_b2n_wxyz[4],
                                const bs_real gyro_bias[3],
                                const bs_real accel_bias[3],
-                               bs_real position_nz[3],
+                               bs_real lon_lat_height_nz[3],
                                bs_real v_n_nz[3],
                                bs_real q_b2n_wxyz_nz[4],
                                bs_real gyro_bias_nz[3],
@@ -26,12 +26,12 @@ static void ah_feedback_kernel(const bs_real x[15],
     int iw[1] = {0};
     double w[14] = {0};
     arg[0] = x;
-    arg[1] = position;
+    arg[1] = lon_lat_height;
     arg[2] = v_n;
     arg[3] = q_b2n_wxyz;
     arg[4] = gyro_bias;
     arg[5] = accel_bias;
-    res[0] = position_nz;
+    res[0] = lon_lat_height_nz;
     res[1] = v_n_nz;
     res[2] = q_b2n_wxyz_nz;
     res[3] = gyro_bias_nz;

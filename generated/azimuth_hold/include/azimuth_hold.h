@@ -43,23 +43,23 @@ extern "C" {
 
 /* What is carried and corrected. */
 typedef struct {
-    bs_real position[3];   /* longitude, not wrapped, geodetic latitude, height above the ellipsoid
-                            * (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
-                            * -500 to 30000 */
-    bs_real v_n[3];        /* velocity over the ground (m/s, ENU); -1000 to 1000 */
-    bs_real q_b2n_wxyz[4]; /* attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001 */
-    bs_real gyro_bias[3];  /* estimated gyro bias, measured - true (rad/s, body);
-                            * -0.0174533 to 0.0174533 */
-    bs_real accel_bias[3]; /* estimated accelerometer bias, measured - true (m/s^2, body);
-                            * -1 to 1 */
+    bs_real lon_lat_height[3]; /* longitude, not wrapped, geodetic latitude, height above the
+                                * ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319,
+                                * -1.48353 to 1.48353, -500 to 30000 */
+    bs_real v_n[3];            /* velocity over the ground (m/s, ENU); -1000 to 1000 */
+    bs_real q_b2n_wxyz[4];     /* attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001 */
+    bs_real gyro_bias[3];      /* estimated gyro bias, measured - true (rad/s, body);
+                                * -0.0174533 to 0.0174533 */
+    bs_real accel_bias[3];     /* estimated accelerometer bias, measured - true (m/s^2, body);
+                                * -1 to 1 */
 } ah_nav;
 
-/* Inertial data over one step. */
+/* Inertial data over one step, estimated biases removed. */
 typedef struct {
     bs_real f_b[3];        /* specific force, estimated bias removed (m/s^2, body); -500 to 500 */
     bs_real omega_ib_b[3]; /* angular rate, estimated bias removed (rad/s, body); -20 to 20 */
     bs_real dt;            /* length of the step (s); 1e-06 to 10 */
-} ah_imu;
+} ah_corrected_imu;
 
 /* What the sensors deliver over one step, and over the step before. */
 typedef struct {
@@ -91,32 +91,37 @@ typedef struct {
 
 /* System matrix, x' = F x + G w.
  * Equations: kim-2018 (9), kim-2018 (10), kim-2018 (11).
- * in   nav->position    longitude, not wrapped, geodetic latitude, height above the ellipsoid
- *                       (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
- *                       -500 to 30000
- * in   nav->v_n         velocity over the ground (m/s, ENU); -1000 to 1000
- * in   nav->q_b2n_wxyz  attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->f_b         specific force, estimated bias removed (m/s^2, body); -500 to 500
- * out  F                system matrix (1/s and mixed); 15 x 15, row-major; 60 of 225 are not zero
+ * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
+ *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
+ *                           -500 to 30000
+ * in   nav->v_n             velocity over the ground (m/s, ENU); -1000 to 1000
+ * in   nav->q_b2n_wxyz      attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->f_b   specific force, estimated bias removed (m/s^2, body); -500 to 500
+ * out  F                    system matrix (1/s and mixed); 15 x 15, row-major; 60 of 225 are not
+ *                           zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
-bs_status ah_F(const ah_nav *nav, const ah_imu *imu, bs_real F[15 * AH_N_STATES]);
+bs_status ah_F(const ah_nav *nav,
+               const ah_corrected_imu *corrected_imu,
+               bs_real F[15 * AH_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
-bs_status ah_F_nz(const ah_nav *nav, const ah_imu *imu, bs_real F_nz[60]);
+bs_status ah_F_nz(const ah_nav *nav, const ah_corrected_imu *corrected_imu, bs_real F_nz[60]);
 
 /* Transition matrix over dt, I + F dt + (F dt)^2 / 2, with F as it is at the start.
  * Equations: kim-2018 (9), kim-2018 (10), kim-2018 (11).
- * in   nav->position    longitude, not wrapped, geodetic latitude, height above the ellipsoid
- *                       (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
- *                       -500 to 30000
- * in   nav->v_n         velocity over the ground (m/s, ENU); -1000 to 1000
- * in   nav->q_b2n_wxyz  attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->f_b         specific force, estimated bias removed (m/s^2, body); -500 to 500
- * in   imu->dt          length of the step (s); 1e-06 to 10
- * out  Phi              transition matrix (mixed); 15 x 15, row-major; 121 of 225 are not zero
+ * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
+ *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
+ *                           -500 to 30000
+ * in   nav->v_n             velocity over the ground (m/s, ENU); -1000 to 1000
+ * in   nav->q_b2n_wxyz      attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->f_b   specific force, estimated bias removed (m/s^2, body); -500 to 500
+ * in   corrected_imu->dt    length of the step (s); 1e-06 to 10
+ * out  Phi                  transition matrix (mixed); 15 x 15, row-major; 121 of 225 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
-bs_status ah_Phi(const ah_nav *nav, const ah_imu *imu, bs_real Phi[15 * AH_N_STATES]);
+bs_status ah_Phi(const ah_nav *nav,
+                 const ah_corrected_imu *corrected_imu,
+                 bs_real Phi[15 * AH_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
-bs_status ah_Phi_nz(const ah_nav *nav, const ah_imu *imu, bs_real Phi_nz[121]);
+bs_status ah_Phi_nz(const ah_nav *nav, const ah_corrected_imu *corrected_imu, bs_real Phi_nz[121]);
 
 /* Noise covariance per second, G W G'.
  * Equations: kim-2018 (9), kim-2018 (10), kim-2018 (11).
@@ -138,13 +143,13 @@ bs_status ah_Qc_nz(const ah_nav *nav, const ah_noise *noise, bs_real Qc_nz[24]);
 
 /* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
  * Equations: kim-2018 (9), kim-2018 (10), kim-2018 (11).
- * in   nav->position            longitude, not wrapped, geodetic latitude, height above the
+ * in   nav->lon_lat_height      longitude, not wrapped, geodetic latitude, height above the
  *                               ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319,
  *                               -1.48353 to 1.48353, -500 to 30000
  * in   nav->v_n                 velocity over the ground (m/s, ENU); -1000 to 1000
  * in   nav->q_b2n_wxyz          attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->f_b                 specific force, estimated bias removed (m/s^2, body); -500 to 500
- * in   imu->dt                  length of the step (s); 1e-06 to 10
+ * in   corrected_imu->f_b       specific force, estimated bias removed (m/s^2, body); -500 to 500
+ * in   corrected_imu->dt        length of the step (s); 1e-06 to 10
  * in   noise->gyro_noise        noise density of the gyros (angle random walk, ARW)
  *                               (rad/sqrt(s), body); 0 to 0.1
  * in   noise->accel_noise       noise density of the accelerometers (velocity random walk, VRW)
@@ -157,11 +162,14 @@ bs_status ah_Qc_nz(const ah_nav *nav, const ah_noise *noise, bs_real Qc_nz[24]);
  *                               not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status ah_Q(const ah_nav *nav,
-               const ah_imu *imu,
+               const ah_corrected_imu *corrected_imu,
                const ah_noise *noise,
                bs_real Q[15 * AH_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
-bs_status ah_Q_nz(const ah_nav *nav, const ah_imu *imu, const ah_noise *noise, bs_real Q_nz[177]);
+bs_status ah_Q_nz(const ah_nav *nav,
+                  const ah_corrected_imu *corrected_imu,
+                  const ah_noise *noise,
+                  bs_real Q_nz[177]);
 
 /* Velocity of a body at rest, where zero is measured: z = computed - measured; z = H x + noise;
  * rows e, n, u.
@@ -201,30 +209,30 @@ bs_status ah_azimuth_H_nz(bs_real H_nz[1]);
 
 /* Rate against the Earth of a body at rest, where zero is measured: z = computed - measured;
  * z = H x + noise; rows x, y, z.
- * in   nav->position    longitude, not wrapped, geodetic latitude, height above the ellipsoid
- *                       (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
- *                       -500 to 30000
- * in   nav->q_b2n_wxyz  attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
- * out  z                x, y, z (rad/s); 3
+ * in   nav->lon_lat_height        longitude, not wrapped, geodetic latitude, height above the
+ *                                 ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319,
+ *                                 -1.48353 to 1.48353, -500 to 30000
+ * in   nav->q_b2n_wxyz            attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
+ * out  z                          x, y, z (rad/s); 3
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
-bs_status ah_zaru_z(const ah_nav *nav, const ah_imu *imu, bs_real z[3]);
+bs_status ah_zaru_z(const ah_nav *nav, const ah_corrected_imu *corrected_imu, bs_real z[3]);
 
 /* Rate against the Earth of a body at rest, where zero is measured: z = computed - measured;
  * measurement matrix H = d z / d x; rows x, y, z.
- * in   nav->position    longitude, not wrapped, geodetic latitude, height above the ellipsoid
- *                       (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
- *                       -500 to 30000
- * in   nav->q_b2n_wxyz  attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
- * out  H                rows x, y, z (rad/s per unit of state); 3 x 15, row-major; 15 of 45 are not
- *                       zero
+ * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
+ *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
+ *                           -500 to 30000
+ * in   nav->q_b2n_wxyz      attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
+ * out  H                    rows x, y, z (rad/s per unit of state); 3 x 15, row-major; 15 of 45 are
+ *                           not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status ah_zaru_H(const ah_nav *nav, bs_real H[3 * AH_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
 bs_status ah_zaru_H_nz(const ah_nav *nav, bs_real H_nz[15]);
 
 /* Position, velocity and attitude after one step of inertial increments, estimated biases removed.
- * in   nav->position              longitude, not wrapped, geodetic latitude, height above the
+ * in   nav->lon_lat_height        longitude, not wrapped, geodetic latitude, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319,
  *                                 -1.48353 to 1.48353, -500 to 30000
  * in   nav->v_n                   velocity over the ground (m/s, ENU); -1000 to 1000
@@ -233,47 +241,48 @@ bs_status ah_zaru_H_nz(const ah_nav *nav, bs_real H_nz[15]);
  *                                 -0.0174533 to 0.0174533
  * in   nav->accel_bias            estimated accelerometer bias, measured - true (m/s^2, body);
  *                                 -1 to 1
- * in   imu->dt                    length of the step (s); 1e-06 to 10
+ * in   corrected_imu->dt          length of the step (s); 1e-06 to 10
  * in   increments->dtheta_ib_b    integral of the measured angular rate over the step (rad, body);
  *                                 -0.5 to 0.5
  * in   increments->dv_b           integral of the measured specific force over the step
  *                                 (m/s, body); -100 to 100
  * in   increments->dtheta_before  dtheta_ib_b of the step before, as long (rad, body); -0.5 to 0.5
  * in   increments->dv_before      dv_b of the step before (m/s, body); -100 to 100
- * out  position                   lon, lat, height, WGS-84 (rad, rad, m); 3
+ * out  lon_lat_height             lon, lat, height, WGS-84 (rad, rad, m); 3
  * out  v_n                        velocity over the ground, ENU (m/s); 3
  * out  q_b2n_wxyz                 attitude, of unit norm, body to ENU (1); 4
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status ah_strapdown(const ah_nav *nav,
-                       const ah_imu *imu,
+                       const ah_corrected_imu *corrected_imu,
                        const ah_increments *increments,
-                       bs_real position[3],
+                       bs_real lon_lat_height[3],
                        bs_real v_n[3],
                        bs_real q_b2n_wxyz[4]);
 
 /* Navigation with the estimated errors taken out.
  * Equations: kim-2018 (27), kim-2018 (28), kim-2018 (29).
- * in   x                error state (rad, rad, m, m/s, rad, rad/s, m/s^2);
- *                       -0.00872665 to 0.00872665, -0.00872665 to 0.00872665, -1000 to 1000,
- *                       -100 to 100, -100 to 100, -100 to 100, -0.5 to 0.5, -0.5 to 0.5,
- *                       -0.5 to 0.5, -0.0174533 to 0.0174533, -0.0174533 to 0.0174533,
- *                       -0.0174533 to 0.0174533, -1 to 1, -1 to 1, -1 to 1
- * in   nav->position    longitude, not wrapped, geodetic latitude, height above the ellipsoid
- *                       (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
- *                       -500 to 30000
- * in   nav->v_n         velocity over the ground (m/s, ENU); -1000 to 1000
- * in   nav->q_b2n_wxyz  attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
- * in   nav->gyro_bias   estimated gyro bias, measured - true (rad/s, body); -0.0174533 to 0.0174533
- * in   nav->accel_bias  estimated accelerometer bias, measured - true (m/s^2, body); -1 to 1
- * out  position         lon, lat, height, WGS-84 (rad, rad, m); 3
- * out  v_n              velocity over the ground, ENU (m/s); 3
- * out  q_b2n_wxyz       attitude, of unit norm, body to ENU (1); 4
- * out  gyro_bias        gyro bias, body (rad/s); 3
- * out  accel_bias       accelerometer bias, body (m/s^2); 3
+ * in   x                    error state (rad, rad, m, m/s, rad, rad/s, m/s^2);
+ *                           -0.00872665 to 0.00872665, -0.00872665 to 0.00872665, -1000 to 1000,
+ *                           -100 to 100, -100 to 100, -100 to 100, -0.5 to 0.5, -0.5 to 0.5,
+ *                           -0.5 to 0.5, -0.0174533 to 0.0174533, -0.0174533 to 0.0174533,
+ *                           -0.0174533 to 0.0174533, -1 to 1, -1 to 1, -1 to 1
+ * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
+ *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
+ *                           -500 to 30000
+ * in   nav->v_n             velocity over the ground (m/s, ENU); -1000 to 1000
+ * in   nav->q_b2n_wxyz      attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   nav->gyro_bias       estimated gyro bias, measured - true (rad/s, body);
+ *                           -0.0174533 to 0.0174533
+ * in   nav->accel_bias      estimated accelerometer bias, measured - true (m/s^2, body); -1 to 1
+ * out  lon_lat_height       lon, lat, height, WGS-84 (rad, rad, m); 3
+ * out  v_n                  velocity over the ground, ENU (m/s); 3
+ * out  q_b2n_wxyz           attitude, of unit norm, body to ENU (1); 4
+ * out  gyro_bias            gyro bias, body (rad/s); 3
+ * out  accel_bias           accelerometer bias, body (m/s^2); 3
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status ah_feedback(const bs_real x[AH_N_STATES],
                       const ah_nav *nav,
-                      bs_real position[3],
+                      bs_real lon_lat_height[3],
                       bs_real v_n[3],
                       bs_real q_b2n_wxyz[4],
                       bs_real gyro_bias[3],

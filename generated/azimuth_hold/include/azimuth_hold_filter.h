@@ -108,22 +108,23 @@ bs_status ah_filter_init_sigmas(ah_filter *filter,
 
 /* Set nav from outside; P stays, and x becomes zero.  Where a strapdown or a correction is refused
  * for good, this is the way out.
- * in   clamp  0 to refuse a number outside its box; else it is put on the edge, and a vector that
- *             has a norm is scaled to it
+ * in   beyond  BS_REFUSE or BS_CLAMP
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; BS_NOT_POSITIVE: P is none */
-bs_status ah_filter_set_nav(ah_filter *filter, const ah_nav *nav, int clamp);
+bs_status ah_filter_set_nav(ah_filter *filter, const ah_nav *nav, bs_beyond beyond);
 
 /* Position, velocity and attitude after one step of inertial increments, estimated biases removed.
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE: an input, or the result, lies
  * outside its box */
 bs_status ah_filter_strapdown(ah_filter *filter,
-                              const ah_imu *imu,
+                              const ah_corrected_imu *corrected_imu,
                               const ah_increments *increments);
 
 /* Carry x and P over dt: x = Phi x, P = Phi P Phi' + Q.
  * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE,
  * BS_NOT_POSITIVE */
-bs_status ah_filter_propagate(ah_filter *filter, const ah_imu *imu, const ah_noise *noise);
+bs_status ah_filter_propagate(ah_filter *filter,
+                              const ah_corrected_imu *corrected_imu,
+                              const ah_noise *noise);
 
 /* From now on no measurement corrects the states whose number is not 0 (a Schmidt filter): their
  * rows of the whole measurement's gain are zero.  They and their covariance among themselves stay,
@@ -174,7 +175,7 @@ bs_status ah_filter_measure_azimuth(ah_filter *filter,
  * outside its box, or x would lie beyond its ceiling; or BS_NOT_POSITIVE: nu, S or nis is no finite
  * number, S is not above 0, or a variance would be negative */
 bs_status ah_filter_measure_zaru(ah_filter *filter,
-                                 const ah_imu *imu,
+                                 const ah_corrected_imu *corrected_imu,
                                  const bs_real R[3],
                                  const bs_gates *gates,
                                  ah_innovation *innovation);

@@ -20,7 +20,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "a8bff592bc447ddc4cf509a8073a184ecd8ab7714323b8e6f054d56bef3b4437"
+#define AH_MODEL_HASH "58e8e479bff98eda939cf47f086227e0f221b23f6f02d598f2621142a90a1ddc"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lon_lat_height[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, 0x1.7bc89c0000000p+0, 0x1.d4c0000000000p+14 },
     { 0x1.1f88560000000p+1, -0x1.2cfffe0000000p-1, 0x1.a879b80000000p+14 }
 };
@@ -46,10 +46,10 @@ static const unsigned short at_F[60] = { 1, 2, 3, 16, 17, 19, 35, 46, 47, 48, 49
                                          106, 107, 108, 111, 113, 114, 115, 116, 121, 122, 123, 126,
                                          127, 129, 130, 131 };
 
-static void set_point(int v, ah_nav *nav, ah_imu *imu)
+static void set_point(int v, ah_nav *nav, ah_corrected_imu *corrected_imu)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lon_lat_height[i] = (bs_real)in_lon_lat_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -58,7 +58,7 @@ static void set_point(int v, ah_nav *nav, ah_imu *imu)
         nav->q_b2n_wxyz[i] = (bs_real)in_q_b2n_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->f_b[i] = (bs_real)in_f_b[v][i];
+        corrected_imu->f_b[i] = (bs_real)in_f_b[v][i];
     }
 }
 
@@ -66,30 +66,30 @@ int test_ah_F(void)
 {
     int failures = 0;
     ah_nav nav = {0};
-    ah_imu imu = {0};
+    ah_corrected_imu corrected_imu = {0};
     bs_real F[225];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu);
-        if (ah_F(&nav, &imu, F) != BS_OK) {
+        set_point(v, &nav, &corrected_imu);
+        if (ah_F(&nav, &corrected_imu, F) != BS_OK) {
             ++failures;
             continue;
         }
         failures += selftest_compare("ah_F F", v, F, 225, out_F[v], tol_F[v], at_F, 60, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -6.286326899833176, -1.4842716291272777, -500.25 };
         static const double beyond_high[3] = { 6.286326899833176, 1.4842716291272777, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu);
+            nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 225);
-            if (ah_F(&nav, &imu, F) != expected) {
-                selftest_print("ah_F: position[%d] bad value %d not refused\n", i, bad);
+            if (ah_F(&nav, &corrected_imu, F) != expected) {
+                selftest_print("ah_F: lon_lat_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_F F", F, 225);
@@ -99,10 +99,10 @@ int test_ah_F(void)
                                             BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(6.283185307179586),
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (ah_F(&nav, &imu, F) != BS_OK) {
-                selftest_print("ah_F: position[%d] end %d refused\n", i, end);
+            set_point(0, &nav, &corrected_imu);
+            nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
+            if (ah_F(&nav, &corrected_imu, F) != BS_OK) {
+                selftest_print("ah_F: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -113,11 +113,11 @@ int test_ah_F(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 225);
-            if (ah_F(&nav, &imu, F) != expected) {
+            if (ah_F(&nav, &corrected_imu, F) != expected) {
                 selftest_print("ah_F: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -126,9 +126,9 @@ int test_ah_F(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (ah_F(&nav, &imu, F) != BS_OK) {
+            if (ah_F(&nav, &corrected_imu, F) != BS_OK) {
                 selftest_print("ah_F: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -141,12 +141,12 @@ int test_ah_F(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 225);
-            if (ah_F(&nav, &imu, F) != expected) {
+            if (ah_F(&nav, &corrected_imu, F) != expected) {
                 selftest_print("ah_F: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -156,11 +156,11 @@ int test_ah_F(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (ah_F(&nav, &imu, F) != BS_OK) {
+            if (ah_F(&nav, &corrected_imu, F) != BS_OK) {
                 selftest_print("ah_F: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -169,11 +169,11 @@ int test_ah_F(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu);
+        set_point(0, &nav, &corrected_imu);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (ah_F(&nav, &imu, F) != BS_OUT_OF_RANGE) {
+        if (ah_F(&nav, &corrected_imu, F) != BS_OUT_OF_RANGE) {
             selftest_print("ah_F: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -184,11 +184,12 @@ int test_ah_F(void)
         static const double beyond_high[3] = { 500.25, 500.25, 500.25 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
-            imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
-                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu);
+            corrected_imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                             : (bad == 1) ? selftest_infinity()
+                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 225);
-            if (ah_F(&nav, &imu, F) != expected) {
+            if (ah_F(&nav, &corrected_imu, F) != expected) {
                 selftest_print("ah_F: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -197,20 +198,20 @@ int test_ah_F(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
-            set_point(0, &nav, &imu);
-            imu.f_b[i] = (end == 0) ? low[i] : high[i];
-            if (ah_F(&nav, &imu, F) != BS_OK) {
+            set_point(0, &nav, &corrected_imu);
+            corrected_imu.f_b[i] = (end == 0) ? low[i] : high[i];
+            if (ah_F(&nav, &corrected_imu, F) != BS_OK) {
                 selftest_print("ah_F: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu);
-    failures += (ah_F(0, &imu, F) != BS_NULL_POINTER);
+    set_point(0, &nav, &corrected_imu);
+    failures += (ah_F(0, &corrected_imu, F) != BS_NULL_POINTER);
     failures += (ah_F(&nav, 0, F) != BS_NULL_POINTER);
-    failures += (ah_F(&nav, &imu, 0) != BS_NULL_POINTER);
-    failures += (ah_F_nz(0, &imu, F) != BS_NULL_POINTER);
+    failures += (ah_F(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
+    failures += (ah_F_nz(0, &corrected_imu, F) != BS_NULL_POINTER);
     failures += (ah_F_nz(&nav, 0, F) != BS_NULL_POINTER);
-    failures += (ah_F_nz(&nav, &imu, 0) != BS_NULL_POINTER);
+    failures += (ah_F_nz(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
     return failures;
 }

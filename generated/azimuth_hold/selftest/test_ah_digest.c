@@ -63,7 +63,7 @@ static int filter_ends(const unsigned char *wanted)
 int test_ah_digest(void)
 {
     bs_real *const part[PARTS] = {
-        filter.nav.position,
+        filter.nav.lon_lat_height,
         filter.nav.v_n,
         filter.nav.q_b2n_wxyz,
         filter.nav.gyro_bias,

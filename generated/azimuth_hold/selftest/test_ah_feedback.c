@@ -12,7 +12,7 @@ static const float in_x[N_VECTORS][15] = {
     { -0x1.1df46a0000000p-7, -0x1.1df46a0000000p-7, -0x1.f400000000000p+9, 0x1.9000000000000p+6, -0x1.9000000000000p+6, -0x1.9000000000000p+6, -0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, -0x1.0000000000000p+0, -0x1.0000000000000p+0, 0x1.0000000000000p+0 },
     { -0x1.d457f20000000p-8, -0x1.a6b51e0000000p-9, 0x1.8b9ff80000000p+8, 0x1.c6d2fc0000000p+2, 0x1.05d3dc0000000p+5, -0x1.19eb2c0000000p+6, 0x1.02f7e20000000p-2, -0x1.739d440000000p-2, -0x1.4f657e0000000p-2, 0x1.07f3b60000000p-6, 0x1.64312e0000000p-9, -0x1.2ea7b20000000p-7, 0x1.f53b0e0000000p-2, -0x1.90fd880000000p-1, 0x1.d37a3e0000000p-3 }
 };
-static const float in_position[N_VECTORS][3] = {
+static const float in_lon_lat_height[N_VECTORS][3] = {
     { -0x1.921fb40000000p+2, 0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { 0x1.4572d80000000p+2, 0x1.21ed8c0000000p+0, 0x1.1efb640000000p+12 }
 };
@@ -33,22 +33,22 @@ static const float in_accel_bias[N_VECTORS][3] = {
     { -0x1.acd3240000000p-1, -0x1.c13ed00000000p-1, -0x1.848f5a0000000p-1 }
 };
 
-static const double out_position[N_VECTORS][3] = {
+static const double out_lon_lat_height[N_VECTORS][3] = {
     { -0x1.9190b9cb00000p+2, 0x1.7e0484d400000p+0, 0x1.f400000000000p+8 },
     { 0x1.45e7edfc80000p+2, 0x1.22c0e68f00000p+0, 0x1.0641648000000p+12 }
 };
 #ifdef BORESIGHT_FLOAT
-static const float tol_position[N_VECTORS][3] = {
+static const float tol_lon_lat_height[N_VECTORS][3] = {
     { 3.78e-07F, 8.98e-08F, 3.01e-05F },
     { 3.07e-07F, 6.84e-08F, 2.53e-04F }
 };
 #else
-static const float tol_position[N_VECTORS][3] = {
+static const float tol_lon_lat_height[N_VECTORS][3] = {
     { 1.41e-15F, 3.35e-16F, 1.12e-13F },
     { 1.14e-15F, 2.55e-16F, 9.41e-13F }
 };
 #endif
-static const unsigned short at_position[3] = { 0, 1, 2 };
+static const unsigned short at_lon_lat_height[3] = { 0, 1, 2 };
 
 static const double out_v_n[N_VECTORS][3] = {
     { -0x1.1300000000000p+10, -0x1.c200000000000p+9, -0x1.c200000000000p+9 },
@@ -124,7 +124,7 @@ static void set_point(int v, bs_real x[AH_N_STATES], ah_nav *nav)
         x[i] = (bs_real)in_x[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lon_lat_height[i] = (bs_real)in_lon_lat_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -145,19 +145,20 @@ int test_ah_feedback(void)
     int failures = 0;
     bs_real x[AH_N_STATES] = {0};
     ah_nav nav = {0};
-    bs_real position[3];
+    bs_real lon_lat_height[3];
     bs_real v_n[3];
     bs_real q_b2n_wxyz[4];
     bs_real gyro_bias[3];
     bs_real accel_bias[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, x, &nav);
-        if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias) != BS_OK) {
+        if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias, accel_bias) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("ah_feedback position", v, position, 3, out_position[v],
-                                     tol_position[v], at_position, 3, 0);
+        failures += selftest_compare("ah_feedback lon_lat_height", v, lon_lat_height, 3,
+                                     out_lon_lat_height[v], tol_lon_lat_height[v],
+                                     at_lon_lat_height, 3, 0);
         failures += selftest_compare("ah_feedback v_n", v, v_n, 3, out_v_n[v], tol_v_n[v], at_v_n,
                                      3, 0);
         failures += selftest_compare("ah_feedback q_b2n_wxyz", v, q_b2n_wxyz, 4, out_q_b2n_wxyz[v],
@@ -183,17 +184,17 @@ int test_ah_feedback(void)
             set_point(0, x, &nav);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias,
+            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
                             accel_bias) != expected) {
                 selftest_print("ah_feedback: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_feedback position", position, 3);
+            failures += selftest_painted("ah_feedback lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("ah_feedback v_n", v_n, 3);
             failures += selftest_painted("ah_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("ah_feedback gyro_bias", gyro_bias, 3);
@@ -218,34 +219,36 @@ int test_ah_feedback(void)
                                               BS_REAL(1.0), BS_REAL(1.0) };
             set_point(0, x, &nav);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias) != BS_OK) {
+            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                            accel_bias) != BS_OK) {
                 selftest_print("ah_feedback: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -6.286326899833176, -1.4842716291272777, -500.25 };
         static const double beyond_high[3] = { 6.286326899833176, 1.4842716291272777, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
             set_point(0, x, &nav);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias,
+            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
                             accel_bias) != expected) {
-                selftest_print("ah_feedback: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ah_feedback: lon_lat_height[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_feedback position", position, 3);
+            failures += selftest_painted("ah_feedback lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("ah_feedback v_n", v_n, 3);
             failures += selftest_painted("ah_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("ah_feedback gyro_bias", gyro_bias, 3);
@@ -257,9 +260,10 @@ int test_ah_feedback(void)
             static const bs_real high[3] = { BS_REAL(6.283185307179586),
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
             set_point(0, x, &nav);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias) != BS_OK) {
-                selftest_print("ah_feedback: position[%d] end %d refused\n", i, end);
+            nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
+            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                            accel_bias) != BS_OK) {
+                selftest_print("ah_feedback: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -273,17 +277,17 @@ int test_ah_feedback(void)
             set_point(0, x, &nav);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias,
+            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
                             accel_bias) != expected) {
                 selftest_print("ah_feedback: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_feedback position", position, 3);
+            failures += selftest_painted("ah_feedback lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("ah_feedback v_n", v_n, 3);
             failures += selftest_painted("ah_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("ah_feedback gyro_bias", gyro_bias, 3);
@@ -294,7 +298,8 @@ int test_ah_feedback(void)
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, x, &nav);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias) != BS_OK) {
+            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                            accel_bias) != BS_OK) {
                 selftest_print("ah_feedback: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -311,17 +316,17 @@ int test_ah_feedback(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias,
+            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
                             accel_bias) != expected) {
                 selftest_print("ah_feedback: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_feedback position", position, 3);
+            failures += selftest_painted("ah_feedback lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("ah_feedback v_n", v_n, 3);
             failures += selftest_painted("ah_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("ah_feedback gyro_bias", gyro_bias, 3);
@@ -335,7 +340,8 @@ int test_ah_feedback(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias) != BS_OK) {
+            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                            accel_bias) != BS_OK) {
                 selftest_print("ah_feedback: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -348,7 +354,7 @@ int test_ah_feedback(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias,
+        if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
                         accel_bias) != BS_OUT_OF_RANGE) {
             selftest_print("ah_feedback: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
@@ -368,17 +374,17 @@ int test_ah_feedback(void)
             nav.gyro_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias,
+            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
                             accel_bias) != expected) {
                 selftest_print("ah_feedback: gyro_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_feedback position", position, 3);
+            failures += selftest_painted("ah_feedback lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("ah_feedback v_n", v_n, 3);
             failures += selftest_painted("ah_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("ah_feedback gyro_bias", gyro_bias, 3);
@@ -393,7 +399,8 @@ int test_ah_feedback(void)
                                              BS_REAL(0.017453292519943295) };
             set_point(0, x, &nav);
             nav.gyro_bias[i] = (end == 0) ? low[i] : high[i];
-            if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias) != BS_OK) {
+            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                            accel_bias) != BS_OK) {
                 selftest_print("ah_feedback: gyro_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -410,17 +417,17 @@ int test_ah_feedback(void)
             nav.accel_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias,
+            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
                             accel_bias) != expected) {
                 selftest_print("ah_feedback: accel_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_feedback position", position, 3);
+            failures += selftest_painted("ah_feedback lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("ah_feedback v_n", v_n, 3);
             failures += selftest_painted("ah_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("ah_feedback gyro_bias", gyro_bias, 3);
@@ -431,23 +438,27 @@ int test_ah_feedback(void)
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
             set_point(0, x, &nav);
             nav.accel_bias[i] = (end == 0) ? low[i] : high[i];
-            if (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias) != BS_OK) {
+            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                            accel_bias) != BS_OK) {
                 selftest_print("ah_feedback: accel_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, x, &nav);
-    failures += (ah_feedback(0, &nav, position, v_n, q_b2n_wxyz, gyro_bias,
+    failures += (ah_feedback(0, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
                              accel_bias) != BS_NULL_POINTER);
-    failures += (ah_feedback(x, 0, position, v_n, q_b2n_wxyz, gyro_bias,
+    failures += (ah_feedback(x, 0, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
                              accel_bias) != BS_NULL_POINTER);
     failures += (ah_feedback(x, &nav, 0, v_n, q_b2n_wxyz, gyro_bias,
                              accel_bias) != BS_NULL_POINTER);
-    failures += (ah_feedback(x, &nav, position, 0, q_b2n_wxyz, gyro_bias,
+    failures += (ah_feedback(x, &nav, lon_lat_height, 0, q_b2n_wxyz, gyro_bias,
                              accel_bias) != BS_NULL_POINTER);
-    failures += (ah_feedback(x, &nav, position, v_n, 0, gyro_bias, accel_bias) != BS_NULL_POINTER);
-    failures += (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, 0, accel_bias) != BS_NULL_POINTER);
-    failures += (ah_feedback(x, &nav, position, v_n, q_b2n_wxyz, gyro_bias, 0) != BS_NULL_POINTER);
+    failures += (ah_feedback(x, &nav, lon_lat_height, v_n, 0, gyro_bias,
+                             accel_bias) != BS_NULL_POINTER);
+    failures += (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, 0,
+                             accel_bias) != BS_NULL_POINTER);
+    failures += (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                             0) != BS_NULL_POINTER);
     return failures;
 }

@@ -26,7 +26,7 @@ static const double in_nav[POINTS][16] = {
     { -0x1.21e45bccc5937p+1, 0x1.7414811f26bc2p+0, 0x1.bbb58d39d4217p+14, -0x1.f0a1021bb40e4p+9, -0x1.ab42fa3440e46p+9, -0x1.097426b6d7a20p+9, 0x1.5e1ecc9aa722cp-2, 0x1.9de38f5ae4477p-1, -0x1.062376d10737ep-3, -0x1.d9904be18ade1p-2, -0x1.9006e9cb8777cp-7, 0x1.09c41e481fdeep-7, 0x1.dcd58fb826e9cp-8, -0x1.c3f6d7cfbd5acp-2, -0x1.95043a09bbfd8p-2, 0x1.8fdd7b0c25c50p-3 },
     { 0x1.1714e217f4528p+2, -0x1.73c198227bb64p+0, 0x1.910e0034b9735p+14, 0x1.af27088fe986ep+9, 0x1.7385af677c172p+9, -0x1.460d6a51201b0p+7, -0x1.5f170a26e17eep-4, 0x1.0408b68f15d6cp-2, 0x1.c17ff0543cf8bp-1, -0x1.961aaa1b72ec4p-2, 0x1.90315ff19571cp-8, 0x1.e369befa024dap-7, -0x1.4f463a905ffe8p-7, -0x1.c802737526218p-1, 0x1.6ab259c376362p-1, -0x1.65725ae1a6f68p-3 }
 };
-static const double in_imu[POINTS][7] = {
+static const double in_corrected_imu[POINTS][7] = {
     { 0x1.ac4a6aa04700ap+8, -0x1.e531be1a32328p+8, -0x1.96b55e137f54ap+8, 0x1.fc040a90fff94p+3, 0x1.0bc0269bebaa0p-1, 0x1.fe47dd869042fp+2, 0x1.42789bb520b79p+0 },
     { 0x1.906880eddf877p+7, 0x1.73a773833e000p-2, -0x1.5f38436def5dap+8, -0x1.1c2906bc1ca44p+2, 0x1.ecd9008ed6c1cp+2, 0x1.29a88df8cbe40p+3, 0x1.d7d50f61de3d0p+0 }
 };
@@ -104,9 +104,9 @@ static const bs_real ceiling[N] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(1000
 static ah_health health;
 static unsigned char bytes[AH_SNAPSHOT_SIZE];
 static unsigned char again[AH_SNAPSHOT_SIZE];
-static int clamp;
+static bs_beyond beyond = BS_REFUSE;
 static ah_nav given_nav;
-static ah_imu given_imu;
+static ah_corrected_imu given_corrected_imu;
 static ah_increments given_increments;
 static ah_noise given_noise;
 static ah_reference given_reference;
@@ -136,9 +136,11 @@ static int same_state(const ah_filter *a, const ah_filter *b)
 
 /* ---- by hand */
 
-static bs_status hand_propagate(ah_filter *filter, const ah_imu *imu, const ah_noise *noise)
+static bs_status hand_propagate(ah_filter *filter,
+                                const ah_corrected_imu *corrected_imu,
+                                const ah_noise *noise)
 {
-    bs_status status = ah_F(&filter->nav, imu, dense);
+    bs_status status = ah_F(&filter->nav, corrected_imu, dense);
     for (int i = 0; i < AH_N_F; ++i) {
         filter->F[i] = dense[F_places[i]];
     }
@@ -147,7 +149,8 @@ static bs_status hand_propagate(ah_filter *filter, const ah_imu *imu, const ah_n
         filter->Qc[i] = dense[Qc_places[i]];
     }
     if (status == BS_OK) {
-        ah_discretize(filter->F, filter->Qc, imu->dt, filter->Phi, filter->Q, filter->work);
+        ah_discretize(filter->F, filter->Qc, corrected_imu->dt, filter->Phi, filter->Q,
+                      filter->work);
         ah_predict_state(filter->Phi, filter->x);
         PREDICT(filter->P, filter->Phi, filter->Q, next_P, filter->work);
         memcpy(filter->P, next_P, sizeof(next_P));
@@ -268,11 +271,11 @@ static bs_status hand_measure_azimuth(ah_filter *filter, const ah_reference *ref
     return hand_settle(filter, status);
 }
 
-static bs_status hand_measure_zaru(ah_filter *filter, const ah_imu *imu)
+static bs_status hand_measure_zaru(ah_filter *filter, const ah_corrected_imu *corrected_imu)
 {
     bs_real *const z = residual;
     bs_real target_[3];
-    bs_status status = ah_zaru_z(&filter->nav, imu, z);
+    bs_status status = ah_zaru_z(&filter->nav, corrected_imu, z);
     unmeasured = *filter;
     status = (status == BS_OK) ? ah_zaru_H(&filter->nav, dense) : status;
     if (status == BS_OK) {
@@ -300,12 +303,12 @@ static bs_status init(void)
 
 static bs_status propagate(void)
 {
-    return ah_filter_propagate(&flown, &given_imu, &given_noise);
+    return ah_filter_propagate(&flown, &given_corrected_imu, &given_noise);
 }
 
 static bs_status strapdown(void)
 {
-    return ah_filter_strapdown(&flown, &given_imu, &given_increments);
+    return ah_filter_strapdown(&flown, &given_corrected_imu, &given_increments);
 }
 
 static bs_status correct(void)
@@ -327,7 +330,7 @@ static bs_status carried_by_hand(void)
 static bs_status propagate_by_hand(void)
 {
     bs_status status = carried_by_hand();
-    status = (status == BS_OK) ? hand_propagate(&hand, &given_imu, &given_noise) : status;
+    status = (status == BS_OK) ? hand_propagate(&hand, &given_corrected_imu, &given_noise) : status;
     return hand_judge(&hand, status, false);
 }
 
@@ -335,11 +338,12 @@ static bs_status strapdown_by_hand(void)
 {
     const ah_filter *const filter = &flown;
     ah_nav next_nav = flown.nav;
-    const ah_imu *const imu = &given_imu;
+    const ah_corrected_imu *const corrected_imu = &given_corrected_imu;
     const ah_increments *const increments = &given_increments;
     bs_status status = carried_by_hand();
-    status = (status == BS_OK) ? ah_strapdown(&filter->nav, imu, increments, next_nav.position,
-                                              next_nav.v_n, next_nav.q_b2n_wxyz) : status;
+    status = (status == BS_OK) ? ah_strapdown(&filter->nav, corrected_imu, increments,
+                                              next_nav.lon_lat_height, next_nav.v_n,
+                                              next_nav.q_b2n_wxyz) : status;
     return (status == BS_OK) ? ah_filter_set_nav(&hand, &next_nav, 0) : status;
 }
 
@@ -348,7 +352,7 @@ static bs_status correct_by_hand(void)
     const ah_filter *const filter = &flown;
     ah_nav next_nav = flown.nav;
     bs_status status = carried_by_hand();
-    status = (status == BS_OK) ? ah_feedback(filter->x, &filter->nav, next_nav.position,
+    status = (status == BS_OK) ? ah_feedback(filter->x, &filter->nav, next_nav.lon_lat_height,
                                              next_nav.v_n, next_nav.q_b2n_wxyz, next_nav.gyro_bias,
                                              next_nav.accel_bias) : status;
     status = hand_judge(&flown, status, true);
@@ -404,7 +408,7 @@ static bs_status measure_azimuth(void)
 static bs_status measure_zaru_by_hand(void)
 {
     const bs_status status = carried_by_hand();
-    return (status == BS_OK) ? hand_measure_zaru(&hand, &given_imu) : status;
+    return (status == BS_OK) ? hand_measure_zaru(&hand, &given_corrected_imu) : status;
 }
 
 /* The least noise with which x stays in its box; it stays with much of it. */
@@ -421,12 +425,12 @@ static void quiet_zaru(void)
 static bs_status measure_zaru(void)
 {
     const bs_gates gates = { rows, gate, joint, iterations };
-    return ah_filter_measure_zaru(&flown, &given_imu, R, &gates, &said);
+    return ah_filter_measure_zaru(&flown, &given_corrected_imu, R, &gates, &said);
 }
 
 static bs_status set_nav(void)
 {
-    return ah_filter_set_nav(&flown, &given_nav, clamp);
+    return ah_filter_set_nav(&flown, &given_nav, beyond);
 }
 
 
@@ -448,7 +452,7 @@ static bs_status restore(void)
 static void set_point(int k)
 {
     for (int i = 0; i < 3; ++i) {
-        given_nav.position[i] = (bs_real)in_nav[k][0 + i];
+        given_nav.lon_lat_height[i] = (bs_real)in_nav[k][0 + i];
     }
     for (int i = 0; i < 3; ++i) {
         given_nav.v_n[i] = (bs_real)in_nav[k][3 + i];
@@ -463,12 +467,12 @@ static void set_point(int k)
         given_nav.accel_bias[i] = (bs_real)in_nav[k][13 + i];
     }
     for (int i = 0; i < 3; ++i) {
-        given_imu.f_b[i] = (bs_real)in_imu[k][0 + i];
+        given_corrected_imu.f_b[i] = (bs_real)in_corrected_imu[k][0 + i];
     }
     for (int i = 0; i < 3; ++i) {
-        given_imu.omega_ib_b[i] = (bs_real)in_imu[k][3 + i];
+        given_corrected_imu.omega_ib_b[i] = (bs_real)in_corrected_imu[k][3 + i];
     }
-    given_imu.dt = (bs_real)in_imu[k][6];
+    given_corrected_imu.dt = (bs_real)in_corrected_imu[k][6];
     for (int i = 0; i < 3; ++i) {
         given_increments.dtheta_ib_b[i] = (bs_real)in_increments[k][0 + i];
     }
@@ -571,11 +575,12 @@ static int fly(void)
     {
         const ah_filter *const filter = &hand;
         ah_nav next_nav = hand.nav;
-        const ah_imu *const imu = &given_imu;
+        const ah_corrected_imu *const corrected_imu = &given_corrected_imu;
         const ah_increments *const increments = &given_increments;
         failures += expect("strapdown by hand",
-                           ah_strapdown(&filter->nav, imu, increments, next_nav.position,
-                                        next_nav.v_n, next_nav.q_b2n_wxyz) == BS_OK);
+                           ah_strapdown(&filter->nav, corrected_imu, increments,
+                                        next_nav.lon_lat_height, next_nav.v_n,
+                                        next_nav.q_b2n_wxyz) == BS_OK);
         failures += expect("strapdown", memcmp(&flown.nav, &next_nav, sizeof(next_nav)) == 0);
     }
     failures += same("strapdown changes x or P", BS_OK, BS_OK);
@@ -586,8 +591,8 @@ static int fly(void)
         const ah_filter *const filter = &hand;
         ah_nav next_nav = hand.nav;
         failures += expect("correct by hand",
-                           ah_feedback(filter->x, &filter->nav, next_nav.position, next_nav.v_n,
-                                       next_nav.q_b2n_wxyz, next_nav.gyro_bias,
+                           ah_feedback(filter->x, &filter->nav, next_nav.lon_lat_height,
+                                       next_nav.v_n, next_nav.q_b2n_wxyz, next_nav.gyro_bias,
                                        next_nav.accel_bias) == BS_OK);
         failures += expect("correct", memcmp(&flown.nav, &next_nav, sizeof(next_nav)) == 0);
     }
@@ -596,7 +601,8 @@ static int fly(void)
     failures += begin();
     hand = flown;
     status = propagate();
-    failures += same("propagate", status, hand_propagate(&hand, &given_imu, &given_noise));
+    failures += same("propagate", status,
+                     hand_propagate(&hand, &given_corrected_imu, &given_noise));
     failures += expect("propagate is refused", status == BS_OK);
     for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
                                    * pass, all of little noise; then with considered states: half,
@@ -696,7 +702,7 @@ static int fly(void)
         }
         hand = flown;
         status = measure_zaru();
-        failures += same("zaru", status, hand_measure_zaru(&hand, &given_imu));
+        failures += same("zaru", status, hand_measure_zaru(&hand, &given_corrected_imu));
         failures += expect("zaru is refused", status == BS_OK) + same_said("zaru: innovation", 3);
         failures += expect("zaru: used", (k == 3) || (said.used == (rows & 7U)));
     }
@@ -709,7 +715,7 @@ static int fly(void)
         set_noise(BS_REAL(1e-9));
         hand = flown;
         status = measure_zaru();
-        failures += same("zaru: far", status, hand_measure_zaru(&hand, &given_imu));
+        failures += same("zaru: far", status, hand_measure_zaru(&hand, &given_corrected_imu));
         failures += bs_good(status) ? same_said("zaru: far", 3) : 0;
     }
     set_noise(BS_REAL(1.0));
@@ -823,7 +829,8 @@ static int limits(void)
                                         BS_REAL(-500.0) };
         static const bs_real high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802),
                                          BS_REAL(30000.0) };
-        failures += accepts("init: position", init, NULL, &given_nav.position[i], low[i], high[i]);
+        failures += accepts("init: lon_lat_height", init, NULL, &given_nav.lon_lat_height[i],
+                            low[i], high[i]);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
@@ -865,7 +872,7 @@ static int limits(void)
         failures += accepts("init: accel_bias", init, NULL, &given_nav.accel_bias[i], low[i],
                             high[i]);
     }
-    failures += accepts("propagate: dt", propagate, propagate_by_hand, &given_imu.dt,
+    failures += accepts("propagate: dt", propagate, propagate_by_hand, &given_corrected_imu.dt,
                         BS_REAL(1e-06), BS_REAL(10.0));
     rows = 0U;
     failures += accepts("measure_zupt: gate", measure_zupt, NULL, &gate, BS_REAL(0.0),
@@ -1114,7 +1121,8 @@ static int kept(void)
     set_point(0);
     failures += begin();
     failures += expect("without gates",
-                       ah_filter_measure_zaru(&flown, &given_imu, R, NULL, &said) == BS_OK) +
+                       ah_filter_measure_zaru(&flown, &given_corrected_imu, R, NULL,
+                                              &said) == BS_OK) +
         expect("all rows", said.used == 7U);
     /* memory that something else has written to; a second beginning has met nothing */
     for (int i = 0; i < AH_N_MEASUREMENTS; ++i) {
@@ -1127,10 +1135,10 @@ static int kept(void)
         failures += expect("health: rejected", health.rejected[i] == (unsigned int)(i + 5));
     }
     {
-        bs_real *const value = &flown.nav.position[0];
+        bs_real *const value = &flown.nav.lon_lat_height[0];
         const bs_real good = *value;
         *value = (bs_real)selftest_nan();
-        failures += expect("health: position", (ah_filter_health(&flown, &health) == BS_OK) &&
+        failures += expect("health: lon_lat_height", (ah_filter_health(&flown, &health) == BS_OK) &&
                            (health.state == BS_NOT_FINITE));
         *value = good;
     }
@@ -1228,23 +1236,23 @@ static int kept(void)
         static const bs_real high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802),
                                          BS_REAL(30000.0) };
         for (int i = 0; i < 3; ++i) {
-            const bs_real good = given_nav.position[i];
+            const bs_real good = given_nav.lon_lat_height[i];
             for (int end = 0; end < 2; ++end) {
-                given_nav.position[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
+                given_nav.lon_lat_height[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
-                failures += refuses("set_nav: position", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_REFUSE;
+                failures += refuses("set_nav: lon_lat_height", set_nav, BS_OUT_OF_RANGE);
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
-                                   (flown.nav.position[i] >= low[i]) &&
-                                   (flown.nav.position[i] <= high[i]));
+                                   (flown.nav.lon_lat_height[i] >= low[i]) &&
+                                   (flown.nav.lon_lat_height[i] <= high[i]));
                 failures += expect("set_nav: to the edge",
-                                   equal(&flown.nav.position[i], (end == 0) ? &low[i] : &high[i],
-                                         1));
-                given_nav.position[i] = (bs_real)((end == 0) ? selftest_nan()
-                                                  : selftest_infinity());
-                failures += refuses("set_nav: position", set_nav, BS_NOT_FINITE);
-                given_nav.position[i] = good;
+                                   equal(&flown.nav.lon_lat_height[i], (end == 0) ? &low[i]
+                                         : &high[i], 1));
+                given_nav.lon_lat_height[i] = (bs_real)((end == 0) ? selftest_nan()
+                                                        : selftest_infinity());
+                failures += refuses("set_nav: lon_lat_height", set_nav, BS_NOT_FINITE);
+                given_nav.lon_lat_height[i] = good;
             }
         }
     }
@@ -1256,9 +1264,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.v_n[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: v_n", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.v_n[i] >= low[i]) && (flown.nav.v_n[i] <= high[i]));
                 failures += expect("set_nav: to the edge",
@@ -1279,9 +1287,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.q_b2n_wxyz[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: q_b2n_wxyz", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.q_b2n_wxyz[i] >= low[i]) &&
                                    (flown.nav.q_b2n_wxyz[i] <= high[i]));
@@ -1304,9 +1312,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.gyro_bias[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: gyro_bias", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.gyro_bias[i] >= low[i]) &&
                                    (flown.nav.gyro_bias[i] <= high[i]));
@@ -1328,9 +1336,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.accel_bias[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: accel_bias", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.accel_bias[i] >= low[i]) &&
                                    (flown.nav.accel_bias[i] <= high[i]));
@@ -1344,7 +1352,7 @@ static int kept(void)
             }
         }
     }
-    clamp = 0;
+    beyond = BS_REFUSE;
     failures += expect("set_nav", set_nav() == BS_OK);
     /* where the correction would leave the box, nothing is changed: the way out is set_nav */
     for (int i = 0; i < N; ++i) {
@@ -1376,34 +1384,35 @@ static int guards(void)
                                            { BS_REAL(6.283185307179586),
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) } };
         for (int i = 0; i < 3; ++i) {
-            failures += spoil("init: position", init, &given_nav.position[i], low[i], high[i]);
-            failures += spoil("set_nav: position", set_nav, &given_nav.position[i], low[i],
+            failures += spoil("init: lon_lat_height", init, &given_nav.lon_lat_height[i], low[i],
                               high[i]);
-            failures += spoil("propagate: position", propagate, &flown.nav.position[i], low[i],
-                              high[i]);
-            failures += accepts("propagate: position", propagate, propagate_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("strapdown: position", strapdown, &flown.nav.position[i], low[i],
-                              high[i]);
-            failures += accepts("strapdown: position", strapdown, strapdown_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("correct: position", correct, &flown.nav.position[i], low[i],
-                              high[i]);
-            failures += accepts("correct: position", correct, correct_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("measure_zupt: position", measure_zupt, &flown.nav.position[i],
+            failures += spoil("set_nav: lon_lat_height", set_nav, &given_nav.lon_lat_height[i],
                               low[i], high[i]);
-            failures += accepts("measure_zupt: position", measure_zupt, measure_zupt_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("measure_azimuth: position", measure_azimuth, &flown.nav.position[i],
+            failures += spoil("propagate: lon_lat_height", propagate, &flown.nav.lon_lat_height[i],
                               low[i], high[i]);
-            failures += accepts("measure_azimuth: position", measure_azimuth,
-                                measure_azimuth_by_hand, &flown.nav.position[i], end[0][i],
+            failures += accepts("propagate: lon_lat_height", propagate, propagate_by_hand,
+                                &flown.nav.lon_lat_height[i], end[0][i], end[1][i]);
+            failures += spoil("strapdown: lon_lat_height", strapdown, &flown.nav.lon_lat_height[i],
+                              low[i], high[i]);
+            failures += accepts("strapdown: lon_lat_height", strapdown, strapdown_by_hand,
+                                &flown.nav.lon_lat_height[i], end[0][i], end[1][i]);
+            failures += spoil("correct: lon_lat_height", correct, &flown.nav.lon_lat_height[i],
+                              low[i], high[i]);
+            failures += accepts("correct: lon_lat_height", correct, correct_by_hand,
+                                &flown.nav.lon_lat_height[i], end[0][i], end[1][i]);
+            failures += spoil("measure_zupt: lon_lat_height", measure_zupt,
+                              &flown.nav.lon_lat_height[i], low[i], high[i]);
+            failures += accepts("measure_zupt: lon_lat_height", measure_zupt, measure_zupt_by_hand,
+                                &flown.nav.lon_lat_height[i], end[0][i], end[1][i]);
+            failures += spoil("measure_azimuth: lon_lat_height", measure_azimuth,
+                              &flown.nav.lon_lat_height[i], low[i], high[i]);
+            failures += accepts("measure_azimuth: lon_lat_height", measure_azimuth,
+                                measure_azimuth_by_hand, &flown.nav.lon_lat_height[i], end[0][i],
                                 end[1][i]);
-            failures += spoil("measure_zaru: position", measure_zaru, &flown.nav.position[i],
-                              low[i], high[i]);
-            failures += accepts("measure_zaru: position", measure_zaru, measure_zaru_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
+            failures += spoil("measure_zaru: lon_lat_height", measure_zaru,
+                              &flown.nav.lon_lat_height[i], low[i], high[i]);
+            failures += accepts("measure_zaru: lon_lat_height", measure_zaru, measure_zaru_by_hand,
+                                &flown.nav.lon_lat_height[i], end[0][i], end[1][i]);
         }
     }
     {
@@ -1559,9 +1568,10 @@ static int guards(void)
         static const bs_real end[2][3] = { { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) },
                                            { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) } };
         for (int i = 0; i < 3; ++i) {
-            failures += spoil("propagate: f_b", propagate, &given_imu.f_b[i], low[i], high[i]);
-            failures += accepts("propagate: f_b", propagate, propagate_by_hand, &given_imu.f_b[i],
-                                end[0][i], end[1][i]);
+            failures += spoil("propagate: f_b", propagate, &given_corrected_imu.f_b[i], low[i],
+                              high[i]);
+            failures += accepts("propagate: f_b", propagate, propagate_by_hand,
+                                &given_corrected_imu.f_b[i], end[0][i], end[1][i]);
         }
     }
     {
@@ -1570,10 +1580,10 @@ static int guards(void)
         static const bs_real end[2][3] = { { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) },
                                            { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) } };
         for (int i = 0; i < 3; ++i) {
-            failures += spoil("measure_zaru: omega_ib_b", measure_zaru, &given_imu.omega_ib_b[i],
-                              low[i], high[i]);
+            failures += spoil("measure_zaru: omega_ib_b", measure_zaru,
+                              &given_corrected_imu.omega_ib_b[i], low[i], high[i]);
             failures += accepts("measure_zaru: omega_ib_b", measure_zaru, measure_zaru_by_hand,
-                                &given_imu.omega_ib_b[i], end[0][i], end[1][i]);
+                                &given_corrected_imu.omega_ib_b[i], end[0][i], end[1][i]);
         }
     }
     {
@@ -1581,12 +1591,12 @@ static int guards(void)
         static const double high[1] = { 10.005 };
         static const bs_real end[2][1] = { { BS_REAL(1e-06) }, { BS_REAL(10.0) } };
         for (int i = 0; i < 1; ++i) {
-            failures += spoil("propagate: dt", propagate, &given_imu.dt, low[i], high[i]);
-            failures += accepts("propagate: dt", propagate, propagate_by_hand, &given_imu.dt,
-                                end[0][i], end[1][i]);
-            failures += spoil("strapdown: dt", strapdown, &given_imu.dt, low[i], high[i]);
-            failures += accepts("strapdown: dt", strapdown, strapdown_by_hand, &given_imu.dt,
-                                end[0][i], end[1][i]);
+            failures += spoil("propagate: dt", propagate, &given_corrected_imu.dt, low[i], high[i]);
+            failures += accepts("propagate: dt", propagate, propagate_by_hand,
+                                &given_corrected_imu.dt, end[0][i], end[1][i]);
+            failures += spoil("strapdown: dt", strapdown, &given_corrected_imu.dt, low[i], high[i]);
+            failures += accepts("strapdown: dt", strapdown, strapdown_by_hand,
+                                &given_corrected_imu.dt, end[0][i], end[1][i]);
         }
     }
     {
@@ -1774,15 +1784,15 @@ static int guards(void)
         /* is not looked at */
         const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
         failures += expect("measure_zaru: a null pointer",
-                           ah_filter_measure_zaru(0, &given_imu, R, &gates,
+                           ah_filter_measure_zaru(0, &given_corrected_imu, R, &gates,
                                                   &said) == BS_NULL_POINTER);
         failures += expect("measure_zaru: a null pointer",
                            ah_filter_measure_zaru(&flown, 0, R, &gates, &said) == BS_NULL_POINTER);
         failures += expect("measure_zaru: a null pointer",
-                           ah_filter_measure_zaru(&flown, &given_imu, 0, &gates,
+                           ah_filter_measure_zaru(&flown, &given_corrected_imu, 0, &gates,
                                                   &said) == BS_NULL_POINTER);
         failures += expect("measure_zaru: a null pointer",
-                           ah_filter_measure_zaru(&flown, &given_imu, R, &gates,
+                           ah_filter_measure_zaru(&flown, &given_corrected_imu, R, &gates,
                                                   0) == BS_NULL_POINTER);
     }
     for (int i = 0; i < N; ++i) {
@@ -1799,17 +1809,19 @@ static int guards(void)
     failures += expect("init: a null pointer",
                        ah_filter_init(&flown, &given_nav, 0) == BS_NULL_POINTER);
     failures += expect("propagate: a null pointer",
-                       ah_filter_propagate(0, &given_imu, &given_noise) == BS_NULL_POINTER);
+                       ah_filter_propagate(0, &given_corrected_imu,
+                                           &given_noise) == BS_NULL_POINTER);
     failures += expect("propagate: a null pointer",
                        ah_filter_propagate(&flown, 0, &given_noise) == BS_NULL_POINTER);
     failures += expect("propagate: a null pointer",
-                       ah_filter_propagate(&flown, &given_imu, 0) == BS_NULL_POINTER);
+                       ah_filter_propagate(&flown, &given_corrected_imu, 0) == BS_NULL_POINTER);
     failures += expect("strapdown: a null pointer",
-                       ah_filter_strapdown(0, &given_imu, &given_increments) == BS_NULL_POINTER);
+                       ah_filter_strapdown(0, &given_corrected_imu,
+                                           &given_increments) == BS_NULL_POINTER);
     failures += expect("strapdown: a null pointer",
                        ah_filter_strapdown(&flown, 0, &given_increments) == BS_NULL_POINTER);
     failures += expect("strapdown: a null pointer",
-                       ah_filter_strapdown(&flown, &given_imu, 0) == BS_NULL_POINTER);
+                       ah_filter_strapdown(&flown, &given_corrected_imu, 0) == BS_NULL_POINTER);
     failures += expect("correct: a null pointer", ah_filter_correct(0) == BS_NULL_POINTER);
     failures += expect("init_sigmas: a null pointer",
                        ah_filter_init_sigmas(0, &given_nav, sigmas) == BS_NULL_POINTER);

@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lon_lat_height[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, 0x1.7bc89c0000000p+0, 0x1.d4c0000000000p+14 },
     { -0x1.90d9fe0000000p-1, 0x1.ebfe5e0000000p-3, 0x1.97cc720000000p+13 }
 };
@@ -49,22 +49,22 @@ static const float in_dv_before[N_VECTORS][3] = {
     { 0x1.1214d80000000p+6, -0x1.0b170c0000000p+5, -0x1.29f0ee0000000p+5 }
 };
 
-static const double out_position[N_VECTORS][3] = {
+static const double out_lon_lat_height[N_VECTORS][3] = {
     { 0x1.921fb401c9c66p+2, 0x1.7bc89bff521fap+0, 0x1.d4c000fb33a1fp+14 },
     { -0x1.90e2064cf324dp-1, 0x1.ec57d09b2654dp-3, 0x1.b14162aaafec8p+13 }
 };
 #ifdef BORESIGHT_FLOAT
-static const float tol_position[N_VECTORS][3] = {
+static const float tol_lon_lat_height[N_VECTORS][3] = {
     { 3.78e-07F, 8.93e-08F, 1.81e-03F },
     { 4.72e-08F, 1.47e-08F, 1.40e-03F }
 };
 #else
-static const float tol_position[N_VECTORS][3] = {
+static const float tol_lon_lat_height[N_VECTORS][3] = {
     { 1.41e-15F, 3.33e-16F, 6.73e-12F },
     { 1.76e-16F, 5.43e-17F, 4.17e-12F }
 };
 #endif
-static const unsigned short at_position[3] = { 0, 1, 2 };
+static const unsigned short at_lon_lat_height[3] = { 0, 1, 2 };
 
 static const double out_v_n[N_VECTORS][3] = {
     { 0x1.a8dd6c44c249ap+9, -0x1.0685c33c49ad3p+10, 0x1.ca421f5fae8bdp+9 },
@@ -100,10 +100,13 @@ static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };
 
-static void set_point(int v, ah_nav *nav, ah_imu *imu, ah_increments *increments)
+static void set_point(int v,
+                      ah_nav *nav,
+                      ah_corrected_imu *corrected_imu,
+                      ah_increments *increments)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lon_lat_height[i] = (bs_real)in_lon_lat_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -118,7 +121,7 @@ static void set_point(int v, ah_nav *nav, ah_imu *imu, ah_increments *increments
         nav->accel_bias[i] = (bs_real)in_accel_bias[v][i];
     }
     for (int i = 0; i < 1; ++i) {
-        imu->dt = (bs_real)in_dt[v][i];
+        corrected_imu->dt = (bs_real)in_dt[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         increments->dtheta_ib_b[i] = (bs_real)in_dtheta_ib_b[v][i];
@@ -138,43 +141,47 @@ int test_ah_strapdown(void)
 {
     int failures = 0;
     ah_nav nav = {0};
-    ah_imu imu = {0};
+    ah_corrected_imu corrected_imu = {0};
     ah_increments increments = {0};
-    bs_real position[3];
+    bs_real lon_lat_height[3];
     bs_real v_n[3];
     bs_real q_b2n_wxyz[4];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu, &increments);
-        if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
+        set_point(v, &nav, &corrected_imu, &increments);
+        if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+                         q_b2n_wxyz) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("ah_strapdown position", v, position, 3, out_position[v],
-                                     tol_position[v], at_position, 3, 0);
+        failures += selftest_compare("ah_strapdown lon_lat_height", v, lon_lat_height, 3,
+                                     out_lon_lat_height[v], tol_lon_lat_height[v],
+                                     at_lon_lat_height, 3, 0);
         failures += selftest_compare("ah_strapdown v_n", v, v_n, 3, out_v_n[v], tol_v_n[v], at_v_n,
                                      3, 0);
         failures += selftest_compare("ah_strapdown q_b2n_wxyz", v, q_b2n_wxyz, 4, out_q_b2n_wxyz[v],
                                      tol_q_b2n_wxyz[v], at_q_b2n_wxyz, 4, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -6.286326899833176, -1.4842716291272777, -500.25 };
         static const double beyond_high[3] = { 6.286326899833176, 1.4842716291272777, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            set_point(0, &nav, &corrected_imu, &increments);
+            nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                selftest_print("ah_strapdown: position[%d] bad value %d not refused\n", i, bad);
+            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+                             q_b2n_wxyz) != expected) {
+                selftest_print("ah_strapdown: lon_lat_height[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_strapdown position", position, 3);
+            failures += selftest_painted("ah_strapdown lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("ah_strapdown v_n", v_n, 3);
             failures += selftest_painted("ah_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
         }
@@ -183,10 +190,11 @@ int test_ah_strapdown(void)
                                             BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(6.283185307179586),
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu, &increments);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                selftest_print("ah_strapdown: position[%d] end %d refused\n", i, end);
+            set_point(0, &nav, &corrected_imu, &increments);
+            nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
+            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+                             q_b2n_wxyz) != BS_OK) {
+                selftest_print("ah_strapdown: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -197,26 +205,28 @@ int test_ah_strapdown(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+                             q_b2n_wxyz) != expected) {
                 selftest_print("ah_strapdown: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_strapdown position", position, 3);
+            failures += selftest_painted("ah_strapdown lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("ah_strapdown v_n", v_n, 3);
             failures += selftest_painted("ah_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+                             q_b2n_wxyz) != BS_OK) {
                 selftest_print("ah_strapdown: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -229,18 +239,19 @@ int test_ah_strapdown(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+                             q_b2n_wxyz) != expected) {
                 selftest_print("ah_strapdown: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_strapdown position", position, 3);
+            failures += selftest_painted("ah_strapdown lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("ah_strapdown v_n", v_n, 3);
             failures += selftest_painted("ah_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
         }
@@ -248,11 +259,12 @@ int test_ah_strapdown(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+                             q_b2n_wxyz) != BS_OK) {
                 selftest_print("ah_strapdown: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -261,11 +273,12 @@ int test_ah_strapdown(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &increments);
+        set_point(0, &nav, &corrected_imu, &increments);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OUT_OF_RANGE) {
+        if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+                         q_b2n_wxyz) != BS_OUT_OF_RANGE) {
             selftest_print("ah_strapdown: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -280,18 +293,19 @@ int test_ah_strapdown(void)
                                                0.01746201916620327 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             nav.gyro_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+                             q_b2n_wxyz) != expected) {
                 selftest_print("ah_strapdown: gyro_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_strapdown position", position, 3);
+            failures += selftest_painted("ah_strapdown lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("ah_strapdown v_n", v_n, 3);
             failures += selftest_painted("ah_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
         }
@@ -302,9 +316,10 @@ int test_ah_strapdown(void)
             static const bs_real high[3] = { BS_REAL(0.017453292519943295),
                                              BS_REAL(0.017453292519943295),
                                              BS_REAL(0.017453292519943295) };
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             nav.gyro_bias[i] = (end == 0) ? low[i] : high[i];
-            if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+                             q_b2n_wxyz) != BS_OK) {
                 selftest_print("ah_strapdown: gyro_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -317,27 +332,29 @@ int test_ah_strapdown(void)
         static const double beyond_high[3] = { 1.0005, 1.0005, 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             nav.accel_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+                             q_b2n_wxyz) != expected) {
                 selftest_print("ah_strapdown: accel_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_strapdown position", position, 3);
+            failures += selftest_painted("ah_strapdown lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("ah_strapdown v_n", v_n, 3);
             failures += selftest_painted("ah_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             nav.accel_bias[i] = (end == 0) ? low[i] : high[i];
-            if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+                             q_b2n_wxyz) != BS_OK) {
                 selftest_print("ah_strapdown: accel_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -349,26 +366,29 @@ int test_ah_strapdown(void)
         static const double beyond_high[1] = { 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments);
-            imu.dt = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
-                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            set_point(0, &nav, &corrected_imu, &increments);
+            corrected_imu.dt = (bs_real)((bad == 0) ? selftest_nan()
+                                         : (bad == 1) ? selftest_infinity()
+                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+                             q_b2n_wxyz) != expected) {
                 selftest_print("ah_strapdown: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_strapdown position", position, 3);
+            failures += selftest_painted("ah_strapdown lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("ah_strapdown v_n", v_n, 3);
             failures += selftest_painted("ah_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
-            set_point(0, &nav, &imu, &increments);
-            imu.dt = (end == 0) ? low[i] : high[i];
-            if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
+            set_point(0, &nav, &corrected_imu, &increments);
+            corrected_imu.dt = (end == 0) ? low[i] : high[i];
+            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+                             q_b2n_wxyz) != BS_OK) {
                 selftest_print("ah_strapdown: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -381,27 +401,29 @@ int test_ah_strapdown(void)
         static const double beyond_high[3] = { 0.50025, 0.50025, 0.50025 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             increments.dtheta_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                   : (bad == 1) ? selftest_infinity()
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+                             q_b2n_wxyz) != expected) {
                 selftest_print("ah_strapdown: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_strapdown position", position, 3);
+            failures += selftest_painted("ah_strapdown lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("ah_strapdown v_n", v_n, 3);
             failures += selftest_painted("ah_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             increments.dtheta_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+                             q_b2n_wxyz) != BS_OK) {
                 selftest_print("ah_strapdown: dtheta_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -413,27 +435,29 @@ int test_ah_strapdown(void)
         static const double beyond_high[3] = { 100.05, 100.05, 100.05 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             increments.dv_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+                             q_b2n_wxyz) != expected) {
                 selftest_print("ah_strapdown: dv_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_strapdown position", position, 3);
+            failures += selftest_painted("ah_strapdown lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("ah_strapdown v_n", v_n, 3);
             failures += selftest_painted("ah_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             increments.dv_b[i] = (end == 0) ? low[i] : high[i];
-            if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+                             q_b2n_wxyz) != BS_OK) {
                 selftest_print("ah_strapdown: dv_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -446,28 +470,30 @@ int test_ah_strapdown(void)
         static const double beyond_high[3] = { 0.50025, 0.50025, 0.50025 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             increments.dtheta_before[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+                             q_b2n_wxyz) != expected) {
                 selftest_print("ah_strapdown: dtheta_before[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_strapdown position", position, 3);
+            failures += selftest_painted("ah_strapdown lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("ah_strapdown v_n", v_n, 3);
             failures += selftest_painted("ah_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             increments.dtheta_before[i] = (end == 0) ? low[i] : high[i];
-            if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+                             q_b2n_wxyz) != BS_OK) {
                 selftest_print("ah_strapdown: dtheta_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -480,38 +506,46 @@ int test_ah_strapdown(void)
         static const double beyond_high[3] = { 100.05, 100.05, 100.05 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             increments.dv_before[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+                             q_b2n_wxyz) != expected) {
                 selftest_print("ah_strapdown: dv_before[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_strapdown position", position, 3);
+            failures += selftest_painted("ah_strapdown lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("ah_strapdown v_n", v_n, 3);
             failures += selftest_painted("ah_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             increments.dv_before[i] = (end == 0) ? low[i] : high[i];
-            if (ah_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+                             q_b2n_wxyz) != BS_OK) {
                 selftest_print("ah_strapdown: dv_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu, &increments);
-    failures += (ah_strapdown(0, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_NULL_POINTER);
-    failures += (ah_strapdown(&nav, 0, &increments, position, v_n, q_b2n_wxyz) != BS_NULL_POINTER);
-    failures += (ah_strapdown(&nav, &imu, 0, position, v_n, q_b2n_wxyz) != BS_NULL_POINTER);
-    failures += (ah_strapdown(&nav, &imu, &increments, 0, v_n, q_b2n_wxyz) != BS_NULL_POINTER);
-    failures += (ah_strapdown(&nav, &imu, &increments, position, 0, q_b2n_wxyz) != BS_NULL_POINTER);
-    failures += (ah_strapdown(&nav, &imu, &increments, position, v_n, 0) != BS_NULL_POINTER);
+    set_point(0, &nav, &corrected_imu, &increments);
+    failures += (ah_strapdown(0, &corrected_imu, &increments, lon_lat_height, v_n,
+                              q_b2n_wxyz) != BS_NULL_POINTER);
+    failures += (ah_strapdown(&nav, 0, &increments, lon_lat_height, v_n,
+                              q_b2n_wxyz) != BS_NULL_POINTER);
+    failures += (ah_strapdown(&nav, &corrected_imu, 0, lon_lat_height, v_n,
+                              q_b2n_wxyz) != BS_NULL_POINTER);
+    failures += (ah_strapdown(&nav, &corrected_imu, &increments, 0, v_n,
+                              q_b2n_wxyz) != BS_NULL_POINTER);
+    failures += (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, 0,
+                              q_b2n_wxyz) != BS_NULL_POINTER);
+    failures += (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+                              0) != BS_NULL_POINTER);
     return failures;
 }

@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lon_lat_height[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, 0x1.d4c0000000000p+14 },
     { -0x1.cc93680000000p+0, -0x1.de856e0000000p-2, 0x1.2854460000000p+14 }
 };
@@ -38,16 +38,16 @@ static const float tol_z[N_VECTORS][3] = {
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
 
-static void set_point(int v, ah_nav *nav, ah_imu *imu)
+static void set_point(int v, ah_nav *nav, ah_corrected_imu *corrected_imu)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lon_lat_height[i] = (bs_real)in_lon_lat_height[v][i];
     }
     for (int i = 0; i < 4; ++i) {
         nav->q_b2n_wxyz[i] = (bs_real)in_q_b2n_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
+        corrected_imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
     }
 }
 
@@ -55,30 +55,30 @@ int test_ah_zaru_z(void)
 {
     int failures = 0;
     ah_nav nav = {0};
-    ah_imu imu = {0};
+    ah_corrected_imu corrected_imu = {0};
     bs_real z[3];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu);
-        if (ah_zaru_z(&nav, &imu, z) != BS_OK) {
+        set_point(v, &nav, &corrected_imu);
+        if (ah_zaru_z(&nav, &corrected_imu, z) != BS_OK) {
             ++failures;
             continue;
         }
         failures += selftest_compare("ah_zaru_z z", v, z, 3, out_z[v], tol_z[v], at_z, 3, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -6.286326899833176, -1.4842716291272777, -500.25 };
         static const double beyond_high[3] = { 6.286326899833176, 1.4842716291272777, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu);
+            nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (ah_zaru_z(&nav, &imu, z) != expected) {
-                selftest_print("ah_zaru_z: position[%d] bad value %d not refused\n", i, bad);
+            if (ah_zaru_z(&nav, &corrected_imu, z) != expected) {
+                selftest_print("ah_zaru_z: lon_lat_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ah_zaru_z z", z, 3);
@@ -88,10 +88,10 @@ int test_ah_zaru_z(void)
                                             BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(6.283185307179586),
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (ah_zaru_z(&nav, &imu, z) != BS_OK) {
-                selftest_print("ah_zaru_z: position[%d] end %d refused\n", i, end);
+            set_point(0, &nav, &corrected_imu);
+            nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
+            if (ah_zaru_z(&nav, &corrected_imu, z) != BS_OK) {
+                selftest_print("ah_zaru_z: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -103,12 +103,12 @@ int test_ah_zaru_z(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (ah_zaru_z(&nav, &imu, z) != expected) {
+            if (ah_zaru_z(&nav, &corrected_imu, z) != expected) {
                 selftest_print("ah_zaru_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -118,11 +118,11 @@ int test_ah_zaru_z(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (ah_zaru_z(&nav, &imu, z) != BS_OK) {
+            if (ah_zaru_z(&nav, &corrected_imu, z) != BS_OK) {
                 selftest_print("ah_zaru_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -131,11 +131,11 @@ int test_ah_zaru_z(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu);
+        set_point(0, &nav, &corrected_imu);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (ah_zaru_z(&nav, &imu, z) != BS_OUT_OF_RANGE) {
+        if (ah_zaru_z(&nav, &corrected_imu, z) != BS_OUT_OF_RANGE) {
             selftest_print("ah_zaru_z: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -147,12 +147,12 @@ int test_ah_zaru_z(void)
         static const double beyond_high[3] = { 20.01, 20.01, 20.01 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
-            imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                          : (bad == 1) ? selftest_infinity()
-                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu);
+            corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                                    : (bad == 1) ? selftest_infinity()
+                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (ah_zaru_z(&nav, &imu, z) != expected) {
+            if (ah_zaru_z(&nav, &corrected_imu, z) != expected) {
                 selftest_print("ah_zaru_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -161,17 +161,17 @@ int test_ah_zaru_z(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
-            set_point(0, &nav, &imu);
-            imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (ah_zaru_z(&nav, &imu, z) != BS_OK) {
+            set_point(0, &nav, &corrected_imu);
+            corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
+            if (ah_zaru_z(&nav, &corrected_imu, z) != BS_OK) {
                 selftest_print("ah_zaru_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu);
-    failures += (ah_zaru_z(0, &imu, z) != BS_NULL_POINTER);
+    set_point(0, &nav, &corrected_imu);
+    failures += (ah_zaru_z(0, &corrected_imu, z) != BS_NULL_POINTER);
     failures += (ah_zaru_z(&nav, 0, z) != BS_NULL_POINTER);
-    failures += (ah_zaru_z(&nav, &imu, 0) != BS_NULL_POINTER);
+    failures += (ah_zaru_z(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -3,6 +3,8 @@
  * 116 operations, list 68502f730c68f41c. */
 #include "azimuth_hold.h"
 
+BS_EXACT_BEGIN
+
 #include "ah_Qc_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */

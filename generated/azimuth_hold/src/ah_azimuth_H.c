@@ -5,6 +5,8 @@
  * 0 operations, list ce79650cab316104. */
 #include "azimuth_hold.h"
 
+BS_EXACT_BEGIN
+
 #include "ah_azimuth_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */

@@ -4,6 +4,8 @@
  * 63 operations, list ebf9e0ec438ecf96. */
 #include "azimuth_hold.h"
 
+BS_EXACT_BEGIN
+
 #include "ah_azimuth_z_kernel.h"
 
 bs_status ah_azimuth_z(const ah_nav *nav, const ah_reference *reference, bs_real z[1])

@@ -4,6 +4,8 @@
  * 0 operations, list 531fc3ec905704ba. */
 #include "azimuth_hold.h"
 
+BS_EXACT_BEGIN
+
 #include "ah_zupt_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */

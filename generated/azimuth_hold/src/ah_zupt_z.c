@@ -4,6 +4,8 @@
  * 0 operations, list b9a3092c2a732c25. */
 #include "azimuth_hold.h"
 
+BS_EXACT_BEGIN
+
 #include "ah_zupt_z_kernel.h"
 
 bs_status ah_zupt_z(const ah_nav *nav, bs_real z[3])

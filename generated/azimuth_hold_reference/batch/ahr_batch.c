@@ -11,16 +11,16 @@
 size_t ahr_F_batch(size_t n,
                    const ahr_nav *nav,
                    size_t nav_stride,
-                   const ahr_imu *imu,
-                   size_t imu_stride,
+                   const ahr_corrected_imu *corrected_imu,
+                   size_t corrected_imu_stride,
                    bs_real *F,
                    unsigned char *status);
 int ahr_F_bound(void *const *at);
 size_t ahr_Phi_batch(size_t n,
                      const ahr_nav *nav,
                      size_t nav_stride,
-                     const ahr_imu *imu,
-                     size_t imu_stride,
+                     const ahr_corrected_imu *corrected_imu,
+                     size_t corrected_imu_stride,
                      bs_real *Phi,
                      unsigned char *status);
 int ahr_Phi_bound(void *const *at);
@@ -35,8 +35,8 @@ int ahr_Qc_bound(void *const *at);
 size_t ahr_Q_batch(size_t n,
                    const ahr_nav *nav,
                    size_t nav_stride,
-                   const ahr_imu *imu,
-                   size_t imu_stride,
+                   const ahr_corrected_imu *corrected_imu,
+                   size_t corrected_imu_stride,
                    const ahr_noise *noise,
                    size_t noise_stride,
                    bs_real *Q,
@@ -53,8 +53,8 @@ int ahr_zupt_H_bound(void *const *at);
 size_t ahr_zaru_z_batch(size_t n,
                         const ahr_nav *nav,
                         size_t nav_stride,
-                        const ahr_imu *imu,
-                        size_t imu_stride,
+                        const ahr_corrected_imu *corrected_imu,
+                        size_t corrected_imu_stride,
                         bs_real *z,
                         unsigned char *status);
 int ahr_zaru_z_bound(void *const *at);
@@ -77,11 +77,11 @@ int ahr_azimuth_H_bound(void *const *at);
 size_t ahr_strapdown_batch(size_t n,
                            const ahr_nav *nav,
                            size_t nav_stride,
-                           const ahr_imu *imu,
-                           size_t imu_stride,
+                           const ahr_corrected_imu *corrected_imu,
+                           size_t corrected_imu_stride,
                            const ahr_increments *increments,
                            size_t increments_stride,
-                           bs_real *position,
+                           bs_real *lon_lat_height,
                            bs_real *v_n,
                            bs_real *q_b2n_wxyz,
                            unsigned char *status);
@@ -93,7 +93,7 @@ size_t ahr_feedback_batch(size_t n,
                           size_t nav_stride,
                           const ahr_reference *reference,
                           size_t reference_stride,
-                          bs_real *position,
+                          bs_real *lon_lat_height,
                           bs_real *v_n,
                           bs_real *q_b2n_wxyz,
                           bs_real *gyro_bias,
@@ -105,14 +105,15 @@ int ahr_feedback_bound(void *const *at);
 size_t ahr_F_batch(size_t n,
                    const ahr_nav *nav,
                    size_t nav_stride,
-                   const ahr_imu *imu,
-                   size_t imu_stride,
+                   const ahr_corrected_imu *corrected_imu,
+                   size_t corrected_imu_stride,
                    bs_real *F,
                    unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)ahr_F(&nav[i * nav_stride], &imu[i * imu_stride], &F[i * 256U]);
+        status[i] = (unsigned char)ahr_F(&nav[i * nav_stride],
+                                         &corrected_imu[i * corrected_imu_stride], &F[i * 256U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
     return failed;
@@ -120,20 +121,21 @@ size_t ahr_F_batch(size_t n,
 
 int ahr_F_bound(void *const *at)
 {
-    return (int)ahr_F((const ahr_nav *)at[0], (const ahr_imu *)at[1], (bs_real *)at[2]);
+    return (int)ahr_F((const ahr_nav *)at[0], (const ahr_corrected_imu *)at[1], (bs_real *)at[2]);
 }
 
 size_t ahr_Phi_batch(size_t n,
                      const ahr_nav *nav,
                      size_t nav_stride,
-                     const ahr_imu *imu,
-                     size_t imu_stride,
+                     const ahr_corrected_imu *corrected_imu,
+                     size_t corrected_imu_stride,
                      bs_real *Phi,
                      unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)ahr_Phi(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)ahr_Phi(&nav[i * nav_stride],
+                                           &corrected_imu[i * corrected_imu_stride],
                                            &Phi[i * 256U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
@@ -142,7 +144,7 @@ size_t ahr_Phi_batch(size_t n,
 
 int ahr_Phi_bound(void *const *at)
 {
-    return (int)ahr_Phi((const ahr_nav *)at[0], (const ahr_imu *)at[1], (bs_real *)at[2]);
+    return (int)ahr_Phi((const ahr_nav *)at[0], (const ahr_corrected_imu *)at[1], (bs_real *)at[2]);
 }
 
 size_t ahr_Qc_batch(size_t n,
@@ -170,8 +172,8 @@ int ahr_Qc_bound(void *const *at)
 size_t ahr_Q_batch(size_t n,
                    const ahr_nav *nav,
                    size_t nav_stride,
-                   const ahr_imu *imu,
-                   size_t imu_stride,
+                   const ahr_corrected_imu *corrected_imu,
+                   size_t corrected_imu_stride,
                    const ahr_noise *noise,
                    size_t noise_stride,
                    bs_real *Q,
@@ -179,7 +181,8 @@ size_t ahr_Q_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)ahr_Q(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)ahr_Q(&nav[i * nav_stride],
+                                         &corrected_imu[i * corrected_imu_stride],
                                          &noise[i * noise_stride], &Q[i * 256U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
@@ -188,8 +191,8 @@ size_t ahr_Q_batch(size_t n,
 
 int ahr_Q_bound(void *const *at)
 {
-    return (int)ahr_Q((const ahr_nav *)at[0], (const ahr_imu *)at[1], (const ahr_noise *)at[2],
-                      (bs_real *)at[3]);
+    return (int)ahr_Q((const ahr_nav *)at[0], (const ahr_corrected_imu *)at[1],
+                      (const ahr_noise *)at[2], (bs_real *)at[3]);
 }
 
 size_t ahr_zupt_z_batch(size_t n,
@@ -229,15 +232,15 @@ int ahr_zupt_H_bound(void *const *at)
 size_t ahr_zaru_z_batch(size_t n,
                         const ahr_nav *nav,
                         size_t nav_stride,
-                        const ahr_imu *imu,
-                        size_t imu_stride,
+                        const ahr_corrected_imu *corrected_imu,
+                        size_t corrected_imu_stride,
                         bs_real *z,
                         unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)ahr_zaru_z(&nav[i * nav_stride], &imu[i * imu_stride],
-                                              &z[i * 3U]);
+        status[i] = (unsigned char)ahr_zaru_z(&nav[i * nav_stride],
+                                              &corrected_imu[i * corrected_imu_stride], &z[i * 3U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
     return failed;
@@ -245,7 +248,8 @@ size_t ahr_zaru_z_batch(size_t n,
 
 int ahr_zaru_z_bound(void *const *at)
 {
-    return (int)ahr_zaru_z((const ahr_nav *)at[0], (const ahr_imu *)at[1], (bs_real *)at[2]);
+    return (int)ahr_zaru_z((const ahr_nav *)at[0], (const ahr_corrected_imu *)at[1],
+                           (bs_real *)at[2]);
 }
 
 size_t ahr_zaru_H_batch(size_t n,
@@ -308,20 +312,21 @@ int ahr_azimuth_H_bound(void *const *at)
 size_t ahr_strapdown_batch(size_t n,
                            const ahr_nav *nav,
                            size_t nav_stride,
-                           const ahr_imu *imu,
-                           size_t imu_stride,
+                           const ahr_corrected_imu *corrected_imu,
+                           size_t corrected_imu_stride,
                            const ahr_increments *increments,
                            size_t increments_stride,
-                           bs_real *position,
+                           bs_real *lon_lat_height,
                            bs_real *v_n,
                            bs_real *q_b2n_wxyz,
                            unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)ahr_strapdown(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)ahr_strapdown(&nav[i * nav_stride],
+                                                 &corrected_imu[i * corrected_imu_stride],
                                                  &increments[i * increments_stride],
-                                                 &position[i * 3U], &v_n[i * 3U],
+                                                 &lon_lat_height[i * 3U], &v_n[i * 3U],
                                                  &q_b2n_wxyz[i * 4U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
@@ -330,7 +335,7 @@ size_t ahr_strapdown_batch(size_t n,
 
 int ahr_strapdown_bound(void *const *at)
 {
-    return (int)ahr_strapdown((const ahr_nav *)at[0], (const ahr_imu *)at[1],
+    return (int)ahr_strapdown((const ahr_nav *)at[0], (const ahr_corrected_imu *)at[1],
                               (const ahr_increments *)at[2], (bs_real *)at[3], (bs_real *)at[4],
                               (bs_real *)at[5]);
 }
@@ -342,7 +347,7 @@ size_t ahr_feedback_batch(size_t n,
                           size_t nav_stride,
                           const ahr_reference *reference,
                           size_t reference_stride,
-                          bs_real *position,
+                          bs_real *lon_lat_height,
                           bs_real *v_n,
                           bs_real *q_b2n_wxyz,
                           bs_real *gyro_bias,
@@ -353,10 +358,10 @@ size_t ahr_feedback_batch(size_t n,
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
         status[i] = (unsigned char)ahr_feedback(&x[i * x_stride], &nav[i * nav_stride],
-                                                &reference[i * reference_stride], &position[i * 3U],
-                                                &v_n[i * 3U], &q_b2n_wxyz[i * 4U],
-                                                &gyro_bias[i * 3U], &accel_bias[i * 3U],
-                                                &reference_error[i * 1U]);
+                                                &reference[i * reference_stride],
+                                                &lon_lat_height[i * 3U], &v_n[i * 3U],
+                                                &q_b2n_wxyz[i * 4U], &gyro_bias[i * 3U],
+                                                &accel_bias[i * 3U], &reference_error[i * 1U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
     return failed;

@@ -56,7 +56,7 @@ static const casadi_int casadi_s1[3] = {4, 1, 1};
 static const casadi_int casadi_s2[3] = {1, 1, 1};
 static const casadi_int casadi_s3[3] = {122, 1, 1};
 
-/* ahr_Phi_casadi:(position[3],v_n[3],q_b2n_wxyz[4],f_b[3],dt)->(out_Phi[122]) */
+/* ahr_Phi_casadi:(lon_lat_height[3],v_n[3],q_b2n_wxyz[4],f_b[3],dt)->(out_Phi[122]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
@@ -1007,7 +1007,7 @@ CASADI_SYMBOL_EXPORT casadi_real ahr_Phi_casadi_default_in(casadi_int i) {
 
 CASADI_SYMBOL_EXPORT const char* ahr_Phi_casadi_name_in(casadi_int i) {
   switch (i) {
-    case 0: return "position";
+    case 0: return "lon_lat_height";
     case 1: return "v_n";
     case 2: return "q_b2n_wxyz";
     case 3: return "f_b";

@@ -8,7 +8,7 @@
 
 int ahr_Q_casadi(const double **arg, double **res, int *iw, double *w, int mem);
 
-static void ahr_Q_kernel(const bs_real position[3],
+static void ahr_Q_kernel(const bs_real lon_lat_height[3],
                          const bs_real v_n[3],
                          const bs_real q_b2n_wxyz[4],
                          const bs_real f_b[3],
@@ -23,7 +23,7 @@ static void ahr_Q_kernel(const bs_real position[3],
     double *res[1] = {0};
     int iw[1] = {0};
     double w[173] = {0};
-    arg[0] = position;
+    arg[0] = lon_lat_height;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;
     arg[3] = f_b;

@@ -9,7 +9,7 @@
 
 int ahr_zaru_H_casadi(const double **arg, double **res, int *iw, double *w, int mem);
 
-static void ahr_zaru_H_kernel(const bs_real position[3],
+static void ahr_zaru_H_kernel(const bs_real lon_lat_height[3],
                               const bs_real q_b2n_wxyz[4],
                               bs_real H_nz[15])
 {
@@ -17,7 +17,7 @@ static void ahr_zaru_H_kernel(const bs_real position[3],
     double *res[1] = {0};
     int iw[1] = {0};
     double w[19] = {0};
-    arg[0] = position;
+    arg[0] = lon_lat_height;
     arg[1] = q_b2n_wxyz;
     res[0] = H_nz;
     (void)ahr_zaru_H_casadi(arg, res, iw, w, 0);

@@ -55,7 +55,7 @@ CASADI_SYMBOL_EXPORT int ahr_zaru_z_casadi__casadi_real_size(void) { return (int
 static const casadi_int casadi_s0[3] = {3, 1, 1};
 static const casadi_int casadi_s1[3] = {4, 1, 1};
 
-/* ahr_zaru_z_casadi:(position[3],q_b2n_wxyz[4],omega_ib_b[3])->(out_z[3]) */
+/* ahr_zaru_z_casadi:(lon_lat_height[3],q_b2n_wxyz[4],omega_ib_b[3])->(out_z[3]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10;
   a00=arg[2]? arg[2][0] : 0;
@@ -141,7 +141,7 @@ CASADI_SYMBOL_EXPORT casadi_real ahr_zaru_z_casadi_default_in(casadi_int i) {
 
 CASADI_SYMBOL_EXPORT const char* ahr_zaru_z_casadi_name_in(casadi_int i) {
   switch (i) {
-    case 0: return "position";
+    case 0: return "lon_lat_height";
     case 1: return "q_b2n_wxyz";
     case 2: return "omega_ib_b";
     default: return 0;

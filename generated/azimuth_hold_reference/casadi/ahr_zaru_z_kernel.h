@@ -9,7 +9,7 @@
 
 int ahr_zaru_z_casadi(const double **arg, double **res, int *iw, double *w, int mem);
 
-static void ahr_zaru_z_kernel(const bs_real position[3],
+static void ahr_zaru_z_kernel(const bs_real lon_lat_height[3],
                               const bs_real q_b2n_wxyz[4],
                               const bs_real omega_ib_b[3],
                               bs_real z_nz[3])
@@ -18,7 +18,7 @@ static void ahr_zaru_z_kernel(const bs_real position[3],
     double *res[1] = {0};
     int iw[1] = {0};
     double w[11] = {0};
-    arg[0] = position;
+    arg[0] = lon_lat_height;
     arg[1] = q_b2n_wxyz;
     arg[2] = omega_ib_b;
     res[0] = z_nz;

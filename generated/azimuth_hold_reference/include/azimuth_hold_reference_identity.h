@@ -20,7 +20,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "6ee4eb3ef4aac6cb8b0879932bcf33c9d61d6620cdf02490a323c2c959d6a19d"
+#define AHR_MODEL_HASH "aa2959d15e9ac18b11bda26f98e1c323063838ddfe37b9e235decee8fe778a42"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

@@ -10,6 +10,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "boresight_precision.h"
@@ -37,9 +38,23 @@
 #error "a double is not IEEE 754's of 64 bits: compile with -DBORESIGHT_FLOAT, or export in float"
 #endif
 
+/* Between the two, no product and sum are rounded as one: where a compiler contracts by default and
+ * has the pragma.  gcc has it not and needs -ffp-contract=off; what neither prevents is found by
+ * bs_probe. */
+#ifdef __clang__
+#define BS_EXACT_BEGIN _Pragma("STDC FP_CONTRACT OFF")
+#define BS_EXACT_END _Pragma("STDC FP_CONTRACT DEFAULT")
+#else
+#define BS_EXACT_BEGIN
+#define BS_EXACT_END
+#endif
+
+BS_EXACT_BEGIN
+
 #ifdef BORESIGHT_FLOAT
 #define BS_PRECISION 32
 typedef float bs_real;
+#define BS_LARGEST FLT_MAX
 #define BS_REAL(x) x##F
 #define BS_SQRT sqrtf
 #define BS_FABS fabsf
@@ -47,6 +62,7 @@ typedef float bs_real;
 #else
 #define BS_PRECISION 64
 typedef double bs_real;
+#define BS_LARGEST DBL_MAX
 #define BS_REAL(x) x
 #define BS_SQRT sqrt
 #define BS_FABS fabs
@@ -128,6 +144,13 @@ typedef enum {
     BS_CONTRACTED = 7    /* the compiler changed the arithmetic, see bs_probe; nothing is written */
 } bs_status;
 
+/* By quiet comparisons, here and below: a NaN that is given ends with a status, and raises no
+ * invalid operation. */
+static inline bool bs_is_finite(bs_real value)
+{
+    return islessequal(BS_FABS(value), BS_LARGEST);
+}
+
 /* Status of n values against their box, both ends included. */
 static inline bs_status bs_check(const bs_real *value,
                                  const bs_real *low,
@@ -136,9 +159,9 @@ static inline bs_status bs_check(const bs_real *value,
 {
     bs_status status = BS_OK;
     for (int i = 0; i < n; ++i) {
-        if (!((value[i] >= low[i]) && (value[i] <= high[i]))) {
-            if (!((value[i] - value[i]) <= BS_REAL(0.0))) {
-                return BS_NOT_FINITE; /* inf - inf and NaN - NaN are NaN, which compares false */
+        if (!(isgreaterequal(value[i], low[i]) && islessequal(value[i], high[i]))) {
+            if (!bs_is_finite(value[i])) {
+                return BS_NOT_FINITE;
             }
             status = BS_OUT_OF_RANGE;
         }
@@ -150,10 +173,16 @@ static inline bs_status bs_check(const bs_real *value,
 static inline bs_status bs_check_finite(const bs_real *value, int n)
 {
     bs_real sum = BS_REAL(0.0);
+    bool finite = true;
     for (int i = 0; i < n; ++i) {
-        sum += value[i] - value[i];
+        sum += BS_FABS(value[i]);
     }
-    return (sum <= BS_REAL(0.0)) ? BS_OK : BS_NOT_FINITE;
+    if (!bs_is_finite(sum)) { /* or each of them is */
+        for (int i = 0; i < n; ++i) {
+            finite = finite && bs_is_finite(value[i]);
+        }
+    }
+    return finite ? BS_OK : BS_NOT_FINITE;
 }
 
 /* Whether this file's arithmetic is as it is written.
@@ -225,5 +254,7 @@ static inline bs_real bs_wrap(bs_real angle)
     }
     return angle;
 }
+
+BS_EXACT_END
 
 #endif

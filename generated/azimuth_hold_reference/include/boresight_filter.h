@@ -3,9 +3,9 @@
 #ifndef BORESIGHT_FILTER_H
 #define BORESIGHT_FILTER_H
 
-#include <stdbool.h>
-
 #include "boresight.h"
+
+BS_EXACT_BEGIN
 
 /* The form in which the filters carry their covariance: factors U D U' in single precision, the
  * matrix itself in double. */
@@ -64,6 +64,13 @@ typedef struct {
 #define BS_SNAPSHOT_CHECKSUM 4 /* behind the state: CRC-32 (IEEE 802.3) of all before it, its least
                                 * byte first */
 
+/* What becomes of a finite number of nav or x that is given outside its box. */
+typedef enum {
+    BS_REFUSE = 0, /* the call ends with BS_OUT_OF_RANGE */
+    BS_CLAMP = 1   /* it is set to the nearer end of its box, and a vector of a stated norm to that
+                    * norm */
+} bs_beyond;
+
 /* Whether a step was taken. */
 static inline bool bs_good(bs_status status)
 {
@@ -75,8 +82,8 @@ static inline bs_status bs_check_each(const bs_real *value, bs_real low, bs_real
 {
     bs_status status = BS_OK;
     for (int i = 0; i < n; ++i) {
-        if (!((value[i] >= low) && (value[i] <= high))) {
-            if (!((value[i] - value[i]) <= BS_REAL(0.0))) {
+        if (!(isgreaterequal(value[i], low) && islessequal(value[i], high))) {
+            if (!bs_is_finite(value[i])) {
                 return BS_NOT_FINITE;
             }
             status = BS_OUT_OF_RANGE;
@@ -85,11 +92,11 @@ static inline bs_status bs_check_each(const bs_real *value, bs_real low, bs_real
     return status;
 }
 
-/* Finite numbers outside their box are put on its edge. */
+/* A finite number outside its box becomes the nearer end of it. */
 static inline void bs_clamp(bs_real *value, const bs_real *low, const bs_real *high, int n)
 {
     for (int i = 0; i < n; ++i) {
-        if ((value[i] - value[i]) <= BS_REAL(0.0)) {
+        if (bs_is_finite(value[i])) {
             value[i] = (value[i] < low[i]) ? low[i] : ((value[i] > high[i]) ? high[i] : value[i]);
         }
     }
@@ -120,5 +127,7 @@ static inline void bs_normalize(bs_real *value, bs_real length, int n)
         }
     }
 }
+
+BS_EXACT_END
 
 #endif

@@ -9,10 +9,11 @@
 #ifndef BORESIGHT_MATH_H
 #define BORESIGHT_MATH_H
 
-#include <stdbool.h>
 #include <stdint.h>
 
 #include "boresight.h"
+
+BS_EXACT_BEGIN
 
 /* Stands once in a program however often it is called; what is rare has a frame of its own. */
 #if defined(__GNUC__)
@@ -472,5 +473,7 @@ static inline bs_real bs_tanh(bs_real x)
     const bs_real power = bs_exp(BS_REAL(-2.0) * BS_FABS(x));
     return BS_COPYSIGN((BS_REAL(1.0) - power) / (BS_REAL(1.0) + power), x);
 }
+
+BS_EXACT_END
 
 #endif

@@ -8,7 +8,7 @@
 
 #define N_VECTORS 3
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lon_lat_height[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, 0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { -0x1.917eaa0000000p+2, -0x1.1910360000000p-5, 0x1.47c4760000000p+12 },
     { -0x1.380f0a0000000p-12, -0x1.27f6be0000000p+0, 0x1.60539e0000000p+14 }
@@ -88,10 +88,10 @@ static const unsigned short at_Q[177] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 13, 14,
                                           215, 216, 221, 224, 225, 226, 227, 228, 229, 230, 231,
                                           232, 238 };
 
-static void set_point(int v, ahr_nav *nav, ahr_imu *imu, ahr_noise *noise)
+static void set_point(int v, ahr_nav *nav, ahr_corrected_imu *corrected_imu, ahr_noise *noise)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lon_lat_height[i] = (bs_real)in_lon_lat_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -100,10 +100,10 @@ static void set_point(int v, ahr_nav *nav, ahr_imu *imu, ahr_noise *noise)
         nav->q_b2n_wxyz[i] = (bs_real)in_q_b2n_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->f_b[i] = (bs_real)in_f_b[v][i];
+        corrected_imu->f_b[i] = (bs_real)in_f_b[v][i];
     }
     for (int i = 0; i < 1; ++i) {
-        imu->dt = (bs_real)in_dt[v][i];
+        corrected_imu->dt = (bs_real)in_dt[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         noise->gyro_noise[i] = (bs_real)in_gyro_noise[v][i];
@@ -123,31 +123,31 @@ int test_ahr_Q(void)
 {
     int failures = 0;
     ahr_nav nav = {0};
-    ahr_imu imu = {0};
+    ahr_corrected_imu corrected_imu = {0};
     ahr_noise noise = {0};
     bs_real Q[256];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu, &noise);
-        if (ahr_Q(&nav, &imu, &noise, Q) != BS_OK) {
+        set_point(v, &nav, &corrected_imu, &noise);
+        if (ahr_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
             ++failures;
             continue;
         }
         failures += selftest_compare("ahr_Q Q", v, Q, 256, out_Q[v], tol_Q[v], at_Q, 177, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -6.286326899833176, -1.4842716291272777, -500.25 };
         static const double beyond_high[3] = { 6.286326899833176, 1.4842716291272777, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &noise);
+            nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 256);
-            if (ahr_Q(&nav, &imu, &noise, Q) != expected) {
-                selftest_print("ahr_Q: position[%d] bad value %d not refused\n", i, bad);
+            if (ahr_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+                selftest_print("ahr_Q: lon_lat_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_Q Q", Q, 256);
@@ -157,10 +157,10 @@ int test_ahr_Q(void)
                                             BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(6.283185307179586),
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu, &noise);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (ahr_Q(&nav, &imu, &noise, Q) != BS_OK) {
-                selftest_print("ahr_Q: position[%d] end %d refused\n", i, end);
+            set_point(0, &nav, &corrected_imu, &noise);
+            nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
+            if (ahr_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+                selftest_print("ahr_Q: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -171,11 +171,11 @@ int test_ahr_Q(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise);
+            set_point(0, &nav, &corrected_imu, &noise);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 256);
-            if (ahr_Q(&nav, &imu, &noise, Q) != expected) {
+            if (ahr_Q(&nav, &corrected_imu, &noise, Q) != expected) {
                 selftest_print("ahr_Q: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -184,9 +184,9 @@ int test_ahr_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu, &noise);
+            set_point(0, &nav, &corrected_imu, &noise);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (ahr_Q(&nav, &imu, &noise, Q) != BS_OK) {
+            if (ahr_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
                 selftest_print("ahr_Q: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -199,12 +199,12 @@ int test_ahr_Q(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise);
+            set_point(0, &nav, &corrected_imu, &noise);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 256);
-            if (ahr_Q(&nav, &imu, &noise, Q) != expected) {
+            if (ahr_Q(&nav, &corrected_imu, &noise, Q) != expected) {
                 selftest_print("ahr_Q: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -214,11 +214,11 @@ int test_ahr_Q(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &noise);
+            set_point(0, &nav, &corrected_imu, &noise);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (ahr_Q(&nav, &imu, &noise, Q) != BS_OK) {
+            if (ahr_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
                 selftest_print("ahr_Q: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -227,11 +227,11 @@ int test_ahr_Q(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &noise);
+        set_point(0, &nav, &corrected_imu, &noise);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (ahr_Q(&nav, &imu, &noise, Q) != BS_OUT_OF_RANGE) {
+        if (ahr_Q(&nav, &corrected_imu, &noise, Q) != BS_OUT_OF_RANGE) {
             selftest_print("ahr_Q: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -242,11 +242,12 @@ int test_ahr_Q(void)
         static const double beyond_high[3] = { 500.25, 500.25, 500.25 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise);
-            imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
-                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &noise);
+            corrected_imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                             : (bad == 1) ? selftest_infinity()
+                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 256);
-            if (ahr_Q(&nav, &imu, &noise, Q) != expected) {
+            if (ahr_Q(&nav, &corrected_imu, &noise, Q) != expected) {
                 selftest_print("ahr_Q: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -255,9 +256,9 @@ int test_ahr_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
-            set_point(0, &nav, &imu, &noise);
-            imu.f_b[i] = (end == 0) ? low[i] : high[i];
-            if (ahr_Q(&nav, &imu, &noise, Q) != BS_OK) {
+            set_point(0, &nav, &corrected_imu, &noise);
+            corrected_imu.f_b[i] = (end == 0) ? low[i] : high[i];
+            if (ahr_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
                 selftest_print("ahr_Q: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -269,11 +270,12 @@ int test_ahr_Q(void)
         static const double beyond_high[1] = { 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise);
-            imu.dt = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
-                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &noise);
+            corrected_imu.dt = (bs_real)((bad == 0) ? selftest_nan()
+                                         : (bad == 1) ? selftest_infinity()
+                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 256);
-            if (ahr_Q(&nav, &imu, &noise, Q) != expected) {
+            if (ahr_Q(&nav, &corrected_imu, &noise, Q) != expected) {
                 selftest_print("ahr_Q: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -282,9 +284,9 @@ int test_ahr_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
-            set_point(0, &nav, &imu, &noise);
-            imu.dt = (end == 0) ? low[i] : high[i];
-            if (ahr_Q(&nav, &imu, &noise, Q) != BS_OK) {
+            set_point(0, &nav, &corrected_imu, &noise);
+            corrected_imu.dt = (end == 0) ? low[i] : high[i];
+            if (ahr_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
                 selftest_print("ahr_Q: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -297,12 +299,12 @@ int test_ahr_Q(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise);
+            set_point(0, &nav, &corrected_imu, &noise);
             noise.gyro_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 256);
-            if (ahr_Q(&nav, &imu, &noise, Q) != expected) {
+            if (ahr_Q(&nav, &corrected_imu, &noise, Q) != expected) {
                 selftest_print("ahr_Q: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -311,9 +313,9 @@ int test_ahr_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &noise);
+            set_point(0, &nav, &corrected_imu, &noise);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
-            if (ahr_Q(&nav, &imu, &noise, Q) != BS_OK) {
+            if (ahr_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
                 selftest_print("ahr_Q: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -326,12 +328,12 @@ int test_ahr_Q(void)
         static const double beyond_high[3] = { 10.005, 10.005, 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise);
+            set_point(0, &nav, &corrected_imu, &noise);
             noise.accel_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 256);
-            if (ahr_Q(&nav, &imu, &noise, Q) != expected) {
+            if (ahr_Q(&nav, &corrected_imu, &noise, Q) != expected) {
                 selftest_print("ahr_Q: accel_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -340,9 +342,9 @@ int test_ahr_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
-            set_point(0, &nav, &imu, &noise);
+            set_point(0, &nav, &corrected_imu, &noise);
             noise.accel_noise[i] = (end == 0) ? low[i] : high[i];
-            if (ahr_Q(&nav, &imu, &noise, Q) != BS_OK) {
+            if (ahr_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
                 selftest_print("ahr_Q: accel_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -355,12 +357,12 @@ int test_ahr_Q(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise);
+            set_point(0, &nav, &corrected_imu, &noise);
             noise.gyro_bias_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 256);
-            if (ahr_Q(&nav, &imu, &noise, Q) != expected) {
+            if (ahr_Q(&nav, &corrected_imu, &noise, Q) != expected) {
                 selftest_print("ahr_Q: gyro_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -369,9 +371,9 @@ int test_ahr_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &noise);
+            set_point(0, &nav, &corrected_imu, &noise);
             noise.gyro_bias_noise[i] = (end == 0) ? low[i] : high[i];
-            if (ahr_Q(&nav, &imu, &noise, Q) != BS_OK) {
+            if (ahr_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
                 selftest_print("ahr_Q: gyro_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -384,12 +386,12 @@ int test_ahr_Q(void)
         static const double beyond_high[3] = { 10.005, 10.005, 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise);
+            set_point(0, &nav, &corrected_imu, &noise);
             noise.accel_bias_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                   : (bad == 1) ? selftest_infinity()
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 256);
-            if (ahr_Q(&nav, &imu, &noise, Q) != expected) {
+            if (ahr_Q(&nav, &corrected_imu, &noise, Q) != expected) {
                 selftest_print("ahr_Q: accel_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -398,22 +400,22 @@ int test_ahr_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
-            set_point(0, &nav, &imu, &noise);
+            set_point(0, &nav, &corrected_imu, &noise);
             noise.accel_bias_noise[i] = (end == 0) ? low[i] : high[i];
-            if (ahr_Q(&nav, &imu, &noise, Q) != BS_OK) {
+            if (ahr_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
                 selftest_print("ahr_Q: accel_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu, &noise);
-    failures += (ahr_Q(0, &imu, &noise, Q) != BS_NULL_POINTER);
+    set_point(0, &nav, &corrected_imu, &noise);
+    failures += (ahr_Q(0, &corrected_imu, &noise, Q) != BS_NULL_POINTER);
     failures += (ahr_Q(&nav, 0, &noise, Q) != BS_NULL_POINTER);
-    failures += (ahr_Q(&nav, &imu, 0, Q) != BS_NULL_POINTER);
-    failures += (ahr_Q(&nav, &imu, &noise, 0) != BS_NULL_POINTER);
-    failures += (ahr_Q_nz(0, &imu, &noise, Q) != BS_NULL_POINTER);
+    failures += (ahr_Q(&nav, &corrected_imu, 0, Q) != BS_NULL_POINTER);
+    failures += (ahr_Q(&nav, &corrected_imu, &noise, 0) != BS_NULL_POINTER);
+    failures += (ahr_Q_nz(0, &corrected_imu, &noise, Q) != BS_NULL_POINTER);
     failures += (ahr_Q_nz(&nav, 0, &noise, Q) != BS_NULL_POINTER);
-    failures += (ahr_Q_nz(&nav, &imu, 0, Q) != BS_NULL_POINTER);
-    failures += (ahr_Q_nz(&nav, &imu, &noise, 0) != BS_NULL_POINTER);
+    failures += (ahr_Q_nz(&nav, &corrected_imu, 0, Q) != BS_NULL_POINTER);
+    failures += (ahr_Q_nz(&nav, &corrected_imu, &noise, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -12,7 +12,7 @@ static const float in_x[N_VECTORS][16] = {
     { -0x1.1df46a0000000p-7, -0x1.1df46a0000000p-7, -0x1.f400000000000p+9, -0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, 0x1.1df46a0000000p-6, 0x1.0000000000000p+0, -0x1.0000000000000p+0, -0x1.0000000000000p+0, 0x1.0000000000000p-1 },
     { -0x1.f363400000000p-12, -0x1.34cbee0000000p-10, -0x1.3ee2560000000p+9, 0x1.2b1dbc0000000p+6, -0x1.5f9e440000000p+5, 0x1.04a75e0000000p+5, 0x1.8b90880000000p-3, -0x1.23be480000000p-5, -0x1.fac70e0000000p-4, 0x1.dfd35a0000000p-9, 0x1.009d720000000p-7, 0x1.1ffe3c0000000p-7, -0x1.b767c00000000p-1, -0x1.06ab360000000p-3, -0x1.d141480000000p-1, -0x1.7e88340000000p-3 }
 };
-static const float in_position[N_VECTORS][3] = {
+static const float in_lon_lat_height[N_VECTORS][3] = {
     { -0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { -0x1.fc574e0000000p+1, -0x1.eeb6320000000p-2, 0x1.5b876e0000000p+14 }
 };
@@ -37,22 +37,22 @@ static const float in_reference_error[N_VECTORS][1] = {
     { 0x1.1602d60000000p-3 }
 };
 
-static const double out_position[N_VECTORS][3] = {
+static const double out_lon_lat_height[N_VECTORS][3] = {
     { -0x1.9190b9cb00000p+2, -0x1.798cb32c00000p+0, 0x1.f400000000000p+8 },
     { -0x1.fc47b2e600000p+1, -0x1.ed81661200000p-2, 0x1.657e80b000000p+14 }
 };
 #ifdef BORESIGHT_FLOAT
-static const float tol_position[N_VECTORS][3] = {
+static const float tol_lon_lat_height[N_VECTORS][3] = {
     { 3.78e-07F, 8.88e-08F, 3.01e-05F },
     { 2.39e-07F, 2.90e-08F, 1.38e-03F }
 };
 #else
-static const float tol_position[N_VECTORS][3] = {
+static const float tol_lon_lat_height[N_VECTORS][3] = {
     { 1.41e-15F, 3.31e-16F, 1.12e-13F },
     { 8.91e-16F, 1.08e-16F, 5.13e-12F }
 };
 #endif
-static const unsigned short at_position[3] = { 0, 1, 2 };
+static const unsigned short at_lon_lat_height[3] = { 0, 1, 2 };
 
 static const double out_v_n[N_VECTORS][3] = {
     { 0x1.1300000000000p+10, 0x1.c200000000000p+9, -0x1.1300000000000p+10 },
@@ -145,7 +145,7 @@ static void set_point(int v, bs_real x[AHR_N_STATES], ahr_nav *nav, ahr_referenc
         x[i] = (bs_real)in_x[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lon_lat_height[i] = (bs_real)in_lon_lat_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -170,7 +170,7 @@ int test_ahr_feedback(void)
     bs_real x[AHR_N_STATES] = {0};
     ahr_nav nav = {0};
     ahr_reference reference = {0};
-    bs_real position[3];
+    bs_real lon_lat_height[3];
     bs_real v_n[3];
     bs_real q_b2n_wxyz[4];
     bs_real gyro_bias[3];
@@ -178,13 +178,14 @@ int test_ahr_feedback(void)
     bs_real reference_error[1];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, x, &nav, &reference);
-        if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                         reference_error) != BS_OK) {
+        if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                         accel_bias, reference_error) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("ahr_feedback position", v, position, 3, out_position[v],
-                                     tol_position[v], at_position, 3, 0);
+        failures += selftest_compare("ahr_feedback lon_lat_height", v, lon_lat_height, 3,
+                                     out_lon_lat_height[v], tol_lon_lat_height[v],
+                                     at_lon_lat_height, 3, 0);
         failures += selftest_compare("ahr_feedback v_n", v, v_n, 3, out_v_n[v], tol_v_n[v], at_v_n,
                                      3, 0);
         failures += selftest_compare("ahr_feedback q_b2n_wxyz", v, q_b2n_wxyz, 4, out_q_b2n_wxyz[v],
@@ -214,18 +215,18 @@ int test_ahr_feedback(void)
             set_point(0, x, &nav, &reference);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
             selftest_paint(reference_error, 1);
-            if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                             reference_error) != expected) {
+            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                             accel_bias, reference_error) != expected) {
                 selftest_print("ahr_feedback: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ahr_feedback position", position, 3);
+            failures += selftest_painted("ahr_feedback lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("ahr_feedback v_n", v_n, 3);
             failures += selftest_painted("ahr_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("ahr_feedback gyro_bias", gyro_bias, 3);
@@ -251,36 +252,37 @@ int test_ahr_feedback(void)
                                               BS_REAL(1.0), BS_REAL(1.0), BS_REAL(0.5) };
             set_point(0, x, &nav, &reference);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                             reference_error) != BS_OK) {
+            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                             accel_bias, reference_error) != BS_OK) {
                 selftest_print("ahr_feedback: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -6.286326899833176, -1.4842716291272777, -500.25 };
         static const double beyond_high[3] = { 6.286326899833176, 1.4842716291272777, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
             set_point(0, x, &nav, &reference);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
             selftest_paint(reference_error, 1);
-            if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                             reference_error) != expected) {
-                selftest_print("ahr_feedback: position[%d] bad value %d not refused\n", i, bad);
+            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                             accel_bias, reference_error) != expected) {
+                selftest_print("ahr_feedback: lon_lat_height[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
-            failures += selftest_painted("ahr_feedback position", position, 3);
+            failures += selftest_painted("ahr_feedback lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("ahr_feedback v_n", v_n, 3);
             failures += selftest_painted("ahr_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("ahr_feedback gyro_bias", gyro_bias, 3);
@@ -293,10 +295,10 @@ int test_ahr_feedback(void)
             static const bs_real high[3] = { BS_REAL(6.283185307179586),
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
             set_point(0, x, &nav, &reference);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                             reference_error) != BS_OK) {
-                selftest_print("ahr_feedback: position[%d] end %d refused\n", i, end);
+            nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
+            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                             accel_bias, reference_error) != BS_OK) {
+                selftest_print("ahr_feedback: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -310,18 +312,18 @@ int test_ahr_feedback(void)
             set_point(0, x, &nav, &reference);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
             selftest_paint(reference_error, 1);
-            if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                             reference_error) != expected) {
+            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                             accel_bias, reference_error) != expected) {
                 selftest_print("ahr_feedback: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ahr_feedback position", position, 3);
+            failures += selftest_painted("ahr_feedback lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("ahr_feedback v_n", v_n, 3);
             failures += selftest_painted("ahr_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("ahr_feedback gyro_bias", gyro_bias, 3);
@@ -333,8 +335,8 @@ int test_ahr_feedback(void)
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, x, &nav, &reference);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                             reference_error) != BS_OK) {
+            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                             accel_bias, reference_error) != BS_OK) {
                 selftest_print("ahr_feedback: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -351,18 +353,18 @@ int test_ahr_feedback(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
             selftest_paint(reference_error, 1);
-            if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                             reference_error) != expected) {
+            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                             accel_bias, reference_error) != expected) {
                 selftest_print("ahr_feedback: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ahr_feedback position", position, 3);
+            failures += selftest_painted("ahr_feedback lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("ahr_feedback v_n", v_n, 3);
             failures += selftest_painted("ahr_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("ahr_feedback gyro_bias", gyro_bias, 3);
@@ -377,8 +379,8 @@ int test_ahr_feedback(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                             reference_error) != BS_OK) {
+            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                             accel_bias, reference_error) != BS_OK) {
                 selftest_print("ahr_feedback: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -391,8 +393,8 @@ int test_ahr_feedback(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                         reference_error) != BS_OUT_OF_RANGE) {
+        if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                         accel_bias, reference_error) != BS_OUT_OF_RANGE) {
             selftest_print("ahr_feedback: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -411,18 +413,18 @@ int test_ahr_feedback(void)
             nav.gyro_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
             selftest_paint(reference_error, 1);
-            if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                             reference_error) != expected) {
+            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                             accel_bias, reference_error) != expected) {
                 selftest_print("ahr_feedback: gyro_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ahr_feedback position", position, 3);
+            failures += selftest_painted("ahr_feedback lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("ahr_feedback v_n", v_n, 3);
             failures += selftest_painted("ahr_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("ahr_feedback gyro_bias", gyro_bias, 3);
@@ -438,8 +440,8 @@ int test_ahr_feedback(void)
                                              BS_REAL(0.017453292519943295) };
             set_point(0, x, &nav, &reference);
             nav.gyro_bias[i] = (end == 0) ? low[i] : high[i];
-            if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                             reference_error) != BS_OK) {
+            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                             accel_bias, reference_error) != BS_OK) {
                 selftest_print("ahr_feedback: gyro_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -456,18 +458,18 @@ int test_ahr_feedback(void)
             nav.accel_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
             selftest_paint(reference_error, 1);
-            if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                             reference_error) != expected) {
+            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                             accel_bias, reference_error) != expected) {
                 selftest_print("ahr_feedback: accel_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ahr_feedback position", position, 3);
+            failures += selftest_painted("ahr_feedback lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("ahr_feedback v_n", v_n, 3);
             failures += selftest_painted("ahr_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("ahr_feedback gyro_bias", gyro_bias, 3);
@@ -479,8 +481,8 @@ int test_ahr_feedback(void)
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
             set_point(0, x, &nav, &reference);
             nav.accel_bias[i] = (end == 0) ? low[i] : high[i];
-            if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                             reference_error) != BS_OK) {
+            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                             accel_bias, reference_error) != BS_OK) {
                 selftest_print("ahr_feedback: accel_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -497,19 +499,19 @@ int test_ahr_feedback(void)
             reference.reference_error = (bs_real)((bad == 0) ? selftest_nan()
                                                   : (bad == 1) ? selftest_infinity()
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
             selftest_paint(reference_error, 1);
-            if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                             reference_error) != expected) {
+            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                             accel_bias, reference_error) != expected) {
                 selftest_print("ahr_feedback: reference_error[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("ahr_feedback position", position, 3);
+            failures += selftest_painted("ahr_feedback lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("ahr_feedback v_n", v_n, 3);
             failures += selftest_painted("ahr_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("ahr_feedback gyro_bias", gyro_bias, 3);
@@ -521,31 +523,31 @@ int test_ahr_feedback(void)
             static const bs_real high[1] = { BS_REAL(0.5) };
             set_point(0, x, &nav, &reference);
             reference.reference_error = (end == 0) ? low[i] : high[i];
-            if (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                             reference_error) != BS_OK) {
+            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                             accel_bias, reference_error) != BS_OK) {
                 selftest_print("ahr_feedback: reference_error[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, x, &nav, &reference);
-    failures += (ahr_feedback(0, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                              reference_error) != BS_NULL_POINTER);
-    failures += (ahr_feedback(x, 0, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                              reference_error) != BS_NULL_POINTER);
-    failures += (ahr_feedback(x, &nav, 0, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
+    failures += (ahr_feedback(0, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                              accel_bias, reference_error) != BS_NULL_POINTER);
+    failures += (ahr_feedback(x, 0, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                              accel_bias, reference_error) != BS_NULL_POINTER);
+    failures += (ahr_feedback(x, &nav, 0, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
                               reference_error) != BS_NULL_POINTER);
     failures += (ahr_feedback(x, &nav, &reference, 0, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
                               reference_error) != BS_NULL_POINTER);
-    failures += (ahr_feedback(x, &nav, &reference, position, 0, q_b2n_wxyz, gyro_bias, accel_bias,
+    failures += (ahr_feedback(x, &nav, &reference, lon_lat_height, 0, q_b2n_wxyz, gyro_bias,
+                              accel_bias, reference_error) != BS_NULL_POINTER);
+    failures += (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, 0, gyro_bias, accel_bias,
                               reference_error) != BS_NULL_POINTER);
-    failures += (ahr_feedback(x, &nav, &reference, position, v_n, 0, gyro_bias, accel_bias,
+    failures += (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, 0, accel_bias,
                               reference_error) != BS_NULL_POINTER);
-    failures += (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, 0, accel_bias,
+    failures += (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias, 0,
                               reference_error) != BS_NULL_POINTER);
-    failures += (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, 0,
-                              reference_error) != BS_NULL_POINTER);
-    failures += (ahr_feedback(x, &nav, &reference, position, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                              0) != BS_NULL_POINTER);
+    failures += (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+                              accel_bias, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -26,7 +26,7 @@ static const double in_nav[POINTS][16] = {
     { -0x1.52e2486760026p+2, 0x1.befee3eba7ad4p-1, 0x1.cefee54880a8ap+13, -0x1.cb802a353ca65p+8, -0x1.051f2ff0dad0cp+6, -0x1.e1dd43a2c2ca0p+6, -0x1.10900e952b1eep-1, -0x1.0763f231d74b8p-1, 0x1.d502dc6c2ea3bp-3, 0x1.4324f4d215632p-1, -0x1.688f43346517cp-7, -0x1.bac5481a2dee2p-9, 0x1.05993c5539099p-6, -0x1.f2d1a8f288a5cp-1, -0x1.6b7564f8b3280p-3, 0x1.340a60b68fb6cp-1 },
     { -0x1.85e383c24d750p-1, 0x1.12e8f0e18d5b4p-2, 0x1.77f15849d6b31p+14, -0x1.8828a7292e544p+6, -0x1.2b0f0d0b1af61p+8, -0x1.97796c4f74decp+9, 0x1.6e347dd4084aap-3, -0x1.43ee2c113b8e6p-2, 0x1.818939cd83d38p-4, -0x1.da9f83b4ec961p-1, -0x1.5825dcfcf79eap-7, -0x1.20423a0ff0950p-10, -0x1.671cd145fcb0ap-7, 0x1.3ae724d079154p-2, -0x1.e9e7d223d2982p-1, 0x1.c4cdbbca15fe6p-1 }
 };
-static const double in_imu[POINTS][7] = {
+static const double in_corrected_imu[POINTS][7] = {
     { -0x1.eee2bf9a006bep+8, 0x1.aefa5cccba5ccp+7, 0x1.a7f16febd83d8p+6, -0x1.07162d7da9904p+3, -0x1.4d22a30e82aa8p+3, 0x1.2099f90cfc680p+1, 0x1.2b935c24e0bb1p+3 },
     { 0x1.7951a0857b090p+8, 0x1.2daae7c03c000p+4, -0x1.db4b499af9b58p+6, 0x1.0f7d9fa801e74p+2, -0x1.d868f59e3b800p+1, -0x1.fde2e592a9554p+3, 0x1.31389d583851cp+2 }
 };
@@ -106,9 +106,9 @@ static const bs_real ceiling[N] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(1000
 static ahr_health health;
 static unsigned char bytes[AHR_SNAPSHOT_SIZE];
 static unsigned char again[AHR_SNAPSHOT_SIZE];
-static int clamp;
+static bs_beyond beyond = BS_REFUSE;
 static ahr_nav given_nav;
-static ahr_imu given_imu;
+static ahr_corrected_imu given_corrected_imu;
 static ahr_increments given_increments;
 static ahr_noise given_noise;
 static ahr_reference given_reference;
@@ -139,9 +139,11 @@ static int same_state(const ahr_filter *a, const ahr_filter *b)
 
 /* ---- by hand */
 
-static bs_status hand_propagate(ahr_filter *filter, const ahr_imu *imu, const ahr_noise *noise)
+static bs_status hand_propagate(ahr_filter *filter,
+                                const ahr_corrected_imu *corrected_imu,
+                                const ahr_noise *noise)
 {
-    bs_status status = ahr_F(&filter->nav, imu, dense);
+    bs_status status = ahr_F(&filter->nav, corrected_imu, dense);
     for (int i = 0; i < AHR_N_F; ++i) {
         filter->F[i] = dense[F_places[i]];
     }
@@ -150,7 +152,8 @@ static bs_status hand_propagate(ahr_filter *filter, const ahr_imu *imu, const ah
         filter->Qc[i] = dense[Qc_places[i]];
     }
     if (status == BS_OK) {
-        ahr_discretize(filter->F, filter->Qc, imu->dt, filter->Phi, filter->Q, filter->work);
+        ahr_discretize(filter->F, filter->Qc, corrected_imu->dt, filter->Phi, filter->Q,
+                       filter->work);
         ahr_predict_state(filter->Phi, filter->x);
         PREDICT(filter->P, filter->Phi, filter->Q, next_P, filter->work);
         memcpy(filter->P, next_P, sizeof(next_P));
@@ -255,11 +258,11 @@ static bs_status hand_measure_zupt(ahr_filter *filter)
     return hand_settle(filter, status);
 }
 
-static bs_status hand_measure_zaru(ahr_filter *filter, const ahr_imu *imu)
+static bs_status hand_measure_zaru(ahr_filter *filter, const ahr_corrected_imu *corrected_imu)
 {
     bs_real *const z = residual;
     bs_real target_[3];
-    bs_status status = ahr_zaru_z(&filter->nav, imu, z);
+    bs_status status = ahr_zaru_z(&filter->nav, corrected_imu, z);
     unmeasured = *filter;
     status = (status == BS_OK) ? ahr_zaru_H(&filter->nav, dense) : status;
     if (status == BS_OK) {
@@ -303,12 +306,12 @@ static bs_status init(void)
 
 static bs_status propagate(void)
 {
-    return ahr_filter_propagate(&flown, &given_imu, &given_noise);
+    return ahr_filter_propagate(&flown, &given_corrected_imu, &given_noise);
 }
 
 static bs_status strapdown(void)
 {
-    return ahr_filter_strapdown(&flown, &given_imu, &given_increments);
+    return ahr_filter_strapdown(&flown, &given_corrected_imu, &given_increments);
 }
 
 static bs_status correct(void)
@@ -330,7 +333,7 @@ static bs_status carried_by_hand(void)
 static bs_status propagate_by_hand(void)
 {
     bs_status status = carried_by_hand();
-    status = (status == BS_OK) ? hand_propagate(&hand, &given_imu, &given_noise) : status;
+    status = (status == BS_OK) ? hand_propagate(&hand, &given_corrected_imu, &given_noise) : status;
     return hand_judge(&hand, status, false);
 }
 
@@ -338,11 +341,12 @@ static bs_status strapdown_by_hand(void)
 {
     const ahr_filter *const filter = &flown;
     ahr_nav next_nav = flown.nav;
-    const ahr_imu *const imu = &given_imu;
+    const ahr_corrected_imu *const corrected_imu = &given_corrected_imu;
     const ahr_increments *const increments = &given_increments;
     bs_status status = carried_by_hand();
-    status = (status == BS_OK) ? ahr_strapdown(&filter->nav, imu, increments, next_nav.position,
-                                               next_nav.v_n, next_nav.q_b2n_wxyz) : status;
+    status = (status == BS_OK) ? ahr_strapdown(&filter->nav, corrected_imu, increments,
+                                               next_nav.lon_lat_height, next_nav.v_n,
+                                               next_nav.q_b2n_wxyz) : status;
     return (status == BS_OK) ? ahr_filter_set_nav(&hand, &next_nav, &hand.reference, 0) : status;
 }
 
@@ -353,9 +357,10 @@ static bs_status correct_by_hand(void)
     ahr_reference next_reference = flown.reference;
     bs_status status = carried_by_hand();
     status = (status == BS_OK) ? ahr_feedback(filter->x, &filter->nav, &filter->reference,
-                                              next_nav.position, next_nav.v_n, next_nav.q_b2n_wxyz,
-                                              next_nav.gyro_bias, next_nav.accel_bias,
-                                              &next_reference.reference_error) : status;
+                                              next_nav.lon_lat_height, next_nav.v_n,
+                                              next_nav.q_b2n_wxyz, next_nav.gyro_bias,
+                                              next_nav.accel_bias, &next_reference.reference_error)
+        : status;
     status = hand_judge(&flown, status, true);
     return (status == BS_OK) ? ahr_filter_set_nav(&hand, &next_nav, &next_reference, 0) : status;
 }
@@ -386,7 +391,7 @@ static bs_status measure_zupt(void)
 static bs_status measure_zaru_by_hand(void)
 {
     const bs_status status = carried_by_hand();
-    return (status == BS_OK) ? hand_measure_zaru(&hand, &given_imu) : status;
+    return (status == BS_OK) ? hand_measure_zaru(&hand, &given_corrected_imu) : status;
 }
 
 /* The least noise with which x stays in its box; it stays with much of it. */
@@ -403,7 +408,7 @@ static void quiet_zaru(void)
 static bs_status measure_zaru(void)
 {
     const bs_gates gates = { rows, gate, joint, iterations };
-    return ahr_filter_measure_zaru(&flown, &given_imu, R, &gates, &said);
+    return ahr_filter_measure_zaru(&flown, &given_corrected_imu, R, &gates, &said);
 }
 
 static bs_status measure_azimuth_by_hand(void)
@@ -431,7 +436,7 @@ static bs_status measure_azimuth(void)
 
 static bs_status set_nav(void)
 {
-    return ahr_filter_set_nav(&flown, &given_nav, &given_reference, clamp);
+    return ahr_filter_set_nav(&flown, &given_nav, &given_reference, beyond);
 }
 
 
@@ -453,7 +458,7 @@ static bs_status restore(void)
 static void set_point(int k)
 {
     for (int i = 0; i < 3; ++i) {
-        given_nav.position[i] = (bs_real)in_nav[k][0 + i];
+        given_nav.lon_lat_height[i] = (bs_real)in_nav[k][0 + i];
     }
     for (int i = 0; i < 3; ++i) {
         given_nav.v_n[i] = (bs_real)in_nav[k][3 + i];
@@ -468,12 +473,12 @@ static void set_point(int k)
         given_nav.accel_bias[i] = (bs_real)in_nav[k][13 + i];
     }
     for (int i = 0; i < 3; ++i) {
-        given_imu.f_b[i] = (bs_real)in_imu[k][0 + i];
+        given_corrected_imu.f_b[i] = (bs_real)in_corrected_imu[k][0 + i];
     }
     for (int i = 0; i < 3; ++i) {
-        given_imu.omega_ib_b[i] = (bs_real)in_imu[k][3 + i];
+        given_corrected_imu.omega_ib_b[i] = (bs_real)in_corrected_imu[k][3 + i];
     }
-    given_imu.dt = (bs_real)in_imu[k][6];
+    given_corrected_imu.dt = (bs_real)in_corrected_imu[k][6];
     for (int i = 0; i < 3; ++i) {
         given_increments.dtheta_ib_b[i] = (bs_real)in_increments[k][0 + i];
     }
@@ -579,11 +584,12 @@ static int fly(void)
     {
         const ahr_filter *const filter = &hand;
         ahr_nav next_nav = hand.nav;
-        const ahr_imu *const imu = &given_imu;
+        const ahr_corrected_imu *const corrected_imu = &given_corrected_imu;
         const ahr_increments *const increments = &given_increments;
         failures += expect("strapdown by hand",
-                           ahr_strapdown(&filter->nav, imu, increments, next_nav.position,
-                                         next_nav.v_n, next_nav.q_b2n_wxyz) == BS_OK);
+                           ahr_strapdown(&filter->nav, corrected_imu, increments,
+                                         next_nav.lon_lat_height, next_nav.v_n,
+                                         next_nav.q_b2n_wxyz) == BS_OK);
         failures += expect("strapdown", memcmp(&flown.nav, &next_nav, sizeof(next_nav)) == 0);
     }
     failures += same("strapdown changes x or P", BS_OK, BS_OK);
@@ -596,7 +602,7 @@ static int fly(void)
         ahr_reference next_reference = hand.reference;
         failures += expect("correct by hand",
                            ahr_feedback(filter->x, &filter->nav, &filter->reference,
-                                        next_nav.position, next_nav.v_n, next_nav.q_b2n_wxyz,
+                                        next_nav.lon_lat_height, next_nav.v_n, next_nav.q_b2n_wxyz,
                                         next_nav.gyro_bias, next_nav.accel_bias,
                                         &next_reference.reference_error) == BS_OK);
         failures += expect("correct", memcmp(&flown.nav, &next_nav, sizeof(next_nav)) == 0);
@@ -608,7 +614,8 @@ static int fly(void)
     failures += begin();
     hand = flown;
     status = propagate();
-    failures += same("propagate", status, hand_propagate(&hand, &given_imu, &given_noise));
+    failures += same("propagate", status,
+                     hand_propagate(&hand, &given_corrected_imu, &given_noise));
     failures += expect("propagate is refused", status == BS_OK);
     for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
                                    * pass, all of little noise; then with considered states: half,
@@ -668,7 +675,7 @@ static int fly(void)
         }
         hand = flown;
         status = measure_zaru();
-        failures += same("zaru", status, hand_measure_zaru(&hand, &given_imu));
+        failures += same("zaru", status, hand_measure_zaru(&hand, &given_corrected_imu));
         failures += expect("zaru is refused", status == BS_OK) + same_said("zaru: innovation", 3);
         failures += expect("zaru: used", (k == 3) || (said.used == (rows & 7U)));
     }
@@ -681,7 +688,7 @@ static int fly(void)
         set_noise(BS_REAL(1e-9));
         hand = flown;
         status = measure_zaru();
-        failures += same("zaru: far", status, hand_measure_zaru(&hand, &given_imu));
+        failures += same("zaru: far", status, hand_measure_zaru(&hand, &given_corrected_imu));
         failures += bs_good(status) ? same_said("zaru: far", 3) : 0;
     }
     set_noise(BS_REAL(1.0));
@@ -835,7 +842,8 @@ static int limits(void)
                                         BS_REAL(-500.0) };
         static const bs_real high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802),
                                          BS_REAL(30000.0) };
-        failures += accepts("init: position", init, NULL, &given_nav.position[i], low[i], high[i]);
+        failures += accepts("init: lon_lat_height", init, NULL, &given_nav.lon_lat_height[i],
+                            low[i], high[i]);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
@@ -902,7 +910,7 @@ static int limits(void)
         failures += accepts("init: reference_error", init, NULL, &given_reference.reference_error,
                             low[i], high[i]);
     }
-    failures += accepts("propagate: dt", propagate, propagate_by_hand, &given_imu.dt,
+    failures += accepts("propagate: dt", propagate, propagate_by_hand, &given_corrected_imu.dt,
                         BS_REAL(1e-06), BS_REAL(10.0));
     rows = 0U;
     failures += accepts("measure_zupt: gate", measure_zupt, NULL, &gate, BS_REAL(0.0),
@@ -1119,7 +1127,8 @@ static int kept(void)
     set_point(0);
     failures += begin();
     failures += expect("without gates",
-                       ahr_filter_measure_zaru(&flown, &given_imu, R, NULL, &said) == BS_OK) +
+                       ahr_filter_measure_zaru(&flown, &given_corrected_imu, R, NULL,
+                                               &said) == BS_OK) +
         expect("all rows", said.used == 7U);
     /* the joint gate just above nis, and just below */
     failures += begin();
@@ -1165,10 +1174,11 @@ static int kept(void)
         failures += expect("health: rejected", health.rejected[i] == (unsigned int)(i + 5));
     }
     {
-        bs_real *const value = &flown.nav.position[0];
+        bs_real *const value = &flown.nav.lon_lat_height[0];
         const bs_real good = *value;
         *value = (bs_real)selftest_nan();
-        failures += expect("health: position", (ahr_filter_health(&flown, &health) == BS_OK) &&
+        failures += expect("health: lon_lat_height",
+                           (ahr_filter_health(&flown, &health) == BS_OK) &&
                            (health.state == BS_NOT_FINITE));
         *value = good;
     }
@@ -1283,23 +1293,23 @@ static int kept(void)
         static const bs_real high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802),
                                          BS_REAL(30000.0) };
         for (int i = 0; i < 3; ++i) {
-            const bs_real good = given_nav.position[i];
+            const bs_real good = given_nav.lon_lat_height[i];
             for (int end = 0; end < 2; ++end) {
-                given_nav.position[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
+                given_nav.lon_lat_height[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
-                failures += refuses("set_nav: position", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_REFUSE;
+                failures += refuses("set_nav: lon_lat_height", set_nav, BS_OUT_OF_RANGE);
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
-                                   (flown.nav.position[i] >= low[i]) &&
-                                   (flown.nav.position[i] <= high[i]));
+                                   (flown.nav.lon_lat_height[i] >= low[i]) &&
+                                   (flown.nav.lon_lat_height[i] <= high[i]));
                 failures += expect("set_nav: to the edge",
-                                   equal(&flown.nav.position[i], (end == 0) ? &low[i] : &high[i],
-                                         1));
-                given_nav.position[i] = (bs_real)((end == 0) ? selftest_nan()
-                                                  : selftest_infinity());
-                failures += refuses("set_nav: position", set_nav, BS_NOT_FINITE);
-                given_nav.position[i] = good;
+                                   equal(&flown.nav.lon_lat_height[i], (end == 0) ? &low[i]
+                                         : &high[i], 1));
+                given_nav.lon_lat_height[i] = (bs_real)((end == 0) ? selftest_nan()
+                                                        : selftest_infinity());
+                failures += refuses("set_nav: lon_lat_height", set_nav, BS_NOT_FINITE);
+                given_nav.lon_lat_height[i] = good;
             }
         }
     }
@@ -1311,9 +1321,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.v_n[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: v_n", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.v_n[i] >= low[i]) && (flown.nav.v_n[i] <= high[i]));
                 failures += expect("set_nav: to the edge",
@@ -1334,9 +1344,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.q_b2n_wxyz[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: q_b2n_wxyz", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.q_b2n_wxyz[i] >= low[i]) &&
                                    (flown.nav.q_b2n_wxyz[i] <= high[i]));
@@ -1359,9 +1369,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.gyro_bias[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: gyro_bias", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.gyro_bias[i] >= low[i]) &&
                                    (flown.nav.gyro_bias[i] <= high[i]));
@@ -1383,9 +1393,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.accel_bias[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: accel_bias", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.accel_bias[i] >= low[i]) &&
                                    (flown.nav.accel_bias[i] <= high[i]));
@@ -1409,9 +1419,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_reference.q_ref_wxyz[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: q_ref_wxyz", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.reference.q_ref_wxyz[i] >= low[i]) &&
                                    (flown.reference.q_ref_wxyz[i] <= high[i]));
@@ -1430,9 +1440,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_reference.reference_error = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: reference_error", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.reference.reference_error >= low[i]) &&
                                    (flown.reference.reference_error <= high[i]));
@@ -1446,7 +1456,7 @@ static int kept(void)
             }
         }
     }
-    clamp = 0;
+    beyond = BS_REFUSE;
     failures += expect("set_nav", set_nav() == BS_OK);
     /* where the correction would leave the box, nothing is changed: the way out is set_nav */
     for (int i = 0; i < N; ++i) {
@@ -1478,33 +1488,34 @@ static int guards(void)
                                            { BS_REAL(6.283185307179586),
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) } };
         for (int i = 0; i < 3; ++i) {
-            failures += spoil("init: position", init, &given_nav.position[i], low[i], high[i]);
-            failures += spoil("set_nav: position", set_nav, &given_nav.position[i], low[i],
+            failures += spoil("init: lon_lat_height", init, &given_nav.lon_lat_height[i], low[i],
                               high[i]);
-            failures += spoil("propagate: position", propagate, &flown.nav.position[i], low[i],
-                              high[i]);
-            failures += accepts("propagate: position", propagate, propagate_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("strapdown: position", strapdown, &flown.nav.position[i], low[i],
-                              high[i]);
-            failures += accepts("strapdown: position", strapdown, strapdown_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("correct: position", correct, &flown.nav.position[i], low[i],
-                              high[i]);
-            failures += accepts("correct: position", correct, correct_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("measure_zupt: position", measure_zupt, &flown.nav.position[i],
+            failures += spoil("set_nav: lon_lat_height", set_nav, &given_nav.lon_lat_height[i],
                               low[i], high[i]);
-            failures += accepts("measure_zupt: position", measure_zupt, measure_zupt_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("measure_zaru: position", measure_zaru, &flown.nav.position[i],
+            failures += spoil("propagate: lon_lat_height", propagate, &flown.nav.lon_lat_height[i],
                               low[i], high[i]);
-            failures += accepts("measure_zaru: position", measure_zaru, measure_zaru_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("measure_azimuth: position", measure_azimuth, &flown.nav.position[i],
+            failures += accepts("propagate: lon_lat_height", propagate, propagate_by_hand,
+                                &flown.nav.lon_lat_height[i], end[0][i], end[1][i]);
+            failures += spoil("strapdown: lon_lat_height", strapdown, &flown.nav.lon_lat_height[i],
                               low[i], high[i]);
-            failures += accepts("measure_azimuth: position", measure_azimuth,
-                                measure_azimuth_by_hand, &flown.nav.position[i], end[0][i],
+            failures += accepts("strapdown: lon_lat_height", strapdown, strapdown_by_hand,
+                                &flown.nav.lon_lat_height[i], end[0][i], end[1][i]);
+            failures += spoil("correct: lon_lat_height", correct, &flown.nav.lon_lat_height[i],
+                              low[i], high[i]);
+            failures += accepts("correct: lon_lat_height", correct, correct_by_hand,
+                                &flown.nav.lon_lat_height[i], end[0][i], end[1][i]);
+            failures += spoil("measure_zupt: lon_lat_height", measure_zupt,
+                              &flown.nav.lon_lat_height[i], low[i], high[i]);
+            failures += accepts("measure_zupt: lon_lat_height", measure_zupt, measure_zupt_by_hand,
+                                &flown.nav.lon_lat_height[i], end[0][i], end[1][i]);
+            failures += spoil("measure_zaru: lon_lat_height", measure_zaru,
+                              &flown.nav.lon_lat_height[i], low[i], high[i]);
+            failures += accepts("measure_zaru: lon_lat_height", measure_zaru, measure_zaru_by_hand,
+                                &flown.nav.lon_lat_height[i], end[0][i], end[1][i]);
+            failures += spoil("measure_azimuth: lon_lat_height", measure_azimuth,
+                              &flown.nav.lon_lat_height[i], low[i], high[i]);
+            failures += accepts("measure_azimuth: lon_lat_height", measure_azimuth,
+                                measure_azimuth_by_hand, &flown.nav.lon_lat_height[i], end[0][i],
                                 end[1][i]);
         }
     }
@@ -1661,9 +1672,10 @@ static int guards(void)
         static const bs_real end[2][3] = { { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) },
                                            { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) } };
         for (int i = 0; i < 3; ++i) {
-            failures += spoil("propagate: f_b", propagate, &given_imu.f_b[i], low[i], high[i]);
-            failures += accepts("propagate: f_b", propagate, propagate_by_hand, &given_imu.f_b[i],
-                                end[0][i], end[1][i]);
+            failures += spoil("propagate: f_b", propagate, &given_corrected_imu.f_b[i], low[i],
+                              high[i]);
+            failures += accepts("propagate: f_b", propagate, propagate_by_hand,
+                                &given_corrected_imu.f_b[i], end[0][i], end[1][i]);
         }
     }
     {
@@ -1672,10 +1684,10 @@ static int guards(void)
         static const bs_real end[2][3] = { { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) },
                                            { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) } };
         for (int i = 0; i < 3; ++i) {
-            failures += spoil("measure_zaru: omega_ib_b", measure_zaru, &given_imu.omega_ib_b[i],
-                              low[i], high[i]);
+            failures += spoil("measure_zaru: omega_ib_b", measure_zaru,
+                              &given_corrected_imu.omega_ib_b[i], low[i], high[i]);
             failures += accepts("measure_zaru: omega_ib_b", measure_zaru, measure_zaru_by_hand,
-                                &given_imu.omega_ib_b[i], end[0][i], end[1][i]);
+                                &given_corrected_imu.omega_ib_b[i], end[0][i], end[1][i]);
         }
     }
     {
@@ -1683,12 +1695,12 @@ static int guards(void)
         static const double high[1] = { 10.005 };
         static const bs_real end[2][1] = { { BS_REAL(1e-06) }, { BS_REAL(10.0) } };
         for (int i = 0; i < 1; ++i) {
-            failures += spoil("propagate: dt", propagate, &given_imu.dt, low[i], high[i]);
-            failures += accepts("propagate: dt", propagate, propagate_by_hand, &given_imu.dt,
-                                end[0][i], end[1][i]);
-            failures += spoil("strapdown: dt", strapdown, &given_imu.dt, low[i], high[i]);
-            failures += accepts("strapdown: dt", strapdown, strapdown_by_hand, &given_imu.dt,
-                                end[0][i], end[1][i]);
+            failures += spoil("propagate: dt", propagate, &given_corrected_imu.dt, low[i], high[i]);
+            failures += accepts("propagate: dt", propagate, propagate_by_hand,
+                                &given_corrected_imu.dt, end[0][i], end[1][i]);
+            failures += spoil("strapdown: dt", strapdown, &given_corrected_imu.dt, low[i], high[i]);
+            failures += accepts("strapdown: dt", strapdown, strapdown_by_hand,
+                                &given_corrected_imu.dt, end[0][i], end[1][i]);
         }
     }
     {
@@ -1904,15 +1916,15 @@ static int guards(void)
         /* is not looked at */
         const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
         failures += expect("measure_zaru: a null pointer",
-                           ahr_filter_measure_zaru(0, &given_imu, R, &gates,
+                           ahr_filter_measure_zaru(0, &given_corrected_imu, R, &gates,
                                                    &said) == BS_NULL_POINTER);
         failures += expect("measure_zaru: a null pointer",
                            ahr_filter_measure_zaru(&flown, 0, R, &gates, &said) == BS_NULL_POINTER);
         failures += expect("measure_zaru: a null pointer",
-                           ahr_filter_measure_zaru(&flown, &given_imu, 0, &gates,
+                           ahr_filter_measure_zaru(&flown, &given_corrected_imu, 0, &gates,
                                                    &said) == BS_NULL_POINTER);
         failures += expect("measure_zaru: a null pointer",
-                           ahr_filter_measure_zaru(&flown, &given_imu, R, &gates,
+                           ahr_filter_measure_zaru(&flown, &given_corrected_imu, R, &gates,
                                                    0) == BS_NULL_POINTER);
     }
     failures += spoil("measure_azimuth: gate", measure_azimuth, &gate, -1e-30, 1e+30 * 1.0005);
@@ -1958,17 +1970,19 @@ static int guards(void)
     failures += expect("init: a null pointer",
                        ahr_filter_init(&flown, &given_nav, &given_reference, 0) == BS_NULL_POINTER);
     failures += expect("propagate: a null pointer",
-                       ahr_filter_propagate(0, &given_imu, &given_noise) == BS_NULL_POINTER);
+                       ahr_filter_propagate(0, &given_corrected_imu,
+                                            &given_noise) == BS_NULL_POINTER);
     failures += expect("propagate: a null pointer",
                        ahr_filter_propagate(&flown, 0, &given_noise) == BS_NULL_POINTER);
     failures += expect("propagate: a null pointer",
-                       ahr_filter_propagate(&flown, &given_imu, 0) == BS_NULL_POINTER);
+                       ahr_filter_propagate(&flown, &given_corrected_imu, 0) == BS_NULL_POINTER);
     failures += expect("strapdown: a null pointer",
-                       ahr_filter_strapdown(0, &given_imu, &given_increments) == BS_NULL_POINTER);
+                       ahr_filter_strapdown(0, &given_corrected_imu,
+                                            &given_increments) == BS_NULL_POINTER);
     failures += expect("strapdown: a null pointer",
                        ahr_filter_strapdown(&flown, 0, &given_increments) == BS_NULL_POINTER);
     failures += expect("strapdown: a null pointer",
-                       ahr_filter_strapdown(&flown, &given_imu, 0) == BS_NULL_POINTER);
+                       ahr_filter_strapdown(&flown, &given_corrected_imu, 0) == BS_NULL_POINTER);
     failures += expect("correct: a null pointer", ahr_filter_correct(0) == BS_NULL_POINTER);
     failures += expect("init_sigmas: a null pointer",
                        ahr_filter_init_sigmas(0, &given_nav, &given_reference,

@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lon_lat_height[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { -0x1.58e5660000000p+1, -0x1.3ea02c0000000p+0, 0x1.5227820000000p+14 }
 };
@@ -37,7 +37,7 @@ static const unsigned short at_H[15] = { 1, 6, 7, 8, 9, 17, 22, 23, 24, 26, 33, 
 static void set_point(int v, ahr_nav *nav)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lon_lat_height[i] = (bs_real)in_lon_lat_height[v][i];
     }
     for (int i = 0; i < 4; ++i) {
         nav->q_b2n_wxyz[i] = (bs_real)in_q_b2n_wxyz[v][i];
@@ -57,20 +57,20 @@ int test_ahr_zaru_H(void)
         }
         failures += selftest_compare("ahr_zaru_H H", v, H, 48, out_H[v], tol_H[v], at_H, 15, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -6.286326899833176, -1.4842716291272777, -500.25 };
         static const double beyond_high[3] = { 6.286326899833176, 1.4842716291272777, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
             set_point(0, &nav);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
             if (ahr_zaru_H(&nav, H) != expected) {
-                selftest_print("ahr_zaru_H: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("ahr_zaru_H: lon_lat_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("ahr_zaru_H H", H, 48);
@@ -81,9 +81,9 @@ int test_ahr_zaru_H(void)
             static const bs_real high[3] = { BS_REAL(6.283185307179586),
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
             set_point(0, &nav);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
+            nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
             if (ahr_zaru_H(&nav, H) != BS_OK) {
-                selftest_print("ahr_zaru_H: position[%d] end %d refused\n", i, end);
+                selftest_print("ahr_zaru_H: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

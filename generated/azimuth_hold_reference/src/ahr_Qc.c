@@ -3,6 +3,8 @@
  * 116 operations, list 70f7584c014b18cd. */
 #include "azimuth_hold_reference.h"
 
+BS_EXACT_BEGIN
+
 #include "ahr_Qc_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */

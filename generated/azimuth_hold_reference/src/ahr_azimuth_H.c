@@ -5,6 +5,8 @@
  * 0 operations, list d9582924b682bf48. */
 #include "azimuth_hold_reference.h"
 
+BS_EXACT_BEGIN
+
 #include "ahr_azimuth_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */

@@ -4,6 +4,8 @@
  * 64 operations, list 542185cfee87c7d4. */
 #include "azimuth_hold_reference.h"
 
+BS_EXACT_BEGIN
+
 #include "ahr_azimuth_z_kernel.h"
 
 bs_status ahr_azimuth_z(const ahr_nav *nav, const ahr_reference *reference, bs_real z[1])

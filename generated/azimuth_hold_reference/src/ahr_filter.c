@@ -7,6 +7,8 @@
 
 #include <stdint.h>
 
+BS_EXACT_BEGIN
+
 #include "ahr_zupt_z_kernel.h"
 #include "ahr_zupt_H_kernel.h"
 #include "ahr_zaru_z_kernel.h"
@@ -32,6 +34,11 @@
 #define DENSE ahr_joseph_dense
 #endif
 
+/* What stands in filter->work: of a start the factors of P, and behind them P dense; of a
+ * measurement the non-zeros of H, dense where R is not diagonal, and behind them the gain of each
+ * row where states are considered; of a step what ahr_discretize and the prediction state. */
+#define WORK_DENSE AHR_N_PACKED
+
 /* Where the diagonal of a packed matrix stands in column i; column i begins i before. */
 static int diagonal(int i)
 {
@@ -56,15 +63,15 @@ static void copy(bs_real *to, const bs_real *from, int n)
 }
 
 
-static bs_status check_nav(ahr_nav *nav, int clamp)
+static bs_status check_nav(ahr_nav *nav, bs_beyond beyond)
 {
-    static const bs_real position_low[3] = { BS_REAL(-6.283185307179586),
-                                             BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
-    static const bs_real position_high[3] = { BS_REAL(6.283185307179586),
-                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
+    static const bs_real lon_lat_height_low[3] = { BS_REAL(-6.283185307179586),
+                                                   BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
+    static const bs_real lon_lat_height_high[3] = { BS_REAL(6.283185307179586),
+                                                    BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
     bs_status status;
-    if (clamp != 0) {
-        bs_clamp(nav->position, position_low, position_high, 3);
+    if (beyond == BS_CLAMP) {
+        bs_clamp(nav->lon_lat_height, lon_lat_height_low, lon_lat_height_high, 3);
         bs_clamp_each(nav->v_n, BS_REAL(-1000.0), BS_REAL(1000.0), 3);
         if (bs_check_norm(nav->q_b2n_wxyz, BS_REAL(0.998001), BS_REAL(1.0020009999999997),
                           4) != BS_OK) {
@@ -75,7 +82,7 @@ static bs_status check_nav(ahr_nav *nav, int clamp)
                       3);
         bs_clamp_each(nav->accel_bias, BS_REAL(-1.0), BS_REAL(1.0), 3);
     }
-    status = bs_check(nav->position, position_low, position_high, 3);
+    status = bs_check(nav->lon_lat_height, lon_lat_height_low, lon_lat_height_high, 3);
     if (status == BS_OK) {
         status = bs_check_each(nav->v_n, BS_REAL(-1000.0), BS_REAL(1000.0), 3);
     }
@@ -95,10 +102,10 @@ static bs_status check_nav(ahr_nav *nav, int clamp)
     return status;
 }
 
-static bs_status check_reference(ahr_reference *reference, int clamp)
+static bs_status check_reference(ahr_reference *reference, bs_beyond beyond)
 {
     bs_status status;
-    if (clamp != 0) {
+    if (beyond == BS_CLAMP) {
         if (bs_check_norm(reference->q_ref_wxyz, BS_REAL(0.998001), BS_REAL(1.0020009999999997),
                           4) != BS_OK) {
             bs_normalize(reference->q_ref_wxyz, BS_REAL(1.0), 4);
@@ -117,17 +124,17 @@ static bs_status check_reference(ahr_reference *reference, int clamp)
     return status;
 }
 
-static bs_status check_imu_of_measure_zaru(const ahr_imu *imu)
+static bs_status check_corrected_imu_of_measure_zaru(const ahr_corrected_imu *corrected_imu)
 {
-    bs_status status = bs_check_each(imu->omega_ib_b, BS_REAL(-20.0), BS_REAL(20.0), 3);
+    bs_status status = bs_check_each(corrected_imu->omega_ib_b, BS_REAL(-20.0), BS_REAL(20.0), 3);
     return status;
 }
 
-static bs_status check_imu_of_propagate(const ahr_imu *imu)
+static bs_status check_corrected_imu_of_propagate(const ahr_corrected_imu *corrected_imu)
 {
-    bs_status status = bs_check_each(imu->f_b, BS_REAL(-500.0), BS_REAL(500.0), 3);
+    bs_status status = bs_check_each(corrected_imu->f_b, BS_REAL(-500.0), BS_REAL(500.0), 3);
     if (status == BS_OK) {
-        status = bs_check_each(&imu->dt, BS_REAL(1e-06), BS_REAL(10.0), 1);
+        status = bs_check_each(&corrected_imu->dt, BS_REAL(1e-06), BS_REAL(10.0), 1);
     }
     return status;
 }
@@ -169,9 +176,9 @@ static bs_status check_x(const bs_real *x)
     return status;
 }
 
-static bs_status check_imu_of_strapdown(const ahr_imu *imu)
+static bs_status check_corrected_imu_of_strapdown(const ahr_corrected_imu *corrected_imu)
 {
-    bs_status status = bs_check_each(&imu->dt, BS_REAL(1e-06), BS_REAL(10.0), 1);
+    bs_status status = bs_check_each(&corrected_imu->dt, BS_REAL(1e-06), BS_REAL(10.0), 1);
     return status;
 }
 
@@ -214,7 +221,7 @@ static void variances(const bs_real *P, bs_real *value)
 #endif
 }
 
-/* A finite sum is one of finite numbers; where there is none, each is asked. */
+/* A finite sum is one of finite numbers; where it is not, each number is checked. */
 static bs_status check_sum(const bs_real *value, int n)
 {
     const int fours = n - (n % 4);
@@ -225,7 +232,7 @@ static bs_status check_sum(const bs_real *value, int n)
     for (int i = fours; i < n; ++i) {
         sum += value[i];
     }
-    return ((sum - sum) <= BS_REAL(0.0)) ? BS_OK : bs_check_finite(value, n);
+    return bs_is_finite(sum) ? BS_OK : bs_check_finite(value, n);
 }
 
 /* Whether x and P are finite, and the diagonal of P, or D, is not negative. */
@@ -241,14 +248,15 @@ static bs_status sound(const bs_real *x, const bs_real *P)
     return status;
 }
 
-/* What judge does where not all is as it nearly always is. */
-static bs_status judge_closely(const bs_real *x, bs_real *P, bs_real *value, const bs_real *ceiling)
+/* check_step where a number is not as it nearly always is: which status it has, and a variance
+ * above its ceiling scaled down. */
+static bs_status limit_step(const bs_real *x, bs_real *P, bs_real *value, const bs_real *ceiling)
 {
     bs_real scale[AHR_N_STATES];
     bs_status status = sound(x, P);
     for (int i = 0; (i < AHR_N_STATES) && bs_good(status); ++i) {
         scale[i] = BS_REAL(1.0);
-        if (!((value[i] - value[i]) <= BS_REAL(0.0))) {
+        if (!bs_is_finite(value[i])) {
             status = BS_NOT_FINITE;
         } else if ((x[i] * x[i]) > ceiling[i]) {
             status = BS_OUT_OF_RANGE;
@@ -280,10 +288,10 @@ static bs_status judge_closely(const bs_real *x, bs_real *P, bs_real *value, con
     return status;
 }
 
-/* What a step has made of x and P, before it counts.  A variance above its ceiling becomes a
- * quarter as often as it takes; its row and column become a half as often: powers of two, so that
- * no correlation changes by a bit. */
-static bs_status judge(const bs_real *x, bs_real *P)
+/* Status of x and P after a step, before they replace those of the filter.  A variance above its
+ * ceiling becomes a quarter as often as it takes; its row and column become a half as often: powers
+ * of two, so that no correlation changes by a bit. */
+static bs_status check_step(const bs_real *x, bs_real *P)
 {
     static const bs_real ceiling[AHR_N_STATES] = { BS_REAL(100.0), BS_REAL(100.0),
                                                    BS_REAL(1000000000000.0), BS_REAL(10000000000.0),
@@ -294,128 +302,129 @@ static bs_status judge(const bs_real *x, bs_real *P)
                                                    BS_REAL(1000000.0), BS_REAL(1000000.0),
                                                    BS_REAL(1000000.0), BS_REAL(1000000.0) };
     bs_real value[AHR_N_STATES];
-    int at = 0; /* the diagonal of column i */
+    int place = 0; /* of the diagonal of column i */
     bool good = true;
     variances(P, value);
     for (int i = 0; (i < AHR_N_STATES) && good; ++i) {
-        good = (P[at] >= BS_REAL(0.0)) && (value[i] <= ceiling[i]) && ((x[i] * x[i]) <= ceiling[i]);
-        at += i + 2;
+        good = (P[place] >= BS_REAL(0.0)) && (value[i] <= ceiling[i]) &&
+            ((x[i] * x[i]) <= ceiling[i]);
+        place += i + 2;
     }
 #if !BORESIGHT_UD
     good = good && (check_sum(P, AHR_N_PACKED) == BS_OK);
 #endif
-    return good ? BS_OK : judge_closely(x, P, value, ceiling);
+    return good ? BS_OK : limit_step(x, P, value, ceiling);
 }
 
-/* One measurement: where its non-zeros stand, and how it is taken. */
+/* One measurement: where the non-zeros of H stand, and what its rows are. */
 typedef struct {
-    const unsigned short *start; /* row i of H has those from start[i] on, */
-    const unsigned short *at;    /* of these states */
+    const unsigned short *start; /* row i of H has its non-zeros from start[i] on, */
+    const unsigned short *columns; /* in these columns */
     int m;
     int index; /* AHR_MEASUREMENT_... */
 } measurement;
 
 typedef struct {
     bs_real x[AHR_N_STATES]; /* as it was before; P as it was is in filter->Q */
-    unsigned int asked;          /* rows to be taken, by the caller, */
-    unsigned int rows;           /* and by the gates */
+    unsigned int requested;      /* rows to take, by the caller, */
+    unsigned int rows;           /* and of these, by the gates */
     bs_real gate;
     bs_real joint;
-    int left; /* linearisations that are to come */
+    int remaining; /* linearisations to come */
 } attempt;
 
-static void roll_back(ahr_filter *filter, const attempt *a)
+static void roll_back(ahr_filter *filter, const attempt *trial)
 {
-    copy(filter->x, a->x, AHR_N_STATES);
+    copy(filter->x, trial->x, AHR_N_STATES);
     copy(filter->P, filter->Q, AHR_N_PACKED);
 }
 
-/* Keeps x and P, and judges what does not depend on the model's functions: the variances of the
- * rows, R[0], R[step] ..., and the gates. */
-static bs_status begin(attempt *a,
-                       ahr_filter *filter,
-                       const bs_gates *gates,
-                       const bs_real *R,
-                       int step,
-                       int m)
+/* Copies x and P for a roll-back, and checks what does not depend on the model's functions: the
+ * variances of the rows, R[0], R[step] ..., and the gates. */
+static bs_status begin_trial(attempt *trial,
+                             ahr_filter *filter,
+                             const bs_gates *gates,
+                             const bs_real *R,
+                             int step,
+                             int m)
 {
     bs_status status = BS_OK;
     copy(filter->Q, filter->P, AHR_N_PACKED);
-    copy(a->x, filter->x, AHR_N_STATES);
-    a->asked = BS_ALL_ROWS;
-    a->gate = BS_REAL(0.0);
-    a->joint = BS_REAL(0.0);
-    a->left = 1;
+    copy(trial->x, filter->x, AHR_N_STATES);
+    trial->requested = BS_ALL_ROWS;
+    trial->gate = BS_REAL(0.0);
+    trial->joint = BS_REAL(0.0);
+    trial->remaining = 1;
     if (gates != NULL) {
-        a->asked = gates->rows;
-        a->gate = gates->gate;
-        a->joint = gates->joint;
-        a->left = (gates->iterations == 0) ? 1 : gates->iterations;
+        trial->requested = gates->rows;
+        trial->gate = gates->gate;
+        trial->joint = gates->joint;
+        trial->remaining = (gates->iterations == 0) ? 1 : gates->iterations;
     }
-    a->asked &= BS_ALL_ROWS >> (32U - (unsigned int)m);
-    a->rows = a->asked;
+    trial->requested &= BS_ALL_ROWS >> (32U - (unsigned int)m);
+    trial->rows = trial->requested;
     for (int i = 0; (i < m) && (status != BS_NOT_FINITE); ++i) {
-        const bs_status one = bs_check_each(&R[i * step], BS_REAL(1e-30), BS_REAL(1e+30), 1);
-        status = (one != BS_OK) ? one : status;
+        const bs_status row = bs_check_each(&R[i * step], BS_REAL(1e-30), BS_REAL(1e+30), 1);
+        status = (row != BS_OK) ? row : status;
     }
     if (status == BS_OK) {
-        status = bs_check_each(&a->gate, BS_REAL(0.0), BS_REAL(1e+30), 1);
+        status = bs_check_each(&trial->gate, BS_REAL(0.0), BS_REAL(1e+30), 1);
     }
     if (status == BS_OK) {
-        status = bs_check_each(&a->joint, BS_REAL(0.0), BS_REAL(1e+30), 1);
+        status = bs_check_each(&trial->joint, BS_REAL(0.0), BS_REAL(1e+30), 1);
     }
     if (status == BS_OK) {
-        status = ((a->left < 0) || (a->left > BS_MOST_ITERATIONS)) ? BS_OUT_OF_RANGE : BS_OK;
+        status = ((trial->remaining < 0) ||
+                  (trial->remaining > BS_MOST_ITERATIONS)) ? BS_OUT_OF_RANGE : BS_OK;
     }
     return status;
 }
 
-/* Ends a measurement: with what it has made of x, P and the innovation, or with all as they
- * were. */
-static bs_status finish(ahr_filter *filter,
-                        const attempt *a,
-                        const measurement *layout,
-                        bs_status status,
-                        ahr_innovation *found,
-                        ahr_innovation *innovation)
+/* Ends a measurement: with x, P and the innovation that it made, or with all as they were. */
+static bs_status end_trial(ahr_filter *filter,
+                           const attempt *trial,
+                           const measurement *layout,
+                           bs_status status,
+                           ahr_innovation *found,
+                           ahr_innovation *innovation)
 {
     unsigned short *const count = &filter->rejected[layout->index];
     bs_status end = status;
-    if ((end == BS_OK) && (!((found->nis - found->nis) <= BS_REAL(0.0)))) {
+    if ((end == BS_OK) && (!bs_is_finite(found->nis))) {
         end = BS_NOT_POSITIVE;
     }
     if (end == BS_OK) {
-        if ((a->joint > BS_REAL(0.0)) && (!(found->nis <= a->joint))) {
-            roll_back(filter, a);
+        if ((trial->joint > BS_REAL(0.0)) && (!(found->nis <= trial->joint))) {
+            roll_back(filter, trial);
             found->used = 0U;
         }
-        end = judge(filter->x, filter->P);
+        end = check_step(filter->x, filter->P);
         if ((end == BS_AT_CEILING) && (filter->ceilings < 65535U)) {
             filter->ceilings += 1U;
         }
     }
     if (!bs_good(end)) {
-        roll_back(filter, a);
+        roll_back(filter, trial);
     } else {
         *innovation = *found;
-        if (found->used != a->asked) {
+        if (found->used != trial->requested) {
             *count = (*count < 65535U) ? (unsigned short)(*count + 1U) : *count;
-        } else if (a->asked != 0U) {
+        } else if (trial->requested != 0U) {
             *count = 0U;
         } else {
-            /* nothing was asked for */
+            /* no row was requested */
         }
     }
     return end;
 }
 
-/* Of the gain of m rows that are taken, what belongs to considered states is left out: x is as it
- * was, and P rises by S k k' of each row's part. */
-static void leave_out(ahr_filter *filter,
-                      const bs_real *x,
-                      bs_real *gain,
-                      int m,
-                      const ahr_innovation *innovation)
+/* Considered states keep their x, and P rises by S k k' of their part k of the gain of each row
+ * that was used. */
+static void keep_considered(ahr_filter *filter,
+                            const bs_real *x,
+                            bs_real *gain,
+                            int m,
+                            const ahr_innovation *innovation)
 {
     for (int j = 0; j < AHR_N_STATES; ++j) {
         if (filter->considered[j] != 0U) {
@@ -436,14 +445,14 @@ static void leave_out(ahr_filter *filter,
 }
 
 /* The rows of one measurement, one after another.  H stands in filter->work. */
-static bs_status take(ahr_filter *filter,
-                      const attempt *a,
-                      const measurement *layout,
-                      const bs_real *z,
-                      const bs_real *R,
-                      unsigned int rows,
-                      bs_real gate,
-                      ahr_innovation *innovation)
+static bs_status update_rows(ahr_filter *filter,
+                             const attempt *trial,
+                             const measurement *layout,
+                             const bs_real *z,
+                             const bs_real *R,
+                             unsigned int rows,
+                             bs_real gate,
+                             ahr_innovation *innovation)
 {
     const bs_real *const H = filter->work;
     bs_real *const gain = &filter->work[layout->start[layout->m]]; /* where states are considered */
@@ -452,8 +461,8 @@ static bs_status take(ahr_filter *filter,
     innovation->nis = BS_REAL(0.0);
     for (int i = 0; (i < layout->m) && (status == BS_OK); ++i) {
         const int start = (int)layout->start[i];
-        bs_row row = { &H[start], &layout->at[start], (int)layout->start[i + 1] - start, z[i], R[i],
-                       gate, z[i], R[i], 0, NULL };
+        bs_row row = { &H[start], &layout->columns[start], (int)layout->start[i + 1] - start, z[i],
+                       R[i], gate, z[i], R[i], 0, NULL };
         if (filter->considering != 0U) {
             row.gain = &gain[i * AHR_N_STATES];
         }
@@ -469,12 +478,11 @@ static bs_status take(ahr_filter *filter,
         }
     }
     if ((filter->considering != 0U) && (status == BS_OK)) {
-        leave_out(filter, a->x, gain, layout->m, innovation);
+        keep_considered(filter, trial->x, gain, layout->m, innovation);
     }
     return status;
 }
-/* Begins from a dense P that may stand in the second half of filter->work; the structs are
- * sound. */
+/* Begins from a dense P, which may stand at WORK_DENSE of filter->work. */
 static bs_status start(ahr_filter *filter,
                        const ahr_nav *nav,
                        const ahr_reference *reference,
@@ -487,10 +495,10 @@ static bs_status start(ahr_filter *filter,
     first_nav = *nav;
     first_reference = *reference;
     if (status == BS_OK) {
-        status = check_nav(&first_nav, 0);
+        status = check_nav(&first_nav, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_reference(&first_reference, 0);
+        status = check_reference(&first_reference, BS_REFUSE);
     }
     if (status == BS_OK) {
         status = INIT(dense, filter->Q, filter->work);
@@ -499,7 +507,7 @@ static bs_status start(ahr_filter *filter,
         for (int i = 0; i < AHR_N_STATES; ++i) {
             first[i] = BS_REAL(0.0);
         }
-        status = judge(first, filter->Q);
+        status = check_step(first, filter->Q);
     }
     if (status == BS_AT_CEILING) {
         status = BS_OUT_OF_RANGE;
@@ -538,24 +546,25 @@ bs_status ahr_filter_init_blocks(ahr_filter *filter,
                                  const bs_real blocks[AHR_N_BLOCKS])
 {
     static const unsigned short size[6] = { 3, 3, 3, 3, 3, 1 };
+    bs_real *dense;
     int from = 0;
     int first = 0;
     if ((filter == NULL) || (nav == NULL) || (reference == NULL) || (blocks == NULL)) {
         return BS_NULL_POINTER;
     }
+    dense = &filter->work[WORK_DENSE];
     for (int i = 0; i < (AHR_N_STATES * AHR_N_STATES); ++i) {
-        filter->work[AHR_N_PACKED + i] = BS_REAL(0.0);
+        dense[i] = BS_REAL(0.0);
     }
     for (int b = 0; b < 6; ++b) {
         const int n = (int)size[b];
         for (int i = 0; i < n; ++i) {
-            copy(&filter->work[AHR_N_PACKED + ((first + i) * AHR_N_STATES) + first],
-                 &blocks[from + (i * n)], n);
+            copy(&dense[((first + i) * AHR_N_STATES) + first], &blocks[from + (i * n)], n);
         }
         from += n * n;
         first += n;
     }
-    return start(filter, nav, reference, &filter->work[AHR_N_PACKED]);
+    return start(filter, nav, reference, dense);
 }
 
 bs_status ahr_filter_init_sigmas(ahr_filter *filter,
@@ -563,22 +572,23 @@ bs_status ahr_filter_init_sigmas(ahr_filter *filter,
                                  const ahr_reference *reference,
                                  const bs_real sigma[AHR_N_STATES])
 {
+    bs_real *dense;
     if ((filter == NULL) || (nav == NULL) || (reference == NULL) || (sigma == NULL)) {
         return BS_NULL_POINTER;
     }
+    dense = &filter->work[WORK_DENSE];
     for (int i = 0; i < (AHR_N_STATES * AHR_N_STATES); ++i) {
         const bs_real own = sigma[i % AHR_N_STATES];
         /* a negative one is refused */
-        filter->work[AHR_N_PACKED + i] = ((i % (AHR_N_STATES + 1)) == 0) ? (own * BS_FABS(own))
-            : BS_REAL(0.0);
+        dense[i] = ((i % (AHR_N_STATES + 1)) == 0) ? (own * BS_FABS(own)) : BS_REAL(0.0);
     }
-    return start(filter, nav, reference, &filter->work[AHR_N_PACKED]);
+    return start(filter, nav, reference, dense);
 }
 
 bs_status ahr_filter_set_nav(ahr_filter *filter,
                              const ahr_nav *nav,
                              const ahr_reference *reference,
-                             int clamp)
+                             bs_beyond beyond)
 {
     ahr_nav next_nav;
     ahr_reference next_reference;
@@ -594,10 +604,10 @@ bs_status ahr_filter_set_nav(ahr_filter *filter,
     }
     status = sound(zero, filter->P);
     if (status == BS_OK) {
-        status = check_nav(&next_nav, clamp);
+        status = check_nav(&next_nav, beyond);
     }
     if (status == BS_OK) {
-        status = check_reference(&next_reference, clamp);
+        status = check_reference(&next_reference, beyond);
     }
     if (status == BS_OK) {
         filter->nav = next_nav;
@@ -608,34 +618,34 @@ bs_status ahr_filter_set_nav(ahr_filter *filter,
 }
 
 bs_status ahr_filter_strapdown(ahr_filter *filter,
-                               const ahr_imu *imu,
+                               const ahr_corrected_imu *corrected_imu,
                                const ahr_increments *increments)
 {
     ahr_nav next_nav;
     bs_status status;
-    if ((filter == NULL) || (imu == NULL) || (increments == NULL)) {
+    if ((filter == NULL) || (corrected_imu == NULL) || (increments == NULL)) {
         return BS_NULL_POINTER;
     }
     next_nav = filter->nav;
-    status = check_nav(&filter->nav, 0);
+    status = check_nav(&filter->nav, BS_REFUSE);
     if (status == BS_OK) {
-        status = check_reference(&filter->reference, 0);
+        status = check_reference(&filter->reference, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_imu_of_strapdown(imu);
+        status = check_corrected_imu_of_strapdown(corrected_imu);
     }
     if (status == BS_OK) {
         status = check_increments_of_strapdown(increments);
     }
     if (status == BS_OK) {
-        ahr_strapdown_kernel(filter->nav.position, filter->nav.v_n, filter->nav.q_b2n_wxyz,
-                             filter->nav.gyro_bias, filter->nav.accel_bias, &imu->dt,
+        ahr_strapdown_kernel(filter->nav.lon_lat_height, filter->nav.v_n, filter->nav.q_b2n_wxyz,
+                             filter->nav.gyro_bias, filter->nav.accel_bias, &corrected_imu->dt,
                              increments->dtheta_ib_b, increments->dv_b, increments->dtheta_before,
-                             increments->dv_before, next_nav.position, next_nav.v_n,
+                             increments->dv_before, next_nav.lon_lat_height, next_nav.v_n,
                              next_nav.q_b2n_wxyz);
     }
     if (status == BS_OK) {
-        status = check_nav(&next_nav, 0);
+        status = check_nav(&next_nav, BS_REFUSE);
     }
     if (status == BS_OK) {
         filter->nav = next_nav;
@@ -645,7 +655,7 @@ bs_status ahr_filter_strapdown(ahr_filter *filter,
 
 /* x over a step.  Of an error that is taken out, as nearly always, nothing is left to carry but the
  * sign of a zero. */
-static void carry_x(const bs_real *Phi, bs_real *x)
+static void predict_x(const bs_real *Phi, bs_real *x)
 {
     bs_real size = BS_REAL(0.0);
     for (int i = 0; i < AHR_N_STATES; ++i) {
@@ -661,11 +671,11 @@ static void carry_x(const bs_real *Phi, bs_real *x)
 }
 
 /* P over a step, with x as it is after it. */
-static bs_status carry(ahr_filter *filter, const bs_real *x)
+static bs_status predict_P(ahr_filter *filter, const bs_real *x)
 {
     bs_status status;
     PREDICT(filter->P, filter->Phi, filter->Q, filter->Q, filter->work);
-    status = judge(x, filter->Q);
+    status = check_step(x, filter->Q);
     if (bs_good(status)) {
         copy(filter->x, x, AHR_N_STATES);
         copy(filter->P, filter->Q, AHR_N_PACKED);
@@ -676,36 +686,39 @@ static bs_status carry(ahr_filter *filter, const bs_real *x)
     return status;
 }
 
-bs_status ahr_filter_propagate(ahr_filter *filter, const ahr_imu *imu, const ahr_noise *noise)
+bs_status ahr_filter_propagate(ahr_filter *filter,
+                               const ahr_corrected_imu *corrected_imu,
+                               const ahr_noise *noise)
 {
     bs_real next[AHR_N_STATES];
     bs_status status;
-    if ((filter == NULL) || (imu == NULL) || (noise == NULL)) {
+    if ((filter == NULL) || (corrected_imu == NULL) || (noise == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = check_nav(&filter->nav, 0);
+    status = check_nav(&filter->nav, BS_REFUSE);
     if (status == BS_OK) {
-        status = check_reference(&filter->reference, 0);
+        status = check_reference(&filter->reference, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_imu_of_propagate(imu);
+        status = check_corrected_imu_of_propagate(corrected_imu);
     }
     if (status == BS_OK) {
         status = check_noise_of_propagate(noise);
     }
     if (status == BS_OK) {
-        ahr_F_kernel(filter->nav.position, filter->nav.v_n, filter->nav.q_b2n_wxyz, imu->f_b,
-                     filter->F);
+        ahr_F_kernel(filter->nav.lon_lat_height, filter->nav.v_n, filter->nav.q_b2n_wxyz,
+                     corrected_imu->f_b, filter->F);
     }
     if (status == BS_OK) {
         ahr_Qc_kernel(filter->nav.q_b2n_wxyz, noise->gyro_noise, noise->accel_noise,
                       noise->gyro_bias_noise, noise->accel_bias_noise, filter->Qc);
     }
     if (status == BS_OK) {
-        ahr_discretize(filter->F, filter->Qc, imu->dt, filter->Phi, filter->Q, filter->work);
+        ahr_discretize(filter->F, filter->Qc, corrected_imu->dt, filter->Phi, filter->Q,
+                       filter->work);
         copy(next, filter->x, AHR_N_STATES);
-        carry_x(filter->Phi, next);
-        status = carry(filter, next);
+        predict_x(filter->Phi, next);
+        status = predict_P(filter, next);
     }
     return status;
 }
@@ -725,12 +738,12 @@ bs_status ahr_filter_measure_zupt(ahr_filter *filter,
     if ((filter == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = begin(&trial, filter, gates, R, 1, 3);
+    status = begin_trial(&trial, filter, gates, R, 1, 3);
     if (status == BS_OK) {
-        status = check_nav(&filter->nav, 0);
+        status = check_nav(&filter->nav, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_reference(&filter->reference, 0);
+        status = check_reference(&filter->reference, BS_REFUSE);
     }
     if (status == BS_OK) {
         ahr_zupt_z_kernel(filter->nav.v_n, z);
@@ -739,13 +752,13 @@ bs_status ahr_filter_measure_zupt(ahr_filter *filter,
         ahr_zupt_H_kernel(filter->work);
     }
     if (status == BS_OK) {
-        status = take(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
+        status = update_rows(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
     }
-    return finish(filter, &trial, &layout, status, &found, innovation);
+    return end_trial(filter, &trial, &layout, status, &found, innovation);
 }
 
 bs_status ahr_filter_measure_zaru(ahr_filter *filter,
-                                  const ahr_imu *imu,
+                                  const ahr_corrected_imu *corrected_imu,
                                   const bs_real R[3],
                                   const bs_gates *gates,
                                   ahr_innovation *innovation)
@@ -757,29 +770,30 @@ bs_status ahr_filter_measure_zaru(ahr_filter *filter,
     ahr_innovation found;
     bs_real z[3];
     bs_status status;
-    if ((filter == NULL) || (imu == NULL) || (R == NULL) || (innovation == NULL)) {
+    if ((filter == NULL) || (corrected_imu == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = begin(&trial, filter, gates, R, 1, 3);
+    status = begin_trial(&trial, filter, gates, R, 1, 3);
     if (status == BS_OK) {
-        status = check_nav(&filter->nav, 0);
+        status = check_nav(&filter->nav, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_reference(&filter->reference, 0);
+        status = check_reference(&filter->reference, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_imu_of_measure_zaru(imu);
+        status = check_corrected_imu_of_measure_zaru(corrected_imu);
     }
     if (status == BS_OK) {
-        ahr_zaru_z_kernel(filter->nav.position, filter->nav.q_b2n_wxyz, imu->omega_ib_b, z);
+        ahr_zaru_z_kernel(filter->nav.lon_lat_height, filter->nav.q_b2n_wxyz,
+                          corrected_imu->omega_ib_b, z);
     }
     if (status == BS_OK) {
-        ahr_zaru_H_kernel(filter->nav.position, filter->nav.q_b2n_wxyz, filter->work);
+        ahr_zaru_H_kernel(filter->nav.lon_lat_height, filter->nav.q_b2n_wxyz, filter->work);
     }
     if (status == BS_OK) {
-        status = take(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
+        status = update_rows(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
     }
-    return finish(filter, &trial, &layout, status, &found, innovation);
+    return end_trial(filter, &trial, &layout, status, &found, innovation);
 }
 
 bs_status ahr_filter_measure_azimuth(ahr_filter *filter,
@@ -797,12 +811,12 @@ bs_status ahr_filter_measure_azimuth(ahr_filter *filter,
     if ((filter == NULL) || (R == NULL) || (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = begin(&trial, filter, gates, R, 1, 1);
+    status = begin_trial(&trial, filter, gates, R, 1, 1);
     if (status == BS_OK) {
-        status = check_nav(&filter->nav, 0);
+        status = check_nav(&filter->nav, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_reference(&filter->reference, 0);
+        status = check_reference(&filter->reference, BS_REFUSE);
     }
     if (status == BS_OK) {
         ahr_azimuth_z_kernel(filter->nav.q_b2n_wxyz, filter->reference.q_ref_wxyz,
@@ -812,9 +826,9 @@ bs_status ahr_filter_measure_azimuth(ahr_filter *filter,
         ahr_azimuth_H_kernel(filter->work);
     }
     if (status == BS_OK) {
-        status = take(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
+        status = update_rows(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
     }
-    return finish(filter, &trial, &layout, status, &found, innovation);
+    return end_trial(filter, &trial, &layout, status, &found, innovation);
 }
 
 bs_status ahr_filter_correct(ahr_filter *filter)
@@ -829,26 +843,26 @@ bs_status ahr_filter_correct(ahr_filter *filter)
     next_reference = filter->reference;
     status = sound(filter->x, filter->P);
     if (status == BS_OK) {
-        status = check_nav(&filter->nav, 0);
+        status = check_nav(&filter->nav, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_reference(&filter->reference, 0);
+        status = check_reference(&filter->reference, BS_REFUSE);
     }
     if (status == BS_OK) {
         status = check_x(filter->x);
     }
     if (status == BS_OK) {
-        ahr_feedback_kernel(filter->x, filter->nav.position, filter->nav.v_n,
+        ahr_feedback_kernel(filter->x, filter->nav.lon_lat_height, filter->nav.v_n,
                             filter->nav.q_b2n_wxyz, filter->nav.gyro_bias, filter->nav.accel_bias,
-                            &filter->reference.reference_error, next_nav.position, next_nav.v_n,
-                            next_nav.q_b2n_wxyz, next_nav.gyro_bias, next_nav.accel_bias,
-                            &next_reference.reference_error);
+                            &filter->reference.reference_error, next_nav.lon_lat_height,
+                            next_nav.v_n, next_nav.q_b2n_wxyz, next_nav.gyro_bias,
+                            next_nav.accel_bias, &next_reference.reference_error);
     }
     if (status == BS_OK) {
-        status = check_nav(&next_nav, 0);
+        status = check_nav(&next_nav, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_reference(&next_reference, 0);
+        status = check_reference(&next_reference, BS_REFUSE);
     }
     if (status == BS_OK) {
         filter->nav = next_nav;
@@ -860,24 +874,24 @@ bs_status ahr_filter_correct(ahr_filter *filter)
     return status;
 }
 
-/* What is wrong with the numbers that the filter holds. */
-static bs_status held(const ahr_filter *filter)
+/* Status of all numbers of the filter. */
+static bs_status check_filter(const ahr_filter *filter)
 {
-    ahr_nav held_nav;
-    ahr_reference held_reference;
+    ahr_nav kept_nav;
+    ahr_reference kept_reference;
     bs_status status = sound(filter->x, filter->P);
-    held_nav = filter->nav;
+    kept_nav = filter->nav;
     if (status == BS_OK) {
-        status = check_nav(&held_nav, 0);
+        status = check_nav(&kept_nav, BS_REFUSE);
     }
-    held_reference = filter->reference;
+    kept_reference = filter->reference;
     if (status == BS_OK) {
-        status = check_reference(&held_reference, 0);
+        status = check_reference(&kept_reference, BS_REFUSE);
     }
     return status;
 }
 
-static void choose(ahr_filter *filter, const unsigned char *considered)
+static void set_considered(ahr_filter *filter, const unsigned char *considered)
 {
     filter->considering = 0U;
     for (int i = 0; i < AHR_N_STATES; ++i) {
@@ -895,14 +909,14 @@ bs_status ahr_filter_consider(ahr_filter *filter, const unsigned char considered
     if ((filter == NULL) || (considered == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = held(filter);
+    status = check_filter(filter);
     if (status == BS_OK) {
-        choose(filter, considered);
+        set_considered(filter, considered);
     }
     return status;
 }
 
-/* The variances of the states where all that the filter holds of them is sound. */
+/* The variances of the states, where x and P are sound. */
 static bs_status sound_variances(const ahr_filter *filter, bs_real *all)
 {
     bs_status status = sound(filter->x, filter->P);
@@ -965,7 +979,7 @@ bs_status ahr_filter_health(const ahr_filter *filter, ahr_health *health)
     if ((filter == NULL) || (health == NULL)) {
         return BS_NULL_POINTER;
     }
-    health->state = held(filter);
+    health->state = check_filter(filter);
     health->ceilings = filter->ceilings;
     for (int i = 0; i < AHR_N_MEASUREMENTS; ++i) {
         health->rejected[i] = filter->rejected[i];
@@ -983,10 +997,10 @@ size_t ahr_snapshot_size(void)
     return (size_t)AHR_SNAPSHOT_SIZE;
 }
 
-/* ---- a snapshot: its head, then what is carried from call to call, number after number as it lies
- * in memory, and a checksum */
+/* ---- a snapshot: its header, the numbers that last from call to call in the order of memory, and
+ * a checksum */
 
-static int put(unsigned char *to, const unsigned char *from, size_t n)
+static int copy_bytes(unsigned char *to, const unsigned char *from, size_t n)
 {
     for (size_t i = 0U; i < n; ++i) {
         to[i] = from[i];
@@ -994,21 +1008,22 @@ static int put(unsigned char *to, const unsigned char *from, size_t n)
     return (int)n;
 }
 
-static void head(unsigned char *to)
+static void write_header(unsigned char *to)
 {
     static const unsigned char magic[4] = { 0x42U, 0x53U, 0x46U, 0x53U }; /* "BSFS" */
     static const char hash[] = AHR_MODEL_HASH;
     const unsigned short one = 1U;
-    (void)put(to, magic, sizeof(magic));
+    (void)copy_bytes(to, magic, sizeof(magic));
     to[4] = BS_SNAPSHOT_LAYOUT;
     to[5] = (unsigned char)sizeof(bs_real);
     to[6] = BORESIGHT_UD;
-    (void)put(&to[7], (const unsigned char *)&one, 1U); /* 1 where the least byte comes first */
-    (void)put(&to[8], (const unsigned char *)hash, 64U);
+    /* 1 where the least byte comes first */
+    (void)copy_bytes(&to[7], (const unsigned char *)&one, 1U);
+    (void)copy_bytes(&to[8], (const unsigned char *)hash, 64U);
 }
 
 /* CRC-32 (IEEE 802.3) of all that stands before it, its least byte first. */
-static void seal(const unsigned char *bytes, unsigned char checksum[BS_SNAPSHOT_CHECKSUM])
+static void write_checksum(const unsigned char *bytes, unsigned char checksum[BS_SNAPSHOT_CHECKSUM])
 {
     uint32_t left = 0xFFFFFFFFU;
     for (int i = 0; i < (AHR_SNAPSHOT_SIZE - BS_SNAPSHOT_CHECKSUM); ++i) {
@@ -1026,22 +1041,26 @@ static void seal(const unsigned char *bytes, unsigned char checksum[BS_SNAPSHOT_
 
 bs_status ahr_filter_snapshot(const ahr_filter *filter, unsigned char bytes[AHR_SNAPSHOT_SIZE])
 {
-    int at = BS_SNAPSHOT_HEAD;
+    int offset = BS_SNAPSHOT_HEAD;
     bs_status status;
     if ((filter == NULL) || (bytes == NULL)) {
         return BS_NULL_POINTER;
     }
     status = sound(filter->x, filter->P);
     if (status == BS_OK) {
-        head(bytes);
-        at += put(&bytes[at], (const unsigned char *)&filter->nav, sizeof(filter->nav));
-        at += put(&bytes[at], (const unsigned char *)&filter->reference, sizeof(filter->reference));
-        at += put(&bytes[at], (const unsigned char *)filter->x, sizeof(filter->x));
-        at += put(&bytes[at], (const unsigned char *)filter->P, sizeof(filter->P));
-        at += put(&bytes[at], (const unsigned char *)filter->rejected, sizeof(filter->rejected));
-        at += put(&bytes[at], (const unsigned char *)&filter->ceilings, sizeof(filter->ceilings));
-        at += put(&bytes[at], filter->considered, sizeof(filter->considered));
-        seal(bytes, &bytes[at]);
+        write_header(bytes);
+        offset += copy_bytes(&bytes[offset], (const unsigned char *)&filter->nav,
+                             sizeof(filter->nav));
+        offset += copy_bytes(&bytes[offset], (const unsigned char *)&filter->reference,
+                             sizeof(filter->reference));
+        offset += copy_bytes(&bytes[offset], (const unsigned char *)filter->x, sizeof(filter->x));
+        offset += copy_bytes(&bytes[offset], (const unsigned char *)filter->P, sizeof(filter->P));
+        offset += copy_bytes(&bytes[offset], (const unsigned char *)filter->rejected,
+                             sizeof(filter->rejected));
+        offset += copy_bytes(&bytes[offset], (const unsigned char *)&filter->ceilings,
+                             sizeof(filter->ceilings));
+        offset += copy_bytes(&bytes[offset], filter->considered, sizeof(filter->considered));
+        write_checksum(bytes, &bytes[offset]);
     }
     return status;
 }
@@ -1053,16 +1072,16 @@ bs_status ahr_filter_restore(ahr_filter *filter, const unsigned char bytes[AHR_S
     bs_real x[AHR_N_STATES];
     ahr_nav next_nav;
     ahr_reference next_reference;
-    int at = BS_SNAPSHOT_HEAD;
+    int offset = BS_SNAPSHOT_HEAD;
     bs_status status = bs_probe();
     if ((filter == NULL) || (bytes == NULL)) {
         return BS_NULL_POINTER;
     }
-    head(wanted);
+    write_header(wanted);
     for (int i = 0; i < BS_SNAPSHOT_HEAD; ++i) {
         status = (bytes[i] == wanted[i]) ? status : BS_OUT_OF_RANGE;
     }
-    seal(bytes, checksum);
+    write_checksum(bytes, checksum);
     for (int i = 0; i < BS_SNAPSHOT_CHECKSUM; ++i) {
         status = (bytes[AHR_SNAPSHOT_SIZE - BS_SNAPSHOT_CHECKSUM + i] == checksum[i]) ? status
             : BS_OUT_OF_RANGE;
@@ -1070,18 +1089,18 @@ bs_status ahr_filter_restore(ahr_filter *filter, const unsigned char bytes[AHR_S
     if (status != BS_OK) {
         return status;
     }
-    at += put((unsigned char *)&next_nav, &bytes[at], sizeof(next_nav));
-    at += put((unsigned char *)&next_reference, &bytes[at], sizeof(next_reference));
-    at += put((unsigned char *)x, &bytes[at], sizeof(x));
-    at += put((unsigned char *)filter->Q, &bytes[at], sizeof(filter->Q));
+    offset += copy_bytes((unsigned char *)&next_nav, &bytes[offset], sizeof(next_nav));
+    offset += copy_bytes((unsigned char *)&next_reference, &bytes[offset], sizeof(next_reference));
+    offset += copy_bytes((unsigned char *)x, &bytes[offset], sizeof(x));
+    offset += copy_bytes((unsigned char *)filter->Q, &bytes[offset], sizeof(filter->Q));
     if (status == BS_OK) {
-        status = check_nav(&next_nav, 0);
+        status = check_nav(&next_nav, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_reference(&next_reference, 0);
+        status = check_reference(&next_reference, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = judge(x, filter->Q);
+        status = check_step(x, filter->Q);
     }
     if (status == BS_AT_CEILING) {
         status = BS_OUT_OF_RANGE;
@@ -1092,10 +1111,12 @@ bs_status ahr_filter_restore(ahr_filter *filter, const unsigned char bytes[AHR_S
         filter->reference = next_reference;
         copy(filter->x, x, AHR_N_STATES);
         copy(filter->P, filter->Q, AHR_N_PACKED);
-        at += put((unsigned char *)filter->rejected, &bytes[at], sizeof(filter->rejected));
-        at += put((unsigned char *)&filter->ceilings, &bytes[at], sizeof(filter->ceilings));
-        (void)put(considered, &bytes[at], sizeof(considered));
-        choose(filter, considered);
+        offset += copy_bytes((unsigned char *)filter->rejected, &bytes[offset],
+                             sizeof(filter->rejected));
+        offset += copy_bytes((unsigned char *)&filter->ceilings, &bytes[offset],
+                             sizeof(filter->ceilings));
+        (void)copy_bytes(considered, &bytes[offset], sizeof(considered));
+        set_considered(filter, considered);
     }
     return status;
 }

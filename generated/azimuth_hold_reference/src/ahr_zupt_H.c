@@ -4,6 +4,8 @@
  * 0 operations, list 71d56a078f4e9274. */
 #include "azimuth_hold_reference.h"
 
+BS_EXACT_BEGIN
+
 #include "ahr_zupt_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */

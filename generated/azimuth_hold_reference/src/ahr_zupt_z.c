@@ -4,6 +4,8 @@
  * 0 operations, list b9a3092c2a732c25. */
 #include "azimuth_hold_reference.h"
 
+BS_EXACT_BEGIN
+
 #include "ahr_zupt_z_kernel.h"
 
 bs_status ahr_zupt_z(const ahr_nav *nav, bs_real z[3])

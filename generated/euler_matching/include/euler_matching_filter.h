@@ -107,10 +107,9 @@ bs_status em_filter_init_sigmas(em_filter *filter,
 
 /* Set nav from outside; P stays, and x becomes zero.  Where a strapdown or a correction is refused
  * for good, this is the way out.
- * in   clamp  0 to refuse a number outside its box; else it is put on the edge, and a vector that
- *             has a norm is scaled to it
+ * in   beyond  BS_REFUSE or BS_CLAMP
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; BS_NOT_POSITIVE: P is none */
-bs_status em_filter_set_nav(em_filter *filter, const em_nav *nav, int clamp);
+bs_status em_filter_set_nav(em_filter *filter, const em_nav *nav, bs_beyond beyond);
 
 /* The slave's attitude after one interval of inertial data.
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE: an input, or the result, lies

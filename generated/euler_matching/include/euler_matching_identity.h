@@ -20,7 +20,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "ce68504166622f3ccce1fe9f040861b7b71201349cf4a6de81e2f1d961e3f40b"
+#define EM_MODEL_HASH "0bbce80b5a708501665344404cd0dfcbf0b2aff4ee2779e3b4d20e914f3cd0b6"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1

@@ -83,7 +83,7 @@ static const bs_real ceiling[N] = { BS_REAL(1000000.0), BS_REAL(1000000.0), BS_R
 static em_health health;
 static unsigned char bytes[EM_SNAPSHOT_SIZE];
 static unsigned char again[EM_SNAPSHOT_SIZE];
-static int clamp;
+static bs_beyond beyond = BS_REFUSE;
 static em_nav given_nav;
 static em_step given_step;
 static em_noise given_noise;
@@ -436,7 +436,7 @@ static bs_status measure_euler_exact(void)
 
 static bs_status set_nav(void)
 {
-    return em_filter_set_nav(&flown, &given_nav, clamp);
+    return em_filter_set_nav(&flown, &given_nav, beyond);
 }
 
 
@@ -1203,9 +1203,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.q_b2n_wxyz[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: q_b2n_wxyz", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.q_b2n_wxyz[i] >= low[i]) &&
                                    (flown.nav.q_b2n_wxyz[i] <= high[i]));
@@ -1224,9 +1224,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.mu[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: mu", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.mu[i] >= low[i]) && (flown.nav.mu[i] <= high[i]));
                 failures += expect("set_nav: to the edge",
@@ -1237,7 +1237,7 @@ static int kept(void)
             }
         }
     }
-    clamp = 0;
+    beyond = BS_REFUSE;
     failures += expect("set_nav", set_nav() == BS_OK);
     /* where the correction would leave the box, nothing is changed: the way out is set_nav */
     for (int i = 0; i < N; ++i) {

@@ -3,6 +3,8 @@
  * 3 operations, list 0cab6e9a74b9e0e8. */
 #include "euler_matching.h"
 
+BS_EXACT_BEGIN
+
 #include "em_F_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */

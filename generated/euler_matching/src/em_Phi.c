@@ -4,6 +4,8 @@
  * 27 operations, list dcf649339832a8ac. */
 #include "euler_matching.h"
 
+BS_EXACT_BEGIN
+
 #include "em_Phi_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */

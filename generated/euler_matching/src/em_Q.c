@@ -4,6 +4,8 @@
  * 211 operations, list e7982299c9ff8d04. */
 #include "euler_matching.h"
 
+BS_EXACT_BEGIN
+
 #include "em_Q_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */

@@ -3,6 +3,8 @@
  * 68 operations, list f5cd73a269cbbdc6. */
 #include "euler_matching.h"
 
+BS_EXACT_BEGIN
+
 #include "em_Qc_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */

@@ -5,6 +5,8 @@
  * 28 operations, list 9de18c4b5e024346. */
 #include "euler_matching.h"
 
+BS_EXACT_BEGIN
+
 #include "em_euler_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */

@@ -3,6 +3,8 @@
  * 28 operations, list 0d38308526270fb6. */
 #include "euler_matching.h"
 
+BS_EXACT_BEGIN
+
 #include "em_euler_angles_kernel.h"
 
 bs_status em_euler_angles(const em_nav *nav, bs_real euler_b[3])

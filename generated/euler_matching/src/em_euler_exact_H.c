@@ -5,6 +5,8 @@
  * 844 operations, list ce10546f9b5d843e. */
 #include "euler_matching.h"
 
+BS_EXACT_BEGIN
+
 #include "em_euler_exact_H_kernel.h"
 
 bs_status em_euler_exact_H(const bs_real x[EM_N_STATES],

@@ -5,6 +5,8 @@
  * 279 operations, list 3d5c2868662d638f. */
 #include "euler_matching.h"
 
+BS_EXACT_BEGIN
+
 #include "em_euler_exact_hx_kernel.h"
 
 bs_status em_euler_exact_h(const bs_real x[EM_N_STATES],

@@ -4,6 +4,8 @@
  * 112 operations, list ebf825db2da09055. */
 #include "euler_matching.h"
 
+BS_EXACT_BEGIN
+
 #include "em_euler_exact_z_kernel.h"
 
 bs_status em_euler_exact_z(const em_nav *nav, const em_angles *angles, bs_real z[3])

@@ -5,6 +5,8 @@
  * 35 operations, list d284e0fe02c1aa1d. */
 #include "euler_matching.h"
 
+BS_EXACT_BEGIN
+
 #include "em_euler_z_kernel.h"
 
 bs_status em_euler_z(const em_nav *nav, const em_angles *angles, bs_real z[3])

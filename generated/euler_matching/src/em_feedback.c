@@ -4,6 +4,8 @@
  * 60 operations, list 1196297bff7e7947. */
 #include "euler_matching.h"
 
+BS_EXACT_BEGIN
+
 #include "em_feedback_kernel.h"
 
 bs_status em_feedback(const bs_real x[EM_N_STATES],

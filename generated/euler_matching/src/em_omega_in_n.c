@@ -2,6 +2,8 @@
  * 21 operations, list df3d8beaf444a5bd. */
 #include "euler_matching.h"
 
+BS_EXACT_BEGIN
+
 #include "em_omega_in_n_kernel.h"
 
 bs_status em_omega_in_n(const em_place *place, bs_real omega_in_n[3])

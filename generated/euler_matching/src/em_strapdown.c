@@ -3,6 +3,8 @@
  * 110 operations, list 5d909273d53547c9. */
 #include "euler_matching.h"
 
+BS_EXACT_BEGIN
+
 #include "em_strapdown_kernel.h"
 
 bs_status em_strapdown(const em_nav *nav, const em_step *step, bs_real q_b2n_wxyz[4])

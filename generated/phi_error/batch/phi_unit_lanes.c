@@ -76,7 +76,7 @@ size_t phi_F_lanes(size_t n, const bs_given *given, double *const *out, unsigned
                 phi_nav nav = {0};
                 phi_step step = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lon_lat_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -128,7 +128,7 @@ size_t phi_Phi_lanes(size_t n, const bs_given *given, double *const *out, unsign
                 phi_nav nav = {0};
                 phi_step step = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lon_lat_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -228,7 +228,7 @@ size_t phi_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned
                 phi_step step = {0};
                 phi_noise noise = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lon_lat_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -288,7 +288,7 @@ size_t phi_psi_from_phi_lanes(size_t n,
             } else {
                 phi_nav nav = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lon_lat_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];

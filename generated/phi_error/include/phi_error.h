@@ -35,11 +35,11 @@ extern "C" {
 
 /* Position, velocity and attitude. */
 typedef struct {
-    bs_real position[3];   /* longitude, not wrapped, geodetic latitude, height above the ellipsoid
-                            * (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
-                            * -500 to 30000 */
-    bs_real v_n[3];        /* velocity over the ground (m/s, ENU); -1000 to 1000 */
-    bs_real q_b2n_wxyz[4]; /* attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001 */
+    bs_real lon_lat_height[3]; /* longitude, not wrapped, geodetic latitude, height above the
+                                * ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319,
+                                * -1.48353 to 1.48353, -500 to 30000 */
+    bs_real v_n[3];            /* velocity over the ground (m/s, ENU); -1000 to 1000 */
+    bs_real q_b2n_wxyz[4];     /* attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001 */
 } phi_nav;
 
 /* One interval. */
@@ -57,25 +57,25 @@ typedef struct {
 } phi_noise;
 
 /* System matrix, x' = F x + G w.
- * in   nav->position  longitude, not wrapped, geodetic latitude, height above the ellipsoid
- *                     (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
- *                     -500 to 30000
- * in   nav->v_n       velocity over the ground (m/s, ENU); -1000 to 1000
- * in   step->f_n      specific force (m/s^2, ENU); -500 to 500
- * out  F              system matrix (1/s and mixed); 9 x 9, row-major; 42 of 81 are not zero
+ * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
+ *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
+ *                           -500 to 30000
+ * in   nav->v_n             velocity over the ground (m/s, ENU); -1000 to 1000
+ * in   step->f_n            specific force (m/s^2, ENU); -500 to 500
+ * out  F                    system matrix (1/s and mixed); 9 x 9, row-major; 42 of 81 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status phi_F(const phi_nav *nav, const phi_step *step, bs_real F[9 * PHI_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
 bs_status phi_F_nz(const phi_nav *nav, const phi_step *step, bs_real F_nz[42]);
 
 /* Transition matrix over dt, I + F dt + (F dt)^2 / 2, with F as it is at the start.
- * in   nav->position  longitude, not wrapped, geodetic latitude, height above the ellipsoid
- *                     (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
- *                     -500 to 30000
- * in   nav->v_n       velocity over the ground (m/s, ENU); -1000 to 1000
- * in   step->f_n      specific force (m/s^2, ENU); -500 to 500
- * in   step->dt       length of the step (s); 1e-06 to 10
- * out  Phi            transition matrix (mixed); 9 x 9, row-major; 70 of 81 are not zero
+ * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
+ *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
+ *                           -500 to 30000
+ * in   nav->v_n             velocity over the ground (m/s, ENU); -1000 to 1000
+ * in   step->f_n            specific force (m/s^2, ENU); -500 to 500
+ * in   step->dt             length of the step (s); 1e-06 to 10
+ * out  Phi                  transition matrix (mixed); 9 x 9, row-major; 70 of 81 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status phi_Phi(const phi_nav *nav, const phi_step *step, bs_real Phi[9 * PHI_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
@@ -94,18 +94,18 @@ bs_status phi_Qc(const phi_nav *nav, const phi_noise *noise, bs_real Qc[9 * PHI_
 bs_status phi_Qc_nz(const phi_nav *nav, const phi_noise *noise, bs_real Qc_nz[18]);
 
 /* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
- * in   nav->position       longitude, not wrapped, geodetic latitude, height above the ellipsoid
- *                          (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
- *                          -500 to 30000
- * in   nav->v_n            velocity over the ground (m/s, ENU); -1000 to 1000
- * in   nav->q_b2n_wxyz     attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
- * in   step->f_n           specific force (m/s^2, ENU); -500 to 500
- * in   step->dt            length of the step (s); 1e-06 to 10
- * in   noise->gyro_noise   noise density of the gyros (angle random walk, ARW) (rad/sqrt(s), body);
- *                          0 to 0.1
- * in   noise->accel_noise  noise density of the accelerometers (velocity random walk, VRW)
- *                          (m/s/sqrt(s), body); 0 to 10
- * out  Q                   covariance of the noise (mixed); 9 x 9, row-major
+ * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
+ *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
+ *                           -500 to 30000
+ * in   nav->v_n             velocity over the ground (m/s, ENU); -1000 to 1000
+ * in   nav->q_b2n_wxyz      attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   step->f_n            specific force (m/s^2, ENU); -500 to 500
+ * in   step->dt             length of the step (s); 1e-06 to 10
+ * in   noise->gyro_noise    noise density of the gyros (angle random walk, ARW)
+ *                           (rad/sqrt(s), body); 0 to 0.1
+ * in   noise->accel_noise   noise density of the accelerometers (velocity random walk, VRW)
+ *                           (m/s/sqrt(s), body); 0 to 10
+ * out  Q                    covariance of the noise (mixed); 9 x 9, row-major
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status phi_Q(const phi_nav *nav,
                 const phi_step *step,
@@ -113,12 +113,12 @@ bs_status phi_Q(const phi_nav *nav,
                 bs_real Q[9 * PHI_N_STATES]);
 
 /* States of the psi model from those of this one, x_psi = T x.
- * in   nav->position  longitude, not wrapped, geodetic latitude, height above the ellipsoid
- *                     (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
- *                     -500 to 30000
- * in   nav->v_n       velocity over the ground (m/s, ENU); -1000 to 1000
- * out  T              the map; a covariance goes by T P T' (mixed); 9 x 9, row-major; 17 of 81 are
- *                     not zero
+ * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
+ *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
+ *                           -500 to 30000
+ * in   nav->v_n             velocity over the ground (m/s, ENU); -1000 to 1000
+ * out  T                    the map; a covariance goes by T P T' (mixed); 9 x 9, row-major; 17 of
+ *                           81 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status phi_psi_from_phi(const phi_nav *nav, bs_real T[9 * PHI_N_STATES]);
 /* The same, the non-zeros alone, row after row. */

@@ -8,7 +8,7 @@
 
 #define N_VECTORS 3
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lon_lat_height[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, 0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { 0x1.db81d60000000p+1, 0x1.7081a80000000p-1, 0x1.3052520000000p+14 },
     { -0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, 0x1.d4c0000000000p+14 }
@@ -72,7 +72,7 @@ static const unsigned short at_Q[81] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 1
 static void set_point(int v, phi_nav *nav, phi_step *step, phi_noise *noise)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lon_lat_height[i] = (bs_real)in_lon_lat_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -109,20 +109,20 @@ int test_phi_Q(void)
         }
         failures += selftest_compare("phi_Q Q", v, Q, 81, out_Q[v], tol_Q[v], at_Q, 81, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -6.286326899833176, -1.4842716291272777, -500.25 };
         static const double beyond_high[3] = { 6.286326899833176, 1.4842716291272777, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
             set_point(0, &nav, &step, &noise);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 81);
             if (phi_Q(&nav, &step, &noise, Q) != expected) {
-                selftest_print("phi_Q: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("phi_Q: lon_lat_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("phi_Q Q", Q, 81);
@@ -133,9 +133,9 @@ int test_phi_Q(void)
             static const bs_real high[3] = { BS_REAL(6.283185307179586),
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
             set_point(0, &nav, &step, &noise);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
+            nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
             if (phi_Q(&nav, &step, &noise, Q) != BS_OK) {
-                selftest_print("phi_Q: position[%d] end %d refused\n", i, end);
+                selftest_print("phi_Q: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

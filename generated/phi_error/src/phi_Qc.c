@@ -2,6 +2,8 @@
  * 110 operations, list 9ed8a42cbd3d4d37. */
 #include "phi_error.h"
 
+BS_EXACT_BEGIN
+
 #include "phi_Qc_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */

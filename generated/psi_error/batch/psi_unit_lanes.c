@@ -75,7 +75,7 @@ size_t psi_F_lanes(size_t n, const bs_given *given, double *const *out, unsigned
                 psi_nav nav = {0};
                 psi_step step = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lon_lat_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -126,7 +126,7 @@ size_t psi_Phi_lanes(size_t n, const bs_given *given, double *const *out, unsign
                 psi_nav nav = {0};
                 psi_step step = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lon_lat_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -226,7 +226,7 @@ size_t psi_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned
                 psi_step step = {0};
                 psi_noise noise = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lon_lat_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -286,7 +286,7 @@ size_t psi_phi_from_psi_lanes(size_t n,
             } else {
                 psi_nav nav = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lon_lat_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];

@@ -9,7 +9,7 @@
 
 int psi_Phi_casadi(const double **arg, double **res, int *iw, double *w, int mem);
 
-static void psi_Phi_kernel(const bs_real position[3],
+static void psi_Phi_kernel(const bs_real lon_lat_height[3],
                            const bs_real v_n[3],
                            const bs_real f_n[3],
                            const bs_real dt[1],
@@ -19,7 +19,7 @@ static void psi_Phi_kernel(const bs_real position[3],
     double *res[1] = {0};
     int iw[1] = {0};
     double w[41] = {0};
-    arg[0] = position;
+    arg[0] = lon_lat_height;
     arg[1] = v_n;
     arg[2] = f_n;
     arg[3] = dt;

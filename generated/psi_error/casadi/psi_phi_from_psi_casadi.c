@@ -52,7 +52,7 @@ CASADI_SYMBOL_EXPORT int psi_phi_from_psi_casadi__casadi_real_size(void) { retur
 static const casadi_int casadi_s0[3] = {3, 1, 1};
 static const casadi_int casadi_s1[3] = {17, 1, 1};
 
-/* psi_phi_from_psi_casadi:(position[3],v_n[3])->(out_T[17]) */
+/* psi_phi_from_psi_casadi:(lon_lat_height[3],v_n[3])->(out_T[17]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6;
   a0=1.;
@@ -119,7 +119,7 @@ CASADI_SYMBOL_EXPORT casadi_real psi_phi_from_psi_casadi_default_in(casadi_int i
 
 CASADI_SYMBOL_EXPORT const char* psi_phi_from_psi_casadi_name_in(casadi_int i) {
   switch (i) {
-    case 0: return "position";
+    case 0: return "lon_lat_height";
     case 1: return "v_n";
     default: return 0;
   }

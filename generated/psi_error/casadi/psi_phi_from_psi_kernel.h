@@ -9,7 +9,7 @@
 
 int psi_phi_from_psi_casadi(const double **arg, double **res, int *iw, double *w, int mem);
 
-static void psi_phi_from_psi_kernel(const bs_real position[3],
+static void psi_phi_from_psi_kernel(const bs_real lon_lat_height[3],
                                     const bs_real v_n[3],
                                     bs_real T_nz[17])
 {
@@ -17,7 +17,7 @@ static void psi_phi_from_psi_kernel(const bs_real position[3],
     double *res[1] = {0};
     int iw[1] = {0};
     double w[7] = {0};
-    arg[0] = position;
+    arg[0] = lon_lat_height;
     arg[1] = v_n;
     res[0] = T_nz;
     (void)psi_phi_from_psi_casadi(arg, res, iw, w, 0);

@@ -36,11 +36,11 @@ extern "C" {
 
 /* Position, velocity and attitude. */
 typedef struct {
-    bs_real position[3];   /* longitude, not wrapped, geodetic latitude, height above the ellipsoid
-                            * (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
-                            * -500 to 30000 */
-    bs_real v_n[3];        /* velocity over the ground (m/s, ENU); -1000 to 1000 */
-    bs_real q_b2n_wxyz[4]; /* attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001 */
+    bs_real lon_lat_height[3]; /* longitude, not wrapped, geodetic latitude, height above the
+                                * ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319,
+                                * -1.48353 to 1.48353, -500 to 30000 */
+    bs_real v_n[3];            /* velocity over the ground (m/s, ENU); -1000 to 1000 */
+    bs_real q_b2n_wxyz[4];     /* attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001 */
 } psi_nav;
 
 /* One interval. */
@@ -58,25 +58,25 @@ typedef struct {
 } psi_noise;
 
 /* System matrix, x' = F x + G w.
- * in   nav->position  longitude, not wrapped, geodetic latitude, height above the ellipsoid
- *                     (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
- *                     -500 to 30000
- * in   nav->v_n       velocity over the ground (m/s, ENU); -1000 to 1000
- * in   step->f_n      specific force (m/s^2, ENU); -500 to 500
- * out  F              system matrix (1/s and mixed); 9 x 9, row-major; 33 of 81 are not zero
+ * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
+ *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
+ *                           -500 to 30000
+ * in   nav->v_n             velocity over the ground (m/s, ENU); -1000 to 1000
+ * in   step->f_n            specific force (m/s^2, ENU); -500 to 500
+ * out  F                    system matrix (1/s and mixed); 9 x 9, row-major; 33 of 81 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status psi_F(const psi_nav *nav, const psi_step *step, bs_real F[9 * PSI_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
 bs_status psi_F_nz(const psi_nav *nav, const psi_step *step, bs_real F_nz[33]);
 
 /* Transition matrix over dt, I + F dt + (F dt)^2 / 2, with F as it is at the start.
- * in   nav->position  longitude, not wrapped, geodetic latitude, height above the ellipsoid
- *                     (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
- *                     -500 to 30000
- * in   nav->v_n       velocity over the ground (m/s, ENU); -1000 to 1000
- * in   step->f_n      specific force (m/s^2, ENU); -500 to 500
- * in   step->dt       length of the step (s); 1e-06 to 10
- * out  Phi            transition matrix (mixed); 9 x 9, row-major; 60 of 81 are not zero
+ * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
+ *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
+ *                           -500 to 30000
+ * in   nav->v_n             velocity over the ground (m/s, ENU); -1000 to 1000
+ * in   step->f_n            specific force (m/s^2, ENU); -500 to 500
+ * in   step->dt             length of the step (s); 1e-06 to 10
+ * out  Phi                  transition matrix (mixed); 9 x 9, row-major; 60 of 81 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status psi_Phi(const psi_nav *nav, const psi_step *step, bs_real Phi[9 * PSI_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
@@ -95,18 +95,18 @@ bs_status psi_Qc(const psi_nav *nav, const psi_noise *noise, bs_real Qc[9 * PSI_
 bs_status psi_Qc_nz(const psi_nav *nav, const psi_noise *noise, bs_real Qc_nz[18]);
 
 /* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
- * in   nav->position       longitude, not wrapped, geodetic latitude, height above the ellipsoid
- *                          (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
- *                          -500 to 30000
- * in   nav->v_n            velocity over the ground (m/s, ENU); -1000 to 1000
- * in   nav->q_b2n_wxyz     attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
- * in   step->f_n           specific force (m/s^2, ENU); -500 to 500
- * in   step->dt            length of the step (s); 1e-06 to 10
- * in   noise->gyro_noise   noise density of the gyros (angle random walk, ARW) (rad/sqrt(s), body);
- *                          0 to 0.1
- * in   noise->accel_noise  noise density of the accelerometers (velocity random walk, VRW)
- *                          (m/s/sqrt(s), body); 0 to 10
- * out  Q                   covariance of the noise (mixed); 9 x 9, row-major
+ * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
+ *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
+ *                           -500 to 30000
+ * in   nav->v_n             velocity over the ground (m/s, ENU); -1000 to 1000
+ * in   nav->q_b2n_wxyz      attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   step->f_n            specific force (m/s^2, ENU); -500 to 500
+ * in   step->dt             length of the step (s); 1e-06 to 10
+ * in   noise->gyro_noise    noise density of the gyros (angle random walk, ARW)
+ *                           (rad/sqrt(s), body); 0 to 0.1
+ * in   noise->accel_noise   noise density of the accelerometers (velocity random walk, VRW)
+ *                           (m/s/sqrt(s), body); 0 to 10
+ * out  Q                    covariance of the noise (mixed); 9 x 9, row-major
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status psi_Q(const psi_nav *nav,
                 const psi_step *step,
@@ -114,12 +114,12 @@ bs_status psi_Q(const psi_nav *nav,
                 bs_real Q[9 * PSI_N_STATES]);
 
 /* States of the phi model from those of this one, x_phi = T x.
- * in   nav->position  longitude, not wrapped, geodetic latitude, height above the ellipsoid
- *                     (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
- *                     -500 to 30000
- * in   nav->v_n       velocity over the ground (m/s, ENU); -1000 to 1000
- * out  T              the map; a covariance goes by T P T' (mixed); 9 x 9, row-major; 17 of 81 are
- *                     not zero
+ * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
+ *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
+ *                           -500 to 30000
+ * in   nav->v_n             velocity over the ground (m/s, ENU); -1000 to 1000
+ * out  T                    the map; a covariance goes by T P T' (mixed); 9 x 9, row-major; 17 of
+ *                           81 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status psi_phi_from_psi(const psi_nav *nav, bs_real T[9 * PSI_N_STATES]);
 /* The same, the non-zeros alone, row after row. */

@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lon_lat_height[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { -0x1.0c10a40000000p+0, 0x1.11388e0000000p+0, 0x1.4a4a120000000p+12 }
 };
@@ -49,7 +49,7 @@ static const unsigned short at_Phi[60] = { 0, 1, 2, 3, 4, 5, 7, 8, 9, 10, 11, 12
 static void set_point(int v, psi_nav *nav, psi_step *step)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lon_lat_height[i] = (bs_real)in_lon_lat_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -77,20 +77,20 @@ int test_psi_Phi(void)
         failures += selftest_compare("psi_Phi Phi", v, Phi, 81, out_Phi[v], tol_Phi[v], at_Phi, 60,
                                      0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -6.286326899833176, -1.4842716291272777, -500.25 };
         static const double beyond_high[3] = { 6.286326899833176, 1.4842716291272777, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
             set_point(0, &nav, &step);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 81);
             if (psi_Phi(&nav, &step, Phi) != expected) {
-                selftest_print("psi_Phi: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("psi_Phi: lon_lat_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("psi_Phi Phi", Phi, 81);
@@ -101,9 +101,9 @@ int test_psi_Phi(void)
             static const bs_real high[3] = { BS_REAL(6.283185307179586),
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
             set_point(0, &nav, &step);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
+            nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
             if (psi_Phi(&nav, &step, Phi) != BS_OK) {
-                selftest_print("psi_Phi: position[%d] end %d refused\n", i, end);
+                selftest_print("psi_Phi: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

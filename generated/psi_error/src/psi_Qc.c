@@ -2,6 +2,8 @@
  * 110 operations, list 9ed8a42cbd3d4d37. */
 #include "psi_error.h"
 
+BS_EXACT_BEGIN
+
 #include "psi_Qc_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */

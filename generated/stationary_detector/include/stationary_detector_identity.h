@@ -18,7 +18,7 @@
 #endif
 
 #define DET_MODEL "stationary-detector"
-#define DET_MODEL_HASH "264b8f4175a95d79499b18d195c1073fda983ad5c03447eb75b48a4383393d5b"
+#define DET_MODEL_HASH "f58505726e26737f5d78205d7859d0a10a31f4ac523efaa99a08832d7f324220"
 #define DET_VERSION "0.1.0" /* of the Boresight that printed it */
 #define DET_VERSION_MAJOR 0
 #define DET_VERSION_MINOR 1

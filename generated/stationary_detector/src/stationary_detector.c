@@ -2,6 +2,8 @@
  * Boresight: do not edit. */
 #include "stationary_detector.h"
 
+BS_EXACT_BEGIN
+
 static bs_status check_settings(const det_settings *settings)
 {
     static const bs_real low[3] = { BS_REAL(0.1), BS_REAL(1e-09), BS_REAL(1e-12) };

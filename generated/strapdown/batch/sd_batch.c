@@ -12,7 +12,7 @@ size_t sd_step_batch(size_t n,
                      size_t nav_stride,
                      const sd_imu *imu,
                      size_t imu_stride,
-                     bs_real *position,
+                     bs_real *lon_lat_height,
                      bs_real *v_n,
                      bs_real *q_b2n_wxyz,
                      unsigned char *status);
@@ -50,7 +50,7 @@ size_t sd_step_batch(size_t n,
                      size_t nav_stride,
                      const sd_imu *imu,
                      size_t imu_stride,
-                     bs_real *position,
+                     bs_real *lon_lat_height,
                      bs_real *v_n,
                      bs_real *q_b2n_wxyz,
                      unsigned char *status)
@@ -58,7 +58,8 @@ size_t sd_step_batch(size_t n,
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
         status[i] = (unsigned char)sd_step(&nav[i * nav_stride], &imu[i * imu_stride],
-                                           &position[i * 3U], &v_n[i * 3U], &q_b2n_wxyz[i * 4U]);
+                                           &lon_lat_height[i * 3U], &v_n[i * 3U],
+                                           &q_b2n_wxyz[i * 4U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
     return failed;

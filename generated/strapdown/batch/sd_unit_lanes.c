@@ -57,7 +57,7 @@ size_t sd_step_lanes(size_t n, const bs_given *given, double *const *out, unsign
     size_t failed = 0U;
     for (size_t first = 0U; first < n; first += BORESIGHT_LANES) {
         bs_lanes in[23];
-        bs_lanes position_nz[3];
+        bs_lanes lon_lat_height_nz[3];
         bs_lanes v_n_nz[3];
         bs_lanes q_b2n_wxyz_nz[4];
         bs_bits good;
@@ -73,12 +73,12 @@ size_t sd_step_lanes(size_t n, const bs_given *given, double *const *out, unsign
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
         bs_unusual = (bs_bits)bs_all_of(0.0);
         sd_step_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[16], &in[19], &in[22],
-                       position_nz, v_n_nz, q_b2n_wxyz_nz);
+                       lon_lat_height_nz, v_n_nz, q_b2n_wxyz_nz);
         good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
-                bs_write(&out[0][run * 3U], 3, position_nz, NULL, 3, l);
+                bs_write(&out[0][run * 3U], 3, lon_lat_height_nz, NULL, 3, l);
                 bs_write(&out[1][run * 3U], 3, v_n_nz, NULL, 3, l);
                 bs_write(&out[2][run * 4U], 4, q_b2n_wxyz_nz, NULL, 4, l);
                 status[run] = (unsigned char)BS_OK;
@@ -86,7 +86,7 @@ size_t sd_step_lanes(size_t n, const bs_given *given, double *const *out, unsign
                 sd_nav nav = {0};
                 sd_imu imu = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lon_lat_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -231,7 +231,7 @@ size_t sd_rates_lanes(size_t n, const bs_given *given, double *const *out, unsig
                 sd_nav nav = {0};
                 sd_motion motion = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lon_lat_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -286,7 +286,7 @@ size_t sd_earth_lanes(size_t n, const bs_given *given, double *const *out, unsig
             } else {
                 sd_nav nav = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lon_lat_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];

@@ -54,7 +54,7 @@ static const casadi_int casadi_s0[3] = {3, 1, 1};
 static const casadi_int casadi_s1[3] = {2, 1, 1};
 static const casadi_int casadi_s2[3] = {1, 1, 1};
 
-/* sd_earth_casadi:(position[3],v_n[3])->(out_omega_ie_n[2],out_omega_en_n[3],out_gravity_n) */
+/* sd_earth_casadi:(lon_lat_height[3],v_n[3])->(out_omega_ie_n[2],out_omega_en_n[3],out_gravity_n) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a0, a1, a2, a3, a4, a5, a6, a7, a8;
   a0=7.2921149999999999e-05;
@@ -142,7 +142,7 @@ CASADI_SYMBOL_EXPORT casadi_real sd_earth_casadi_default_in(casadi_int i) {
 
 CASADI_SYMBOL_EXPORT const char* sd_earth_casadi_name_in(casadi_int i) {
   switch (i) {
-    case 0: return "position";
+    case 0: return "lon_lat_height";
     case 1: return "v_n";
     default: return 0;
   }

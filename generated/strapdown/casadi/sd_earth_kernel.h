@@ -9,7 +9,7 @@
 
 int sd_earth_casadi(const double **arg, double **res, int *iw, double *w, int mem);
 
-static void sd_earth_kernel(const bs_real position[3],
+static void sd_earth_kernel(const bs_real lon_lat_height[3],
                             const bs_real v_n[3],
                             bs_real omega_ie_n_nz[2],
                             bs_real omega_en_n_nz[3],
@@ -19,7 +19,7 @@ static void sd_earth_kernel(const bs_real position[3],
     double *res[3] = {0};
     int iw[1] = {0};
     double w[9] = {0};
-    arg[0] = position;
+    arg[0] = lon_lat_height;
     arg[1] = v_n;
     res[0] = omega_ie_n_nz;
     res[1] = omega_en_n_nz;

@@ -9,7 +9,7 @@
 
 int sd_step_casadi(const double **arg, double **res, int *iw, double *w, int mem);
 
-static void sd_step_kernel(const bs_real position[3],
+static void sd_step_kernel(const bs_real lon_lat_height[3],
                            const bs_real v_n[3],
                            const bs_real q_b2n_wxyz[4],
                            const bs_real dtheta_ib_b[3],
@@ -17,7 +17,7 @@ static void sd_step_kernel(const bs_real position[3],
                            const bs_real dtheta_before[3],
                            const bs_real dv_before[3],
                            const bs_real dt[1],
-                           bs_real position_nz[3],
+                           bs_real lon_lat_height_nz[3],
                            bs_real v_n_nz[3],
                            bs_real q_b2n_wxyz_nz[4])
 {
@@ -25,7 +25,7 @@ static void sd_step_kernel(const bs_real position[3],
     double *res[3] = {0};
     int iw[1] = {0};
     double w[81] = {0};
-    arg[0] = position;
+    arg[0] = lon_lat_height;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;
     arg[3] = dtheta_ib_b;
@@ -33,7 +33,7 @@ static void sd_step_kernel(const bs_real position[3],
     arg[5] = dtheta_before;
     arg[6] = dv_before;
     arg[7] = dt;
-    res[0] = position_nz;
+    res[0] = lon_lat_height_nz;
     res[1] = v_n_nz;
     res[2] = q_b2n_wxyz_nz;
     (void)sd_step_casadi(arg, res, iw, w, 0);

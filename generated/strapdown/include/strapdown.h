@@ -18,11 +18,11 @@ extern "C" {
 
 /* Position, velocity and attitude. */
 typedef struct {
-    bs_real position[3];   /* longitude, not wrapped, geodetic latitude, height above the ellipsoid
-                            * (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
-                            * -500 to 30000 */
-    bs_real v_n[3];        /* velocity over the ground (m/s, ENU); -1000 to 1000 */
-    bs_real q_b2n_wxyz[4]; /* attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001 */
+    bs_real lon_lat_height[3]; /* longitude, not wrapped, geodetic latitude, height above the
+                                * ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319,
+                                * -1.48353 to 1.48353, -500 to 30000 */
+    bs_real v_n[3];            /* velocity over the ground (m/s, ENU); -1000 to 1000 */
+    bs_real q_b2n_wxyz[4];     /* attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001 */
 } sd_nav;
 
 /* Inertial increments of one step, and of the step before. */
@@ -53,25 +53,25 @@ typedef struct {
 } sd_motion;
 
 /* Position, velocity and attitude after one step of inertial increments.
- * in   nav->position       longitude, not wrapped, geodetic latitude, height above the ellipsoid
- *                          (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
- *                          -500 to 30000
- * in   nav->v_n            velocity over the ground (m/s, ENU); -1000 to 1000
- * in   nav->q_b2n_wxyz     attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->dtheta_ib_b    integral of the measured angular rate over the step (rad, body);
- *                          -0.5 to 0.5
- * in   imu->dv_b           integral of the measured specific force over the step (m/s, body);
- *                          -100 to 100
- * in   imu->dtheta_before  dtheta_ib_b of the step before, as long (rad, body); -0.5 to 0.5
- * in   imu->dv_before      dv_b of the step before (m/s, body); -100 to 100
- * in   imu->dt             length of the step (s); 1e-06 to 10
- * out  position            lon, lat, height, WGS-84 (rad, rad, m); 3
- * out  v_n                 velocity over the ground, ENU (m/s); 3
- * out  q_b2n_wxyz          attitude, of unit norm, body to ENU (1); 4
+ * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
+ *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
+ *                           -500 to 30000
+ * in   nav->v_n             velocity over the ground (m/s, ENU); -1000 to 1000
+ * in   nav->q_b2n_wxyz      attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   imu->dtheta_ib_b     integral of the measured angular rate over the step (rad, body);
+ *                           -0.5 to 0.5
+ * in   imu->dv_b            integral of the measured specific force over the step (m/s, body);
+ *                           -100 to 100
+ * in   imu->dtheta_before   dtheta_ib_b of the step before, as long (rad, body); -0.5 to 0.5
+ * in   imu->dv_before       dv_b of the step before (m/s, body); -100 to 100
+ * in   imu->dt              length of the step (s); 1e-06 to 10
+ * out  lon_lat_height       lon, lat, height, WGS-84 (rad, rad, m); 3
+ * out  v_n                  velocity over the ground, ENU (m/s); 3
+ * out  q_b2n_wxyz           attitude, of unit norm, body to ENU (1); 4
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status sd_step(const sd_nav *nav,
                   const sd_imu *imu,
-                  bs_real position[3],
+                  bs_real lon_lat_height[3],
                   bs_real v_n[3],
                   bs_real q_b2n_wxyz[4]);
 
@@ -96,16 +96,16 @@ bs_status sd_compensated(const sd_imu *imu,
                          bs_real dv_b[3]);
 
 /* The exact time derivatives that a step integrates.
- * in   nav->position       longitude, not wrapped, geodetic latitude, height above the ellipsoid
- *                          (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
- *                          -500 to 30000
- * in   nav->v_n            velocity over the ground (m/s, ENU); -1000 to 1000
- * in   nav->q_b2n_wxyz     attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
- * in   motion->f_b         specific force (m/s^2, body); -500 to 500
- * in   motion->omega_ib_b  angular rate against inertial space (rad/s, body); -20 to 20
- * out  position_rate       lon, lat, height, WGS-84 (rad/s, rad/s, m/s); 3
- * out  v_n_rate            acceleration, ENU (m/s^2); 3
- * out  q_b2n_rate          rate of the quaternion, body to ENU (1/s); 4
+ * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
+ *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
+ *                           -500 to 30000
+ * in   nav->v_n             velocity over the ground (m/s, ENU); -1000 to 1000
+ * in   nav->q_b2n_wxyz      attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   motion->f_b          specific force (m/s^2, body); -500 to 500
+ * in   motion->omega_ib_b   angular rate against inertial space (rad/s, body); -20 to 20
+ * out  position_rate        lon, lat, height, WGS-84 (rad/s, rad/s, m/s); 3
+ * out  v_n_rate             acceleration, ENU (m/s^2); 3
+ * out  q_b2n_rate           rate of the quaternion, body to ENU (1/s); 4
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status sd_rates(const sd_nav *nav,
                    const sd_motion *motion,
@@ -114,13 +114,13 @@ bs_status sd_rates(const sd_nav *nav,
                    bs_real q_b2n_rate[4]);
 
 /* What the Earth does to a navigator at this place and velocity.
- * in   nav->position  longitude, not wrapped, geodetic latitude, height above the ellipsoid
- *                     (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
- *                     -500 to 30000
- * in   nav->v_n       velocity over the ground (m/s, ENU); -1000 to 1000
- * out  omega_ie_n     the Earth's rate, ENU (rad/s); 3; 2 of 3 are not zero
- * out  omega_en_n     transport rate, ENU (rad/s); 3
- * out  gravity_n      gravity, ENU (m/s^2); 3; 1 of 3 is not zero
+ * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
+ *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
+ *                           -500 to 30000
+ * in   nav->v_n             velocity over the ground (m/s, ENU); -1000 to 1000
+ * out  omega_ie_n           the Earth's rate, ENU (rad/s); 3; 2 of 3 are not zero
+ * out  omega_en_n           transport rate, ENU (rad/s); 3
+ * out  gravity_n            gravity, ENU (m/s^2); 3; 1 of 3 is not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status sd_earth(const sd_nav *nav,
                    bs_real omega_ie_n[3],

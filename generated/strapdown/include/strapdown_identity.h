@@ -18,7 +18,7 @@
 #endif
 
 #define SD_MODEL "strapdown"
-#define SD_MODEL_HASH "be7973956ef971efbc211ee47844d86d52647c83e5bc58f077df47bda9908b24"
+#define SD_MODEL_HASH "c11229a2e8e220a6f8be1a54e38fa7bb9a4aa7461b61d731548b58b4984fe252"
 #define SD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define SD_VERSION_MAJOR 0
 #define SD_VERSION_MINOR 1

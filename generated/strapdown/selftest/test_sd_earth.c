@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lon_lat_height[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, 0x1.d4c0000000000p+14 },
     { -0x1.12caec0000000p+2, -0x1.27bd420000000p-2, 0x1.e2a9980000000p+11 }
 };
@@ -71,7 +71,7 @@ static const unsigned short at_gravity_n[1] = { 2 };
 static void set_point(int v, sd_nav *nav)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lon_lat_height[i] = (bs_real)in_lon_lat_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -98,22 +98,22 @@ int test_sd_earth(void)
         failures += selftest_compare("sd_earth gravity_n", v, gravity_n, 3, out_gravity_n[v],
                                      tol_gravity_n[v], at_gravity_n, 1, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -6.286326899833176, -1.4842716291272777, -500.25 };
         static const double beyond_high[3] = { 6.286326899833176, 1.4842716291272777, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
             set_point(0, &nav);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(omega_ie_n, 3);
             selftest_paint(omega_en_n, 3);
             selftest_paint(gravity_n, 3);
             if (sd_earth(&nav, omega_ie_n, omega_en_n, gravity_n) != expected) {
-                selftest_print("sd_earth: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("sd_earth: lon_lat_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("sd_earth omega_ie_n", omega_ie_n, 3);
@@ -126,9 +126,9 @@ int test_sd_earth(void)
             static const bs_real high[3] = { BS_REAL(6.283185307179586),
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
             set_point(0, &nav);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
+            nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
             if (sd_earth(&nav, omega_ie_n, omega_en_n, gravity_n) != BS_OK) {
-                selftest_print("sd_earth: position[%d] end %d refused\n", i, end);
+                selftest_print("sd_earth: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

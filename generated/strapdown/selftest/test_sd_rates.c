@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lon_lat_height[N_VECTORS][3] = {
     { -0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { -0x1.693a020000000p+1, 0x1.618ebe0000000p-1, 0x1.d634660000000p+12 }
 };
@@ -83,7 +83,7 @@ static const unsigned short at_q_b2n_rate[4] = { 0, 1, 2, 3 };
 static void set_point(int v, sd_nav *nav, sd_motion *motion)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lon_lat_height[i] = (bs_real)in_lon_lat_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -121,22 +121,22 @@ int test_sd_rates(void)
         failures += selftest_compare("sd_rates q_b2n_rate", v, q_b2n_rate, 4, out_q_b2n_rate[v],
                                      tol_q_b2n_rate[v], at_q_b2n_rate, 4, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -6.286326899833176, -1.4842716291272777, -500.25 };
         static const double beyond_high[3] = { 6.286326899833176, 1.4842716291272777, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
             set_point(0, &nav, &motion);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(position_rate, 3);
             selftest_paint(v_n_rate, 3);
             selftest_paint(q_b2n_rate, 4);
             if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != expected) {
-                selftest_print("sd_rates: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("sd_rates: lon_lat_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("sd_rates position_rate", position_rate, 3);
@@ -149,9 +149,9 @@ int test_sd_rates(void)
             static const bs_real high[3] = { BS_REAL(6.283185307179586),
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
             set_point(0, &nav, &motion);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
+            nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
             if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != BS_OK) {
-                selftest_print("sd_rates: position[%d] end %d refused\n", i, end);
+                selftest_print("sd_rates: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }

@@ -8,7 +8,7 @@
 
 #define N_VECTORS 3
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lon_lat_height[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { 0x1.fc49080000000p+0, -0x1.3c42a40000000p-1, 0x1.2e8dd80000000p+13 },
     { -0x1.921fb40000000p+2, 0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 }
@@ -49,25 +49,25 @@ static const float in_dt[N_VECTORS][1] = {
     { 0x1.4000000000000p+3 }
 };
 
-static const double out_position[N_VECTORS][3] = {
+static const double out_lon_lat_height[N_VECTORS][3] = {
     { 0x1.921fb401fb46ap+2, -0x1.7bc89c00b3b9fp+0, -0x1.f3ffbc4688d4fp+8 },
     { 0x1.fc1a3bdb0e3d4p+0, -0x1.3c2a28003cefcp-1, 0x1.a3b40d5817d52p+12 },
     { -0x1.90edd9ca32156p+2, 0x1.7b5e2e31aa0c0p+0, 0x1.12495fa1dc66cp+13 }
 };
 #ifdef BORESIGHT_FLOAT
-static const float tol_position[N_VECTORS][3] = {
+static const float tol_lon_lat_height[N_VECTORS][3] = {
     { 3.78e-07F, 8.93e-08F, 3.01e-05F },
     { 1.20e-07F, 3.75e-08F, 2.74e-03F },
     { 4.21e-07F, 9.11e-08F, 7.13e-03F }
 };
 #else
-static const float tol_position[N_VECTORS][3] = {
+static const float tol_lon_lat_height[N_VECTORS][3] = {
     { 1.41e-15F, 3.33e-16F, 1.12e-13F },
     { 4.47e-16F, 1.39e-16F, 5.86e-12F },
     { 1.49e-15F, 3.36e-16F, 1.43e-11F }
 };
 #endif
-static const unsigned short at_position[3] = { 0, 1, 2 };
+static const unsigned short at_lon_lat_height[3] = { 0, 1, 2 };
 
 static const double out_v_n[N_VECTORS][3] = {
     { 0x1.046f7818349ecp+10, -0x1.1d7afe91fbcc4p+10, 0x1.0ab2598ad13b8p+10 },
@@ -112,7 +112,7 @@ static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };
 static void set_point(int v, sd_nav *nav, sd_imu *imu)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lon_lat_height[i] = (bs_real)in_lon_lat_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -142,41 +142,42 @@ int test_sd_step(void)
     int failures = 0;
     sd_nav nav = {0};
     sd_imu imu = {0};
-    bs_real position[3];
+    bs_real lon_lat_height[3];
     bs_real v_n[3];
     bs_real q_b2n_wxyz[4];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &imu);
-        if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != BS_OK) {
+        if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("sd_step position", v, position, 3, out_position[v],
-                                     tol_position[v], at_position, 3, 0);
+        failures += selftest_compare("sd_step lon_lat_height", v, lon_lat_height, 3,
+                                     out_lon_lat_height[v], tol_lon_lat_height[v],
+                                     at_lon_lat_height, 3, 0);
         failures += selftest_compare("sd_step v_n", v, v_n, 3, out_v_n[v], tol_v_n[v], at_v_n, 3,
                                      0);
         failures += selftest_compare("sd_step q_b2n_wxyz", v, q_b2n_wxyz, 4, out_q_b2n_wxyz[v],
                                      tol_q_b2n_wxyz[v], at_q_b2n_wxyz, 4, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -6.286326899833176, -1.4842716291272777, -500.25 };
         static const double beyond_high[3] = { 6.286326899833176, 1.4842716291272777, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
             set_point(0, &nav, &imu);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != expected) {
-                selftest_print("sd_step: position[%d] bad value %d not refused\n", i, bad);
+            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != expected) {
+                selftest_print("sd_step: lon_lat_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_step position", position, 3);
+            failures += selftest_painted("sd_step lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("sd_step v_n", v_n, 3);
             failures += selftest_painted("sd_step q_b2n_wxyz", q_b2n_wxyz, 4);
         }
@@ -186,9 +187,9 @@ int test_sd_step(void)
             static const bs_real high[3] = { BS_REAL(6.283185307179586),
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
             set_point(0, &nav, &imu);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != BS_OK) {
-                selftest_print("sd_step: position[%d] end %d refused\n", i, end);
+            nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
+            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != BS_OK) {
+                selftest_print("sd_step: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -202,14 +203,14 @@ int test_sd_step(void)
             set_point(0, &nav, &imu);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != expected) {
+            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != expected) {
                 selftest_print("sd_step: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_step position", position, 3);
+            failures += selftest_painted("sd_step lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("sd_step v_n", v_n, 3);
             failures += selftest_painted("sd_step q_b2n_wxyz", q_b2n_wxyz, 4);
         }
@@ -218,7 +219,7 @@ int test_sd_step(void)
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != BS_OK) {
+            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != BS_OK) {
                 selftest_print("sd_step: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -235,14 +236,14 @@ int test_sd_step(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != expected) {
+            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != expected) {
                 selftest_print("sd_step: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_step position", position, 3);
+            failures += selftest_painted("sd_step lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("sd_step v_n", v_n, 3);
             failures += selftest_painted("sd_step q_b2n_wxyz", q_b2n_wxyz, 4);
         }
@@ -254,7 +255,7 @@ int test_sd_step(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != BS_OK) {
+            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != BS_OK) {
                 selftest_print("sd_step: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -267,7 +268,7 @@ int test_sd_step(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != BS_OUT_OF_RANGE) {
+        if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != BS_OUT_OF_RANGE) {
             selftest_print("sd_step: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -283,14 +284,14 @@ int test_sd_step(void)
             imu.dtheta_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != expected) {
+            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != expected) {
                 selftest_print("sd_step: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_step position", position, 3);
+            failures += selftest_painted("sd_step lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("sd_step v_n", v_n, 3);
             failures += selftest_painted("sd_step q_b2n_wxyz", q_b2n_wxyz, 4);
         }
@@ -299,7 +300,7 @@ int test_sd_step(void)
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
             set_point(0, &nav, &imu);
             imu.dtheta_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != BS_OK) {
+            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != BS_OK) {
                 selftest_print("sd_step: dtheta_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -314,14 +315,14 @@ int test_sd_step(void)
             set_point(0, &nav, &imu);
             imu.dv_b[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != expected) {
+            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != expected) {
                 selftest_print("sd_step: dv_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_step position", position, 3);
+            failures += selftest_painted("sd_step lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("sd_step v_n", v_n, 3);
             failures += selftest_painted("sd_step q_b2n_wxyz", q_b2n_wxyz, 4);
         }
@@ -330,7 +331,7 @@ int test_sd_step(void)
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
             set_point(0, &nav, &imu);
             imu.dv_b[i] = (end == 0) ? low[i] : high[i];
-            if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != BS_OK) {
+            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != BS_OK) {
                 selftest_print("sd_step: dv_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -347,14 +348,14 @@ int test_sd_step(void)
             imu.dtheta_before[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != expected) {
+            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != expected) {
                 selftest_print("sd_step: dtheta_before[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_step position", position, 3);
+            failures += selftest_painted("sd_step lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("sd_step v_n", v_n, 3);
             failures += selftest_painted("sd_step q_b2n_wxyz", q_b2n_wxyz, 4);
         }
@@ -363,7 +364,7 @@ int test_sd_step(void)
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
             set_point(0, &nav, &imu);
             imu.dtheta_before[i] = (end == 0) ? low[i] : high[i];
-            if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != BS_OK) {
+            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != BS_OK) {
                 selftest_print("sd_step: dtheta_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -380,14 +381,14 @@ int test_sd_step(void)
             imu.dv_before[i] = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != expected) {
+            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != expected) {
                 selftest_print("sd_step: dv_before[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_step position", position, 3);
+            failures += selftest_painted("sd_step lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("sd_step v_n", v_n, 3);
             failures += selftest_painted("sd_step q_b2n_wxyz", q_b2n_wxyz, 4);
         }
@@ -396,7 +397,7 @@ int test_sd_step(void)
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
             set_point(0, &nav, &imu);
             imu.dv_before[i] = (end == 0) ? low[i] : high[i];
-            if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != BS_OK) {
+            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != BS_OK) {
                 selftest_print("sd_step: dv_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -411,14 +412,14 @@ int test_sd_step(void)
             set_point(0, &nav, &imu);
             imu.dt = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lon_lat_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != expected) {
+            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != expected) {
                 selftest_print("sd_step: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_step position", position, 3);
+            failures += selftest_painted("sd_step lon_lat_height", lon_lat_height, 3);
             failures += selftest_painted("sd_step v_n", v_n, 3);
             failures += selftest_painted("sd_step q_b2n_wxyz", q_b2n_wxyz, 4);
         }
@@ -427,17 +428,17 @@ int test_sd_step(void)
             static const bs_real high[1] = { BS_REAL(10.0) };
             set_point(0, &nav, &imu);
             imu.dt = (end == 0) ? low[i] : high[i];
-            if (sd_step(&nav, &imu, position, v_n, q_b2n_wxyz) != BS_OK) {
+            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != BS_OK) {
                 selftest_print("sd_step: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &imu);
-    failures += (sd_step(0, &imu, position, v_n, q_b2n_wxyz) != BS_NULL_POINTER);
-    failures += (sd_step(&nav, 0, position, v_n, q_b2n_wxyz) != BS_NULL_POINTER);
+    failures += (sd_step(0, &imu, lon_lat_height, v_n, q_b2n_wxyz) != BS_NULL_POINTER);
+    failures += (sd_step(&nav, 0, lon_lat_height, v_n, q_b2n_wxyz) != BS_NULL_POINTER);
     failures += (sd_step(&nav, &imu, 0, v_n, q_b2n_wxyz) != BS_NULL_POINTER);
-    failures += (sd_step(&nav, &imu, position, 0, q_b2n_wxyz) != BS_NULL_POINTER);
-    failures += (sd_step(&nav, &imu, position, v_n, 0) != BS_NULL_POINTER);
+    failures += (sd_step(&nav, &imu, lon_lat_height, 0, q_b2n_wxyz) != BS_NULL_POINTER);
+    failures += (sd_step(&nav, &imu, lon_lat_height, v_n, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -4,6 +4,8 @@
  * 66 operations, list c4aa960fc0867dd1. */
 #include "strapdown.h"
 
+BS_EXACT_BEGIN
+
 #include "sd_compensated_kernel.h"
 
 bs_status sd_compensated(const sd_imu *imu,

@@ -11,16 +11,16 @@
 size_t va_F_batch(size_t n,
                   const va_nav *nav,
                   size_t nav_stride,
-                  const va_imu *imu,
-                  size_t imu_stride,
+                  const va_corrected_imu *corrected_imu,
+                  size_t corrected_imu_stride,
                   bs_real *F,
                   unsigned char *status);
 int va_F_bound(void *const *at);
 size_t va_Phi_batch(size_t n,
                     const va_nav *nav,
                     size_t nav_stride,
-                    const va_imu *imu,
-                    size_t imu_stride,
+                    const va_corrected_imu *corrected_imu,
+                    size_t corrected_imu_stride,
                     bs_real *Phi,
                     unsigned char *status);
 int va_Phi_bound(void *const *at);
@@ -35,8 +35,8 @@ int va_Qc_bound(void *const *at);
 size_t va_Q_batch(size_t n,
                   const va_nav *nav,
                   size_t nav_stride,
-                  const va_imu *imu,
-                  size_t imu_stride,
+                  const va_corrected_imu *corrected_imu,
+                  size_t corrected_imu_stride,
                   const va_noise *noise,
                   size_t noise_stride,
                   bs_real *Q,
@@ -45,8 +45,8 @@ int va_Q_bound(void *const *at);
 size_t va_velocity_z_batch(size_t n,
                            const va_nav *nav,
                            size_t nav_stride,
-                           const va_imu *imu,
-                           size_t imu_stride,
+                           const va_corrected_imu *corrected_imu,
+                           size_t corrected_imu_stride,
                            const va_mounting *mounting,
                            size_t mounting_stride,
                            const va_master *master,
@@ -57,8 +57,8 @@ int va_velocity_z_bound(void *const *at);
 size_t va_velocity_H_batch(size_t n,
                            const va_nav *nav,
                            size_t nav_stride,
-                           const va_imu *imu,
-                           size_t imu_stride,
+                           const va_corrected_imu *corrected_imu,
+                           size_t corrected_imu_stride,
                            const va_mounting *mounting,
                            size_t mounting_stride,
                            const va_master *master,
@@ -69,8 +69,8 @@ int va_velocity_H_bound(void *const *at);
 size_t va_dcm_z_batch(size_t n,
                       const va_nav *nav,
                       size_t nav_stride,
-                      const va_imu *imu,
-                      size_t imu_stride,
+                      const va_corrected_imu *corrected_imu,
+                      size_t corrected_imu_stride,
                       const va_master *master,
                       size_t master_stride,
                       bs_real *z,
@@ -79,16 +79,16 @@ int va_dcm_z_bound(void *const *at);
 size_t va_dcm_H_batch(size_t n,
                       const va_nav *nav,
                       size_t nav_stride,
-                      const va_imu *imu,
-                      size_t imu_stride,
+                      const va_corrected_imu *corrected_imu,
+                      size_t corrected_imu_stride,
                       bs_real *H,
                       unsigned char *status);
 int va_dcm_H_bound(void *const *at);
 size_t va_quaternion_z_batch(size_t n,
                              const va_nav *nav,
                              size_t nav_stride,
-                             const va_imu *imu,
-                             size_t imu_stride,
+                             const va_corrected_imu *corrected_imu,
+                             size_t corrected_imu_stride,
                              const va_master *master,
                              size_t master_stride,
                              bs_real *z,
@@ -99,8 +99,8 @@ size_t va_quaternion_h_batch(size_t n,
                              size_t x_stride,
                              const va_nav *nav,
                              size_t nav_stride,
-                             const va_imu *imu,
-                             size_t imu_stride,
+                             const va_corrected_imu *corrected_imu,
+                             size_t corrected_imu_stride,
                              const va_master *master,
                              size_t master_stride,
                              bs_real *h,
@@ -111,8 +111,8 @@ size_t va_quaternion_H_batch(size_t n,
                              size_t x_stride,
                              const va_nav *nav,
                              size_t nav_stride,
-                             const va_imu *imu,
-                             size_t imu_stride,
+                             const va_corrected_imu *corrected_imu,
+                             size_t corrected_imu_stride,
                              const va_master *master,
                              size_t master_stride,
                              bs_real *H,
@@ -121,8 +121,8 @@ int va_quaternion_H_bound(void *const *at);
 size_t va_euler_z_batch(size_t n,
                         const va_nav *nav,
                         size_t nav_stride,
-                        const va_imu *imu,
-                        size_t imu_stride,
+                        const va_corrected_imu *corrected_imu,
+                        size_t corrected_imu_stride,
                         const va_master *master,
                         size_t master_stride,
                         bs_real *z,
@@ -131,8 +131,8 @@ int va_euler_z_bound(void *const *at);
 size_t va_euler_H_batch(size_t n,
                         const va_nav *nav,
                         size_t nav_stride,
-                        const va_imu *imu,
-                        size_t imu_stride,
+                        const va_corrected_imu *corrected_imu,
+                        size_t corrected_imu_stride,
                         const va_master *master,
                         size_t master_stride,
                         bs_real *H,
@@ -141,11 +141,11 @@ int va_euler_H_bound(void *const *at);
 size_t va_strapdown_batch(size_t n,
                           const va_nav *nav,
                           size_t nav_stride,
-                          const va_imu *imu,
-                          size_t imu_stride,
+                          const va_corrected_imu *corrected_imu,
+                          size_t corrected_imu_stride,
                           const va_increments *increments,
                           size_t increments_stride,
-                          bs_real *position,
+                          bs_real *lat_lon_height,
                           bs_real *v_n,
                           bs_real *q_b2n_wxyz,
                           unsigned char *status);
@@ -153,8 +153,8 @@ int va_strapdown_bound(void *const *at);
 size_t va_expected_batch(size_t n,
                          const va_nav *nav,
                          size_t nav_stride,
-                         const va_imu *imu,
-                         size_t imu_stride,
+                         const va_corrected_imu *corrected_imu,
+                         size_t corrected_imu_stride,
                          const va_mounting *mounting,
                          size_t mounting_stride,
                          bs_real *v_m_n,
@@ -179,14 +179,15 @@ int va_feedback_bound(void *const *at);
 size_t va_F_batch(size_t n,
                   const va_nav *nav,
                   size_t nav_stride,
-                  const va_imu *imu,
-                  size_t imu_stride,
+                  const va_corrected_imu *corrected_imu,
+                  size_t corrected_imu_stride,
                   bs_real *F,
                   unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)va_F(&nav[i * nav_stride], &imu[i * imu_stride], &F[i * 256U]);
+        status[i] = (unsigned char)va_F(&nav[i * nav_stride],
+                                        &corrected_imu[i * corrected_imu_stride], &F[i * 256U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
     return failed;
@@ -194,21 +195,21 @@ size_t va_F_batch(size_t n,
 
 int va_F_bound(void *const *at)
 {
-    return (int)va_F((const va_nav *)at[0], (const va_imu *)at[1], (bs_real *)at[2]);
+    return (int)va_F((const va_nav *)at[0], (const va_corrected_imu *)at[1], (bs_real *)at[2]);
 }
 
 size_t va_Phi_batch(size_t n,
                     const va_nav *nav,
                     size_t nav_stride,
-                    const va_imu *imu,
-                    size_t imu_stride,
+                    const va_corrected_imu *corrected_imu,
+                    size_t corrected_imu_stride,
                     bs_real *Phi,
                     unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)va_Phi(&nav[i * nav_stride], &imu[i * imu_stride],
-                                          &Phi[i * 256U]);
+        status[i] = (unsigned char)va_Phi(&nav[i * nav_stride],
+                                          &corrected_imu[i * corrected_imu_stride], &Phi[i * 256U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
     return failed;
@@ -216,7 +217,7 @@ size_t va_Phi_batch(size_t n,
 
 int va_Phi_bound(void *const *at)
 {
-    return (int)va_Phi((const va_nav *)at[0], (const va_imu *)at[1], (bs_real *)at[2]);
+    return (int)va_Phi((const va_nav *)at[0], (const va_corrected_imu *)at[1], (bs_real *)at[2]);
 }
 
 size_t va_Qc_batch(size_t n,
@@ -244,8 +245,8 @@ int va_Qc_bound(void *const *at)
 size_t va_Q_batch(size_t n,
                   const va_nav *nav,
                   size_t nav_stride,
-                  const va_imu *imu,
-                  size_t imu_stride,
+                  const va_corrected_imu *corrected_imu,
+                  size_t corrected_imu_stride,
                   const va_noise *noise,
                   size_t noise_stride,
                   bs_real *Q,
@@ -253,7 +254,8 @@ size_t va_Q_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)va_Q(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)va_Q(&nav[i * nav_stride],
+                                        &corrected_imu[i * corrected_imu_stride],
                                         &noise[i * noise_stride], &Q[i * 256U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
@@ -262,15 +264,15 @@ size_t va_Q_batch(size_t n,
 
 int va_Q_bound(void *const *at)
 {
-    return (int)va_Q((const va_nav *)at[0], (const va_imu *)at[1], (const va_noise *)at[2],
-                     (bs_real *)at[3]);
+    return (int)va_Q((const va_nav *)at[0], (const va_corrected_imu *)at[1],
+                     (const va_noise *)at[2], (bs_real *)at[3]);
 }
 
 size_t va_velocity_z_batch(size_t n,
                            const va_nav *nav,
                            size_t nav_stride,
-                           const va_imu *imu,
-                           size_t imu_stride,
+                           const va_corrected_imu *corrected_imu,
+                           size_t corrected_imu_stride,
                            const va_mounting *mounting,
                            size_t mounting_stride,
                            const va_master *master,
@@ -280,7 +282,8 @@ size_t va_velocity_z_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)va_velocity_z(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)va_velocity_z(&nav[i * nav_stride],
+                                                 &corrected_imu[i * corrected_imu_stride],
                                                  &mounting[i * mounting_stride],
                                                  &master[i * master_stride], &z[i * 3U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
@@ -290,7 +293,7 @@ size_t va_velocity_z_batch(size_t n,
 
 int va_velocity_z_bound(void *const *at)
 {
-    return (int)va_velocity_z((const va_nav *)at[0], (const va_imu *)at[1],
+    return (int)va_velocity_z((const va_nav *)at[0], (const va_corrected_imu *)at[1],
                               (const va_mounting *)at[2], (const va_master *)at[3],
                               (bs_real *)at[4]);
 }
@@ -298,8 +301,8 @@ int va_velocity_z_bound(void *const *at)
 size_t va_velocity_H_batch(size_t n,
                            const va_nav *nav,
                            size_t nav_stride,
-                           const va_imu *imu,
-                           size_t imu_stride,
+                           const va_corrected_imu *corrected_imu,
+                           size_t corrected_imu_stride,
                            const va_mounting *mounting,
                            size_t mounting_stride,
                            const va_master *master,
@@ -309,7 +312,8 @@ size_t va_velocity_H_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)va_velocity_H(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)va_velocity_H(&nav[i * nav_stride],
+                                                 &corrected_imu[i * corrected_imu_stride],
                                                  &mounting[i * mounting_stride],
                                                  &master[i * master_stride], &H[i * 48U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
@@ -319,7 +323,7 @@ size_t va_velocity_H_batch(size_t n,
 
 int va_velocity_H_bound(void *const *at)
 {
-    return (int)va_velocity_H((const va_nav *)at[0], (const va_imu *)at[1],
+    return (int)va_velocity_H((const va_nav *)at[0], (const va_corrected_imu *)at[1],
                               (const va_mounting *)at[2], (const va_master *)at[3],
                               (bs_real *)at[4]);
 }
@@ -327,8 +331,8 @@ int va_velocity_H_bound(void *const *at)
 size_t va_dcm_z_batch(size_t n,
                       const va_nav *nav,
                       size_t nav_stride,
-                      const va_imu *imu,
-                      size_t imu_stride,
+                      const va_corrected_imu *corrected_imu,
+                      size_t corrected_imu_stride,
                       const va_master *master,
                       size_t master_stride,
                       bs_real *z,
@@ -336,7 +340,8 @@ size_t va_dcm_z_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)va_dcm_z(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)va_dcm_z(&nav[i * nav_stride],
+                                            &corrected_imu[i * corrected_imu_stride],
                                             &master[i * master_stride], &z[i * 3U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
@@ -345,22 +350,22 @@ size_t va_dcm_z_batch(size_t n,
 
 int va_dcm_z_bound(void *const *at)
 {
-    return (int)va_dcm_z((const va_nav *)at[0], (const va_imu *)at[1], (const va_master *)at[2],
-                         (bs_real *)at[3]);
+    return (int)va_dcm_z((const va_nav *)at[0], (const va_corrected_imu *)at[1],
+                         (const va_master *)at[2], (bs_real *)at[3]);
 }
 
 size_t va_dcm_H_batch(size_t n,
                       const va_nav *nav,
                       size_t nav_stride,
-                      const va_imu *imu,
-                      size_t imu_stride,
+                      const va_corrected_imu *corrected_imu,
+                      size_t corrected_imu_stride,
                       bs_real *H,
                       unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)va_dcm_H(&nav[i * nav_stride], &imu[i * imu_stride],
-                                            &H[i * 48U]);
+        status[i] = (unsigned char)va_dcm_H(&nav[i * nav_stride],
+                                            &corrected_imu[i * corrected_imu_stride], &H[i * 48U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
     return failed;
@@ -368,14 +373,14 @@ size_t va_dcm_H_batch(size_t n,
 
 int va_dcm_H_bound(void *const *at)
 {
-    return (int)va_dcm_H((const va_nav *)at[0], (const va_imu *)at[1], (bs_real *)at[2]);
+    return (int)va_dcm_H((const va_nav *)at[0], (const va_corrected_imu *)at[1], (bs_real *)at[2]);
 }
 
 size_t va_quaternion_z_batch(size_t n,
                              const va_nav *nav,
                              size_t nav_stride,
-                             const va_imu *imu,
-                             size_t imu_stride,
+                             const va_corrected_imu *corrected_imu,
+                             size_t corrected_imu_stride,
                              const va_master *master,
                              size_t master_stride,
                              bs_real *z,
@@ -383,7 +388,8 @@ size_t va_quaternion_z_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)va_quaternion_z(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)va_quaternion_z(&nav[i * nav_stride],
+                                                   &corrected_imu[i * corrected_imu_stride],
                                                    &master[i * master_stride], &z[i * 3U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
@@ -392,7 +398,7 @@ size_t va_quaternion_z_batch(size_t n,
 
 int va_quaternion_z_bound(void *const *at)
 {
-    return (int)va_quaternion_z((const va_nav *)at[0], (const va_imu *)at[1],
+    return (int)va_quaternion_z((const va_nav *)at[0], (const va_corrected_imu *)at[1],
                                 (const va_master *)at[2], (bs_real *)at[3]);
 }
 
@@ -401,8 +407,8 @@ size_t va_quaternion_h_batch(size_t n,
                              size_t x_stride,
                              const va_nav *nav,
                              size_t nav_stride,
-                             const va_imu *imu,
-                             size_t imu_stride,
+                             const va_corrected_imu *corrected_imu,
+                             size_t corrected_imu_stride,
                              const va_master *master,
                              size_t master_stride,
                              bs_real *h,
@@ -411,8 +417,8 @@ size_t va_quaternion_h_batch(size_t n,
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
         status[i] = (unsigned char)va_quaternion_h(&x[i * x_stride], &nav[i * nav_stride],
-                                                   &imu[i * imu_stride], &master[i * master_stride],
-                                                   &h[i * 3U]);
+                                                   &corrected_imu[i * corrected_imu_stride],
+                                                   &master[i * master_stride], &h[i * 3U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
     return failed;
@@ -421,7 +427,8 @@ size_t va_quaternion_h_batch(size_t n,
 int va_quaternion_h_bound(void *const *at)
 {
     return (int)va_quaternion_h((const bs_real *)at[0], (const va_nav *)at[1],
-                                (const va_imu *)at[2], (const va_master *)at[3], (bs_real *)at[4]);
+                                (const va_corrected_imu *)at[2], (const va_master *)at[3],
+                                (bs_real *)at[4]);
 }
 
 size_t va_quaternion_H_batch(size_t n,
@@ -429,8 +436,8 @@ size_t va_quaternion_H_batch(size_t n,
                              size_t x_stride,
                              const va_nav *nav,
                              size_t nav_stride,
-                             const va_imu *imu,
-                             size_t imu_stride,
+                             const va_corrected_imu *corrected_imu,
+                             size_t corrected_imu_stride,
                              const va_master *master,
                              size_t master_stride,
                              bs_real *H,
@@ -439,8 +446,8 @@ size_t va_quaternion_H_batch(size_t n,
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
         status[i] = (unsigned char)va_quaternion_H(&x[i * x_stride], &nav[i * nav_stride],
-                                                   &imu[i * imu_stride], &master[i * master_stride],
-                                                   &H[i * 48U]);
+                                                   &corrected_imu[i * corrected_imu_stride],
+                                                   &master[i * master_stride], &H[i * 48U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
     return failed;
@@ -449,14 +456,15 @@ size_t va_quaternion_H_batch(size_t n,
 int va_quaternion_H_bound(void *const *at)
 {
     return (int)va_quaternion_H((const bs_real *)at[0], (const va_nav *)at[1],
-                                (const va_imu *)at[2], (const va_master *)at[3], (bs_real *)at[4]);
+                                (const va_corrected_imu *)at[2], (const va_master *)at[3],
+                                (bs_real *)at[4]);
 }
 
 size_t va_euler_z_batch(size_t n,
                         const va_nav *nav,
                         size_t nav_stride,
-                        const va_imu *imu,
-                        size_t imu_stride,
+                        const va_corrected_imu *corrected_imu,
+                        size_t corrected_imu_stride,
                         const va_master *master,
                         size_t master_stride,
                         bs_real *z,
@@ -464,7 +472,8 @@ size_t va_euler_z_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)va_euler_z(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)va_euler_z(&nav[i * nav_stride],
+                                              &corrected_imu[i * corrected_imu_stride],
                                               &master[i * master_stride], &z[i * 3U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
@@ -473,15 +482,15 @@ size_t va_euler_z_batch(size_t n,
 
 int va_euler_z_bound(void *const *at)
 {
-    return (int)va_euler_z((const va_nav *)at[0], (const va_imu *)at[1], (const va_master *)at[2],
-                           (bs_real *)at[3]);
+    return (int)va_euler_z((const va_nav *)at[0], (const va_corrected_imu *)at[1],
+                           (const va_master *)at[2], (bs_real *)at[3]);
 }
 
 size_t va_euler_H_batch(size_t n,
                         const va_nav *nav,
                         size_t nav_stride,
-                        const va_imu *imu,
-                        size_t imu_stride,
+                        const va_corrected_imu *corrected_imu,
+                        size_t corrected_imu_stride,
                         const va_master *master,
                         size_t master_stride,
                         bs_real *H,
@@ -489,7 +498,8 @@ size_t va_euler_H_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)va_euler_H(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)va_euler_H(&nav[i * nav_stride],
+                                              &corrected_imu[i * corrected_imu_stride],
                                               &master[i * master_stride], &H[i * 48U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
@@ -498,27 +508,28 @@ size_t va_euler_H_batch(size_t n,
 
 int va_euler_H_bound(void *const *at)
 {
-    return (int)va_euler_H((const va_nav *)at[0], (const va_imu *)at[1], (const va_master *)at[2],
-                           (bs_real *)at[3]);
+    return (int)va_euler_H((const va_nav *)at[0], (const va_corrected_imu *)at[1],
+                           (const va_master *)at[2], (bs_real *)at[3]);
 }
 
 size_t va_strapdown_batch(size_t n,
                           const va_nav *nav,
                           size_t nav_stride,
-                          const va_imu *imu,
-                          size_t imu_stride,
+                          const va_corrected_imu *corrected_imu,
+                          size_t corrected_imu_stride,
                           const va_increments *increments,
                           size_t increments_stride,
-                          bs_real *position,
+                          bs_real *lat_lon_height,
                           bs_real *v_n,
                           bs_real *q_b2n_wxyz,
                           unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)va_strapdown(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)va_strapdown(&nav[i * nav_stride],
+                                                &corrected_imu[i * corrected_imu_stride],
                                                 &increments[i * increments_stride],
-                                                &position[i * 3U], &v_n[i * 3U],
+                                                &lat_lon_height[i * 3U], &v_n[i * 3U],
                                                 &q_b2n_wxyz[i * 4U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
@@ -527,7 +538,7 @@ size_t va_strapdown_batch(size_t n,
 
 int va_strapdown_bound(void *const *at)
 {
-    return (int)va_strapdown((const va_nav *)at[0], (const va_imu *)at[1],
+    return (int)va_strapdown((const va_nav *)at[0], (const va_corrected_imu *)at[1],
                              (const va_increments *)at[2], (bs_real *)at[3], (bs_real *)at[4],
                              (bs_real *)at[5]);
 }
@@ -535,8 +546,8 @@ int va_strapdown_bound(void *const *at)
 size_t va_expected_batch(size_t n,
                          const va_nav *nav,
                          size_t nav_stride,
-                         const va_imu *imu,
-                         size_t imu_stride,
+                         const va_corrected_imu *corrected_imu,
+                         size_t corrected_imu_stride,
                          const va_mounting *mounting,
                          size_t mounting_stride,
                          bs_real *v_m_n,
@@ -546,7 +557,8 @@ size_t va_expected_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)va_expected(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)va_expected(&nav[i * nav_stride],
+                                               &corrected_imu[i * corrected_imu_stride],
                                                &mounting[i * mounting_stride], &v_m_n[i * 3U],
                                                &q_m2n_wxyz[i * 4U], &omega_nb_n[i * 3U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
@@ -556,7 +568,7 @@ size_t va_expected_batch(size_t n,
 
 int va_expected_bound(void *const *at)
 {
-    return (int)va_expected((const va_nav *)at[0], (const va_imu *)at[1],
+    return (int)va_expected((const va_nav *)at[0], (const va_corrected_imu *)at[1],
                             (const va_mounting *)at[2], (bs_real *)at[3], (bs_real *)at[4],
                             (bs_real *)at[5]);
 }

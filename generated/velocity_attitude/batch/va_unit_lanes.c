@@ -91,9 +91,9 @@ size_t va_F_lanes(size_t n, const bs_given *given, double *const *out, unsigned 
                 status[run] = (unsigned char)BS_OK;
             } else {
                 va_nav nav = {0};
-                va_imu imu = {0};
+                va_corrected_imu corrected_imu = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -102,9 +102,9 @@ size_t va_F_lanes(size_t n, const bs_given *given, double *const *out, unsigned 
                     nav.q_b2n_wxyz[i] = in[6 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.f_b[i] = in[10 + i][l];
+                    corrected_imu.f_b[i] = in[10 + i][l];
                 }
-                status[run] = (unsigned char)va_F(&nav, &imu, &out[0][run * 256U]);
+                status[run] = (unsigned char)va_F(&nav, &corrected_imu, &out[0][run * 256U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -150,9 +150,9 @@ size_t va_Phi_lanes(size_t n, const bs_given *given, double *const *out, unsigne
                 status[run] = (unsigned char)BS_OK;
             } else {
                 va_nav nav = {0};
-                va_imu imu = {0};
+                va_corrected_imu corrected_imu = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -161,10 +161,10 @@ size_t va_Phi_lanes(size_t n, const bs_given *given, double *const *out, unsigne
                     nav.q_b2n_wxyz[i] = in[6 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.f_b[i] = in[10 + i][l];
+                    corrected_imu.f_b[i] = in[10 + i][l];
                 }
-                imu.dt = in[13][l];
-                status[run] = (unsigned char)va_Phi(&nav, &imu, &out[0][run * 256U]);
+                corrected_imu.dt = in[13][l];
+                status[run] = (unsigned char)va_Phi(&nav, &corrected_imu, &out[0][run * 256U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -286,10 +286,10 @@ size_t va_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned 
                 status[run] = (unsigned char)BS_OK;
             } else {
                 va_nav nav = {0};
-                va_imu imu = {0};
+                va_corrected_imu corrected_imu = {0};
                 va_noise noise = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -298,9 +298,9 @@ size_t va_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned 
                     nav.q_b2n_wxyz[i] = in[6 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.f_b[i] = in[10 + i][l];
+                    corrected_imu.f_b[i] = in[10 + i][l];
                 }
-                imu.dt = in[13][l];
+                corrected_imu.dt = in[13][l];
                 for (int i = 0; i < 3; ++i) {
                     noise.gyro_noise[i] = in[14 + i][l];
                 }
@@ -317,7 +317,8 @@ size_t va_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned 
                     noise.mu_noise[i] = in[26 + i][l];
                 }
                 noise.tau_noise = in[29][l];
-                status[run] = (unsigned char)va_Q(&nav, &imu, &noise, &out[0][run * 256U]);
+                status[run] = (unsigned char)va_Q(&nav, &corrected_imu, &noise,
+                                                  &out[0][run * 256U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -369,11 +370,11 @@ size_t va_velocity_z_lanes(size_t n,
                 status[run] = (unsigned char)BS_OK;
             } else {
                 va_nav nav = {0};
-                va_imu imu = {0};
+                va_corrected_imu corrected_imu = {0};
                 va_mounting mounting = {0};
                 va_master master = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -382,7 +383,7 @@ size_t va_velocity_z_lanes(size_t n,
                     nav.q_b2n_wxyz[i] = in[6 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[10 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     mounting.lever_b[i] = in[13 + i][l];
@@ -394,7 +395,7 @@ size_t va_velocity_z_lanes(size_t n,
                     master.a_n[i] = in[19 + i][l];
                 }
                 master.lag = in[22][l];
-                status[run] = (unsigned char)va_velocity_z(&nav, &imu, &mounting, &master,
+                status[run] = (unsigned char)va_velocity_z(&nav, &corrected_imu, &mounting, &master,
                                                            &out[0][run * 3U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
@@ -445,11 +446,11 @@ size_t va_velocity_H_lanes(size_t n,
                 status[run] = (unsigned char)BS_OK;
             } else {
                 va_nav nav = {0};
-                va_imu imu = {0};
+                va_corrected_imu corrected_imu = {0};
                 va_mounting mounting = {0};
                 va_master master = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -458,7 +459,7 @@ size_t va_velocity_H_lanes(size_t n,
                     nav.q_b2n_wxyz[i] = in[6 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[10 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     mounting.lever_b[i] = in[13 + i][l];
@@ -466,7 +467,7 @@ size_t va_velocity_H_lanes(size_t n,
                 for (int i = 0; i < 3; ++i) {
                     master.a_n[i] = in[16 + i][l];
                 }
-                status[run] = (unsigned char)va_velocity_H(&nav, &imu, &mounting, &master,
+                status[run] = (unsigned char)va_velocity_H(&nav, &corrected_imu, &mounting, &master,
                                                            &out[0][run * 48U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
@@ -513,10 +514,10 @@ size_t va_dcm_z_lanes(size_t n, const bs_given *given, double *const *out, unsig
                 status[run] = (unsigned char)BS_OK;
             } else {
                 va_nav nav = {0};
-                va_imu imu = {0};
+                va_corrected_imu corrected_imu = {0};
                 va_master master = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -528,13 +529,14 @@ size_t va_dcm_z_lanes(size_t n, const bs_given *given, double *const *out, unsig
                     nav.q_b2m_wxyz[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[14 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[14 + i][l];
                 }
                 for (int i = 0; i < 4; ++i) {
                     master.q_m2n_wxyz[i] = in[17 + i][l];
                 }
                 master.lag = in[21][l];
-                status[run] = (unsigned char)va_dcm_z(&nav, &imu, &master, &out[0][run * 3U]);
+                status[run] = (unsigned char)va_dcm_z(&nav, &corrected_imu, &master,
+                                                      &out[0][run * 3U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -577,9 +579,9 @@ size_t va_dcm_H_lanes(size_t n, const bs_given *given, double *const *out, unsig
                 status[run] = (unsigned char)BS_OK;
             } else {
                 va_nav nav = {0};
-                va_imu imu = {0};
+                va_corrected_imu corrected_imu = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -591,9 +593,9 @@ size_t va_dcm_H_lanes(size_t n, const bs_given *given, double *const *out, unsig
                     nav.q_b2m_wxyz[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[14 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[14 + i][l];
                 }
-                status[run] = (unsigned char)va_dcm_H(&nav, &imu, &out[0][run * 48U]);
+                status[run] = (unsigned char)va_dcm_H(&nav, &corrected_imu, &out[0][run * 48U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -645,10 +647,10 @@ size_t va_quaternion_z_lanes(size_t n,
                 status[run] = (unsigned char)BS_OK;
             } else {
                 va_nav nav = {0};
-                va_imu imu = {0};
+                va_corrected_imu corrected_imu = {0};
                 va_master master = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -660,13 +662,13 @@ size_t va_quaternion_z_lanes(size_t n,
                     nav.q_b2m_wxyz[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[14 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[14 + i][l];
                 }
                 for (int i = 0; i < 4; ++i) {
                     master.q_m2n_wxyz[i] = in[17 + i][l];
                 }
                 master.lag = in[21][l];
-                status[run] = (unsigned char)va_quaternion_z(&nav, &imu, &master,
+                status[run] = (unsigned char)va_quaternion_z(&nav, &corrected_imu, &master,
                                                              &out[0][run * 3U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
@@ -728,13 +730,13 @@ size_t va_quaternion_h_lanes(size_t n,
             } else {
                 bs_real x[VA_N_STATES] = {0};
                 va_nav nav = {0};
-                va_imu imu = {0};
+                va_corrected_imu corrected_imu = {0};
                 va_master master = {0};
                 for (int i = 0; i < 16; ++i) {
                     x[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[16 + i][l];
+                    nav.lat_lon_height[i] = in[16 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[19 + i][l];
@@ -746,13 +748,13 @@ size_t va_quaternion_h_lanes(size_t n,
                     nav.q_b2m_wxyz[i] = in[26 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[30 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[30 + i][l];
                 }
                 for (int i = 0; i < 4; ++i) {
                     master.q_m2n_wxyz[i] = in[33 + i][l];
                 }
                 master.lag = in[37][l];
-                status[run] = (unsigned char)va_quaternion_h(x, &nav, &imu, &master,
+                status[run] = (unsigned char)va_quaternion_h(x, &nav, &corrected_imu, &master,
                                                              &out[0][run * 3U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
@@ -817,13 +819,13 @@ size_t va_quaternion_H_lanes(size_t n,
             } else {
                 bs_real x[VA_N_STATES] = {0};
                 va_nav nav = {0};
-                va_imu imu = {0};
+                va_corrected_imu corrected_imu = {0};
                 va_master master = {0};
                 for (int i = 0; i < 16; ++i) {
                     x[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[16 + i][l];
+                    nav.lat_lon_height[i] = in[16 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[19 + i][l];
@@ -835,13 +837,13 @@ size_t va_quaternion_H_lanes(size_t n,
                     nav.q_b2m_wxyz[i] = in[26 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[30 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[30 + i][l];
                 }
                 for (int i = 0; i < 4; ++i) {
                     master.q_m2n_wxyz[i] = in[33 + i][l];
                 }
                 master.lag = in[37][l];
-                status[run] = (unsigned char)va_quaternion_H(x, &nav, &imu, &master,
+                status[run] = (unsigned char)va_quaternion_H(x, &nav, &corrected_imu, &master,
                                                              &out[0][run * 48U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
@@ -888,10 +890,10 @@ size_t va_euler_z_lanes(size_t n, const bs_given *given, double *const *out, uns
                 status[run] = (unsigned char)BS_OK;
             } else {
                 va_nav nav = {0};
-                va_imu imu = {0};
+                va_corrected_imu corrected_imu = {0};
                 va_master master = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -903,13 +905,14 @@ size_t va_euler_z_lanes(size_t n, const bs_given *given, double *const *out, uns
                     nav.q_b2m_wxyz[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[14 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[14 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     master.euler_m[i] = in[17 + i][l];
                 }
                 master.lag = in[20][l];
-                status[run] = (unsigned char)va_euler_z(&nav, &imu, &master, &out[0][run * 3U]);
+                status[run] = (unsigned char)va_euler_z(&nav, &corrected_imu, &master,
+                                                        &out[0][run * 3U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -952,10 +955,10 @@ size_t va_euler_H_lanes(size_t n, const bs_given *given, double *const *out, uns
                 status[run] = (unsigned char)BS_OK;
             } else {
                 va_nav nav = {0};
-                va_imu imu = {0};
+                va_corrected_imu corrected_imu = {0};
                 va_master master = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -964,12 +967,13 @@ size_t va_euler_H_lanes(size_t n, const bs_given *given, double *const *out, uns
                     nav.q_b2n_wxyz[i] = in[6 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[10 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     master.euler_m[i] = in[13 + i][l];
                 }
-                status[run] = (unsigned char)va_euler_H(&nav, &imu, &master, &out[0][run * 48U]);
+                status[run] = (unsigned char)va_euler_H(&nav, &corrected_imu, &master,
+                                                        &out[0][run * 48U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -1001,7 +1005,7 @@ size_t va_strapdown_lanes(size_t n,
     size_t failed = 0U;
     for (size_t first = 0U; first < n; first += BORESIGHT_LANES) {
         bs_lanes in[29];
-        bs_lanes position_nz[3];
+        bs_lanes lat_lon_height_nz[3];
         bs_lanes v_n_nz[3];
         bs_lanes q_b2n_wxyz_nz[4];
         bs_bits good;
@@ -1019,21 +1023,21 @@ size_t va_strapdown_lanes(size_t n,
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
         bs_unusual = (bs_bits)bs_all_of(0.0);
         va_strapdown_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[16], &in[17], &in[20],
-                            &in[23], &in[26], position_nz, v_n_nz, q_b2n_wxyz_nz);
+                            &in[23], &in[26], lat_lon_height_nz, v_n_nz, q_b2n_wxyz_nz);
         good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
-                bs_write(&out[0][run * 3U], 3, position_nz, NULL, 3, l);
+                bs_write(&out[0][run * 3U], 3, lat_lon_height_nz, NULL, 3, l);
                 bs_write(&out[1][run * 3U], 3, v_n_nz, NULL, 3, l);
                 bs_write(&out[2][run * 4U], 4, q_b2n_wxyz_nz, NULL, 4, l);
                 status[run] = (unsigned char)BS_OK;
             } else {
                 va_nav nav = {0};
-                va_imu imu = {0};
+                va_corrected_imu corrected_imu = {0};
                 va_increments increments = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -1047,7 +1051,7 @@ size_t va_strapdown_lanes(size_t n,
                 for (int i = 0; i < 3; ++i) {
                     nav.accel_bias[i] = in[13 + i][l];
                 }
-                imu.dt = in[16][l];
+                corrected_imu.dt = in[16][l];
                 for (int i = 0; i < 3; ++i) {
                     increments.dtheta_ib_b[i] = in[17 + i][l];
                 }
@@ -1060,7 +1064,7 @@ size_t va_strapdown_lanes(size_t n,
                 for (int i = 0; i < 3; ++i) {
                     increments.dv_before[i] = in[26 + i][l];
                 }
-                status[run] = (unsigned char)va_strapdown(&nav, &imu, &increments,
+                status[run] = (unsigned char)va_strapdown(&nav, &corrected_imu, &increments,
                                                           &out[0][run * 3U], &out[1][run * 3U],
                                                           &out[2][run * 4U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
@@ -1113,10 +1117,10 @@ size_t va_expected_lanes(size_t n, const bs_given *given, double *const *out, un
                 status[run] = (unsigned char)BS_OK;
             } else {
                 va_nav nav = {0};
-                va_imu imu = {0};
+                va_corrected_imu corrected_imu = {0};
                 va_mounting mounting = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -1128,13 +1132,14 @@ size_t va_expected_lanes(size_t n, const bs_given *given, double *const *out, un
                     nav.q_b2m_wxyz[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[14 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[14 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     mounting.lever_b[i] = in[17 + i][l];
                 }
-                status[run] = (unsigned char)va_expected(&nav, &imu, &mounting, &out[0][run * 3U],
-                                                         &out[1][run * 4U], &out[2][run * 3U]);
+                status[run] = (unsigned char)va_expected(&nav, &corrected_imu, &mounting,
+                                                         &out[0][run * 3U], &out[1][run * 4U],
+                                                         &out[2][run * 3U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }

@@ -56,7 +56,7 @@ static const casadi_int casadi_s1[3] = {4, 1, 1};
 static const casadi_int casadi_s2[3] = {1, 1, 1};
 static const casadi_int casadi_s3[3] = {118, 1, 1};
 
-/* va_Q_casadi:(position[3],v_n[3],q_b2n_wxyz[4],f_b[3],dt,gyro_noise[3],accel_noise[3],gyro_bias_noise[3],accel_bias_noise[3],mu_noise[3],tau_noise)->(out_Q[118]) */
+/* va_Q_casadi:(lat_lon_height[3],v_n[3],q_b2n_wxyz[4],f_b[3],dt,gyro_noise[3],accel_noise[3],gyro_bias_noise[3],accel_bias_noise[3],mu_noise[3],tau_noise)->(out_Q[118]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
@@ -1719,7 +1719,7 @@ CASADI_SYMBOL_EXPORT casadi_real va_Q_casadi_default_in(casadi_int i) {
 
 CASADI_SYMBOL_EXPORT const char* va_Q_casadi_name_in(casadi_int i) {
   switch (i) {
-    case 0: return "position";
+    case 0: return "lat_lon_height";
     case 1: return "v_n";
     case 2: return "q_b2n_wxyz";
     case 3: return "f_b";

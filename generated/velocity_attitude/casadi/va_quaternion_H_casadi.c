@@ -58,7 +58,7 @@ static const casadi_int casadi_s2[3] = {4, 1, 1};
 static const casadi_int casadi_s3[3] = {1, 1, 1};
 static const casadi_int casadi_s4[3] = {30, 1, 1};
 
-/* va_quaternion_H_casadi:(x[16],position[3],v_n[3],q_b2n_wxyz[4],q_b2m_wxyz[4],omega_ib_b[3],q_m2n_wxyz[4],lag)->(out_H[30]) */
+/* va_quaternion_H_casadi:(x[16],lat_lon_height[3],v_n[3],q_b2n_wxyz[4],q_b2m_wxyz[4],omega_ib_b[3],q_m2n_wxyz[4],lag)->(out_H[30]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
@@ -1478,7 +1478,7 @@ CASADI_SYMBOL_EXPORT casadi_real va_quaternion_H_casadi_default_in(casadi_int i)
 CASADI_SYMBOL_EXPORT const char* va_quaternion_H_casadi_name_in(casadi_int i) {
   switch (i) {
     case 0: return "x";
-    case 1: return "position";
+    case 1: return "lat_lon_height";
     case 2: return "v_n";
     case 3: return "q_b2n_wxyz";
     case 4: return "q_b2m_wxyz";

@@ -9,7 +9,7 @@
 
 int va_strapdown_casadi(const double **arg, double **res, int *iw, double *w, int mem);
 
-static void va_strapdown_kernel(const bs_real position[3],
+static void va_strapdown_kernel(const bs_real lat_lon_height[3],
                                 const bs_real v_n[3],
                                 const bs_real q_b2n_wxyz[4],
                                 const bs_real gyro_bias[3],
@@ -19,7 +19,7 @@ static void va_strapdown_kernel(const bs_real position[3],
                                 const bs_real dv_b[3],
                                 const bs_real dtheta_before[3],
                                 const bs_real dv_before[3],
-                                bs_real position_nz[3],
+                                bs_real lat_lon_height_nz[3],
                                 bs_real v_n_nz[3],
                                 bs_real q_b2n_wxyz_nz[4])
 {
@@ -27,7 +27,7 @@ static void va_strapdown_kernel(const bs_real position[3],
     double *res[3] = {0};
     int iw[1] = {0};
     double w[85] = {0};
-    arg[0] = position;
+    arg[0] = lat_lon_height;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;
     arg[3] = gyro_bias;
@@ -37,7 +37,7 @@ static void va_strapdown_kernel(const bs_real position[3],
     arg[7] = dv_b;
     arg[8] = dtheta_before;
     arg[9] = dv_before;
-    res[0] = position_nz;
+    res[0] = lat_lon_height_nz;
     res[1] = v_n_nz;
     res[2] = q_b2n_wxyz_nz;
     (void)va_strapdown_casadi(arg, res, iw, w, 0);

@@ -50,26 +50,26 @@ extern "C" {
 
 /* What the slave carries and the filter corrects. */
 typedef struct {
-    bs_real position[3];   /* geodetic latitude, longitude, not wrapped, height above the ellipsoid
-                            * (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
-                            * -500 to 30000 */
-    bs_real v_n[3];        /* velocity over the ground (m/s, NED); -1000 to 1000 */
-    bs_real q_b2n_wxyz[4]; /* attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001 */
-    bs_real gyro_bias[3];  /* estimated gyro bias, measured - true (rad/s, body);
-                            * -0.0174533 to 0.0174533 */
-    bs_real accel_bias[3]; /* estimated accelerometer bias, measured - true (m/s^2, body);
-                            * -1 to 1 */
-    bs_real q_b2m_wxyz[4]; /* estimated mounting of the slave (1, slave body to master body);
-                            * -1.001 to 1.001, norm 0.999 to 1.001 */
-    bs_real tau;           /* estimated age of the master's data (s); -1 to 1 */
+    bs_real lat_lon_height[3]; /* geodetic latitude, longitude, not wrapped, height above the
+                                * ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+                                * -6.28319 to 6.28319, -500 to 30000 */
+    bs_real v_n[3];            /* velocity over the ground (m/s, NED); -1000 to 1000 */
+    bs_real q_b2n_wxyz[4];     /* attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001 */
+    bs_real gyro_bias[3];      /* estimated gyro bias, measured - true (rad/s, body);
+                                * -0.0174533 to 0.0174533 */
+    bs_real accel_bias[3];     /* estimated accelerometer bias, measured - true (m/s^2, body);
+                                * -1 to 1 */
+    bs_real q_b2m_wxyz[4];     /* estimated mounting of the slave (1, slave body to master body);
+                                * -1.001 to 1.001, norm 0.999 to 1.001 */
+    bs_real tau;               /* estimated age of the master's data (s); -1 to 1 */
 } va_nav;
 
-/* Inertial data over one step. */
+/* Inertial data over one step, estimated biases removed. */
 typedef struct {
     bs_real f_b[3];        /* specific force, estimated bias removed (m/s^2, body); -500 to 500 */
     bs_real omega_ib_b[3]; /* angular rate, estimated bias removed (rad/s, body); -20 to 20 */
     bs_real dt;            /* length of the step (s); 1e-06 to 10 */
-} va_imu;
+} va_corrected_imu;
 
 /* What the sensors deliver over one step, and over the step before. */
 typedef struct {
@@ -116,31 +116,36 @@ typedef struct {
 } va_master;
 
 /* System matrix, x' = F x + G w.
- * in   nav->position    geodetic latitude, longitude, not wrapped, height above the ellipsoid
- *                       (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
- *                       -500 to 30000
- * in   nav->v_n         velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz  attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->f_b         specific force, estimated bias removed (m/s^2, body); -500 to 500
- * out  F                system matrix (1/s and mixed); 16 x 16, row-major; 41 of 256 are not zero
+ * in   nav->lat_lon_height  geodetic latitude, longitude, not wrapped, height above the ellipsoid
+ *                           (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
+ *                           -500 to 30000
+ * in   nav->v_n             velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz      attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->f_b   specific force, estimated bias removed (m/s^2, body); -500 to 500
+ * out  F                    system matrix (1/s and mixed); 16 x 16, row-major; 41 of 256 are not
+ *                           zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
-bs_status va_F(const va_nav *nav, const va_imu *imu, bs_real F[16 * VA_N_STATES]);
+bs_status va_F(const va_nav *nav,
+               const va_corrected_imu *corrected_imu,
+               bs_real F[16 * VA_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
-bs_status va_F_nz(const va_nav *nav, const va_imu *imu, bs_real F_nz[41]);
+bs_status va_F_nz(const va_nav *nav, const va_corrected_imu *corrected_imu, bs_real F_nz[41]);
 
 /* Transition matrix over dt, I + F dt + (F dt)^2 / 2, with F as it is at the start.
- * in   nav->position    geodetic latitude, longitude, not wrapped, height above the ellipsoid
- *                       (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
- *                       -500 to 30000
- * in   nav->v_n         velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz  attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->f_b         specific force, estimated bias removed (m/s^2, body); -500 to 500
- * in   imu->dt          length of the step (s); 1e-06 to 10
- * out  Phi              transition matrix (mixed); 16 x 16, row-major; 82 of 256 are not zero
+ * in   nav->lat_lon_height  geodetic latitude, longitude, not wrapped, height above the ellipsoid
+ *                           (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
+ *                           -500 to 30000
+ * in   nav->v_n             velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz      attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->f_b   specific force, estimated bias removed (m/s^2, body); -500 to 500
+ * in   corrected_imu->dt    length of the step (s); 1e-06 to 10
+ * out  Phi                  transition matrix (mixed); 16 x 16, row-major; 82 of 256 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
-bs_status va_Phi(const va_nav *nav, const va_imu *imu, bs_real Phi[16 * VA_N_STATES]);
+bs_status va_Phi(const va_nav *nav,
+                 const va_corrected_imu *corrected_imu,
+                 bs_real Phi[16 * VA_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
-bs_status va_Phi_nz(const va_nav *nav, const va_imu *imu, bs_real Phi_nz[82]);
+bs_status va_Phi_nz(const va_nav *nav, const va_corrected_imu *corrected_imu, bs_real Phi_nz[82]);
 
 /* Noise covariance per second, G W G'.
  * in   nav->q_b2n_wxyz          attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
@@ -163,13 +168,13 @@ bs_status va_Qc(const va_nav *nav, const va_noise *noise, bs_real Qc[16 * VA_N_S
 bs_status va_Qc_nz(const va_nav *nav, const va_noise *noise, bs_real Qc_nz[28]);
 
 /* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
- * in   nav->position            geodetic latitude, longitude, not wrapped, height above the
+ * in   nav->lat_lon_height      geodetic latitude, longitude, not wrapped, height above the
  *                               ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                               -6.28319 to 6.28319, -500 to 30000
  * in   nav->v_n                 velocity over the ground (m/s, NED); -1000 to 1000
  * in   nav->q_b2n_wxyz          attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->f_b                 specific force, estimated bias removed (m/s^2, body); -500 to 500
- * in   imu->dt                  length of the step (s); 1e-06 to 10
+ * in   corrected_imu->f_b       specific force, estimated bias removed (m/s^2, body); -500 to 500
+ * in   corrected_imu->dt        length of the step (s); 1e-06 to 10
  * in   noise->gyro_noise        noise density of the gyros (angle random walk, ARW)
  *                               (rad/sqrt(s), body); 0 to 0.1
  * in   noise->accel_noise       noise density of the accelerometers (velocity random walk, VRW)
@@ -185,56 +190,59 @@ bs_status va_Qc_nz(const va_nav *nav, const va_noise *noise, bs_real Qc_nz[28]);
  *                               not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status va_Q(const va_nav *nav,
-               const va_imu *imu,
+               const va_corrected_imu *corrected_imu,
                const va_noise *noise,
                bs_real Q[16 * VA_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
-bs_status va_Q_nz(const va_nav *nav, const va_imu *imu, const va_noise *noise, bs_real Q_nz[118]);
+bs_status va_Q_nz(const va_nav *nav,
+                  const va_corrected_imu *corrected_imu,
+                  const va_noise *noise,
+                  bs_real Q_nz[118]);
 
 /* Velocity of the master: z = computed - measured; z = H x + noise; rows n, e, d.
  * Equations: kang-2025 (1), kang-2025 (3).
- * in   nav->position      geodetic latitude, longitude, not wrapped, height above the ellipsoid
- *                         (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
- *                         -500 to 30000
- * in   nav->v_n           velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz    attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b    angular rate, estimated bias removed (rad/s, body); -20 to 20
- * in   mounting->lever_b  lever arm, from the master to the slave (m, body); -100 to 100
- * in   master->v_m_n      velocity that the master reports (m/s, NED); -1000 to 1000
- * in   master->a_n        rate of change of the velocity expected of the master (m/s^2, NED);
- *                         -500 to 500
- * in   master->lag        how much older the master's data is believed to be than the slave's state
- *                         given (s); -1 to 1
- * out  z                  n, e, d (m/s); 3
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
+ *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+ *                                 -6.28319 to 6.28319, -500 to 30000
+ * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz            attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
+ * in   mounting->lever_b          lever arm, from the master to the slave (m, body); -100 to 100
+ * in   master->v_m_n              velocity that the master reports (m/s, NED); -1000 to 1000
+ * in   master->a_n                rate of change of the velocity expected of the master
+ *                                 (m/s^2, NED); -500 to 500
+ * in   master->lag                how much older the master's data is believed to be than the
+ *                                 slave's state given (s); -1 to 1
+ * out  z                          n, e, d (m/s); 3
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status va_velocity_z(const va_nav *nav,
-                        const va_imu *imu,
+                        const va_corrected_imu *corrected_imu,
                         const va_mounting *mounting,
                         const va_master *master,
                         bs_real z[3]);
 
 /* Velocity of the master: z = computed - measured; measurement matrix H = d z / d x; rows n, e, d.
  * Equations: kang-2025 (1), kang-2025 (3).
- * in   nav->position      geodetic latitude, longitude, not wrapped, height above the ellipsoid
- *                         (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
- *                         -500 to 30000
- * in   nav->v_n           velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz    attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b    angular rate, estimated bias removed (rad/s, body); -20 to 20
- * in   mounting->lever_b  lever arm, from the master to the slave (m, body); -100 to 100
- * in   master->a_n        rate of change of the velocity expected of the master (m/s^2, NED);
- *                         -500 to 500
- * out  H                  rows n, e, d (m/s per unit of state); 3 x 16, row-major; 24 of 48 are not
- *                         zero
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
+ *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+ *                                 -6.28319 to 6.28319, -500 to 30000
+ * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz            attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
+ * in   mounting->lever_b          lever arm, from the master to the slave (m, body); -100 to 100
+ * in   master->a_n                rate of change of the velocity expected of the master
+ *                                 (m/s^2, NED); -500 to 500
+ * out  H                          rows n, e, d (m/s per unit of state); 3 x 16, row-major; 24 of 48
+ *                                 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status va_velocity_H(const va_nav *nav,
-                        const va_imu *imu,
+                        const va_corrected_imu *corrected_imu,
                         const va_mounting *mounting,
                         const va_master *master,
                         bs_real H[3 * VA_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
 bs_status va_velocity_H_nz(const va_nav *nav,
-                           const va_imu *imu,
+                           const va_corrected_imu *corrected_imu,
                            const va_mounting *mounting,
                            const va_master *master,
                            bs_real H_nz[24]);
@@ -242,168 +250,176 @@ bs_status va_velocity_H_nz(const va_nav *nav,
 /* Attitude of the master: z = -e, e the turn from the computed to the measured one;
  * z = H x + noise; rows n, e, d.
  * Equations: kang-2025 (4), kang-2025 (5).
- * in   nav->position       geodetic latitude, longitude, not wrapped, height above the ellipsoid
- *                          (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
- *                          -500 to 30000
- * in   nav->v_n            velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz     attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   nav->q_b2m_wxyz     estimated mounting of the slave (1, slave body to master body);
- *                          -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b     angular rate, estimated bias removed (rad/s, body); -20 to 20
- * in   master->q_m2n_wxyz  attitude that the master reports (1, master body to NED);
- *                          -1.001 to 1.001, norm 0.999 to 1.001
- * in   master->lag         how much older the master's data is believed to be than the slave's
- *                          state given (s); -1 to 1
- * out  z                   n, e, d (rad); 3
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
+ *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+ *                                 -6.28319 to 6.28319, -500 to 30000
+ * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz            attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   nav->q_b2m_wxyz            estimated mounting of the slave (1, slave body to master body);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
+ * in   master->q_m2n_wxyz         attitude that the master reports (1, master body to NED);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   master->lag                how much older the master's data is believed to be than the
+ *                                 slave's state given (s); -1 to 1
+ * out  z                          n, e, d (rad); 3
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
-bs_status va_dcm_z(const va_nav *nav, const va_imu *imu, const va_master *master, bs_real z[3]);
+bs_status va_dcm_z(const va_nav *nav,
+                   const va_corrected_imu *corrected_imu,
+                   const va_master *master,
+                   bs_real z[3]);
 
 /* Attitude of the master: z = -e, e the turn from the computed to the measured one; measurement
  * matrix H = d z / d x; rows n, e, d.
  * Equations: kang-2025 (4), kang-2025 (5).
- * in   nav->position    geodetic latitude, longitude, not wrapped, height above the ellipsoid
- *                       (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
- *                       -500 to 30000
- * in   nav->v_n         velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz  attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   nav->q_b2m_wxyz  estimated mounting of the slave (1, slave body to master body);
- *                       -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
- * out  H                rows n, e, d (rad per unit of state); 3 x 16, row-major; 15 of 48 are not
- *                       zero
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
+ *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+ *                                 -6.28319 to 6.28319, -500 to 30000
+ * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz            attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   nav->q_b2m_wxyz            estimated mounting of the slave (1, slave body to master body);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
+ * out  H                          rows n, e, d (rad per unit of state); 3 x 16, row-major; 15 of 48
+ *                                 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
-bs_status va_dcm_H(const va_nav *nav, const va_imu *imu, bs_real H[3 * VA_N_STATES]);
+bs_status va_dcm_H(const va_nav *nav,
+                   const va_corrected_imu *corrected_imu,
+                   bs_real H[3 * VA_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
-bs_status va_dcm_H_nz(const va_nav *nav, const va_imu *imu, bs_real H_nz[15]);
+bs_status va_dcm_H_nz(const va_nav *nav, const va_corrected_imu *corrected_imu, bs_real H_nz[15]);
 
 /* Attitude of the master, twice the vector part of a quaternion: z = -e, e the turn from the
  * computed to the measured one; z = h(x) + noise; rows n, e, d.
- * in   nav->position       geodetic latitude, longitude, not wrapped, height above the ellipsoid
- *                          (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
- *                          -500 to 30000
- * in   nav->v_n            velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz     attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   nav->q_b2m_wxyz     estimated mounting of the slave (1, slave body to master body);
- *                          -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b     angular rate, estimated bias removed (rad/s, body); -20 to 20
- * in   master->q_m2n_wxyz  attitude that the master reports (1, master body to NED);
- *                          -1.001 to 1.001, norm 0.999 to 1.001
- * in   master->lag         how much older the master's data is believed to be than the slave's
- *                          state given (s); -1 to 1
- * out  z                   n, e, d (rad); 3
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
+ *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+ *                                 -6.28319 to 6.28319, -500 to 30000
+ * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz            attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   nav->q_b2m_wxyz            estimated mounting of the slave (1, slave body to master body);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
+ * in   master->q_m2n_wxyz         attitude that the master reports (1, master body to NED);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   master->lag                how much older the master's data is believed to be than the
+ *                                 slave's state given (s); -1 to 1
+ * out  z                          n, e, d (rad); 3
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status va_quaternion_z(const va_nav *nav,
-                          const va_imu *imu,
+                          const va_corrected_imu *corrected_imu,
                           const va_master *master,
                           bs_real z[3]);
 
 /* Attitude of the master, twice the vector part of a quaternion: z = -e, e the turn from the
  * computed to the measured one; h(x), the z of an error state x without noise; rows n, e, d.
- * in   x                   error state (rad, m/s, rad/s, m/s^2, rad, s); -0.5 to 0.5, -0.5 to 0.5,
- *                          -0.5 to 0.5, -100 to 100, -100 to 100, -100 to 100,
- *                          -0.0174533 to 0.0174533, -0.0174533 to 0.0174533,
- *                          -0.0174533 to 0.0174533, -1 to 1, -1 to 1, -1 to 1, -0.5 to 0.5,
- *                          -0.5 to 0.5, -0.5 to 0.5, -1 to 1
- * in   nav->position       geodetic latitude, longitude, not wrapped, height above the ellipsoid
- *                          (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
- *                          -500 to 30000
- * in   nav->v_n            velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz     attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   nav->q_b2m_wxyz     estimated mounting of the slave (1, slave body to master body);
- *                          -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b     angular rate, estimated bias removed (rad/s, body); -20 to 20
- * in   master->q_m2n_wxyz  attitude that the master reports (1, master body to NED);
- *                          -1.001 to 1.001, norm 0.999 to 1.001
- * in   master->lag         how much older the master's data is believed to be than the slave's
- *                          state given (s); -1 to 1
- * out  h                   n, e, d (rad); 3
+ * in   x                          error state (rad, m/s, rad/s, m/s^2, rad, s); -0.5 to 0.5,
+ *                                 -0.5 to 0.5, -0.5 to 0.5, -100 to 100, -100 to 100, -100 to 100,
+ *                                 -0.0174533 to 0.0174533, -0.0174533 to 0.0174533,
+ *                                 -0.0174533 to 0.0174533, -1 to 1, -1 to 1, -1 to 1, -0.5 to 0.5,
+ *                                 -0.5 to 0.5, -0.5 to 0.5, -1 to 1
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
+ *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+ *                                 -6.28319 to 6.28319, -500 to 30000
+ * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz            attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   nav->q_b2m_wxyz            estimated mounting of the slave (1, slave body to master body);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
+ * in   master->q_m2n_wxyz         attitude that the master reports (1, master body to NED);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   master->lag                how much older the master's data is believed to be than the
+ *                                 slave's state given (s); -1 to 1
+ * out  h                          n, e, d (rad); 3
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status va_quaternion_h(const bs_real x[VA_N_STATES],
                           const va_nav *nav,
-                          const va_imu *imu,
+                          const va_corrected_imu *corrected_imu,
                           const va_master *master,
                           bs_real h[3]);
 
 /* Attitude of the master, twice the vector part of a quaternion: z = -e, e the turn from the
  * computed to the measured one; measurement matrix H = d h / d x at x; rows n, e, d.
- * in   x                   error state (rad, m/s, rad/s, m/s^2, rad, s); -0.5 to 0.5, -0.5 to 0.5,
- *                          -0.5 to 0.5, -100 to 100, -100 to 100, -100 to 100,
- *                          -0.0174533 to 0.0174533, -0.0174533 to 0.0174533,
- *                          -0.0174533 to 0.0174533, -1 to 1, -1 to 1, -1 to 1, -0.5 to 0.5,
- *                          -0.5 to 0.5, -0.5 to 0.5, -1 to 1
- * in   nav->position       geodetic latitude, longitude, not wrapped, height above the ellipsoid
- *                          (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
- *                          -500 to 30000
- * in   nav->v_n            velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz     attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   nav->q_b2m_wxyz     estimated mounting of the slave (1, slave body to master body);
- *                          -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b     angular rate, estimated bias removed (rad/s, body); -20 to 20
- * in   master->q_m2n_wxyz  attitude that the master reports (1, master body to NED);
- *                          -1.001 to 1.001, norm 0.999 to 1.001
- * in   master->lag         how much older the master's data is believed to be than the slave's
- *                          state given (s); -1 to 1
- * out  H                   rows n, e, d (rad per unit of state); 3 x 16, row-major; 30 of 48 are
- *                          not zero
+ * in   x                          error state (rad, m/s, rad/s, m/s^2, rad, s); -0.5 to 0.5,
+ *                                 -0.5 to 0.5, -0.5 to 0.5, -100 to 100, -100 to 100, -100 to 100,
+ *                                 -0.0174533 to 0.0174533, -0.0174533 to 0.0174533,
+ *                                 -0.0174533 to 0.0174533, -1 to 1, -1 to 1, -1 to 1, -0.5 to 0.5,
+ *                                 -0.5 to 0.5, -0.5 to 0.5, -1 to 1
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
+ *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+ *                                 -6.28319 to 6.28319, -500 to 30000
+ * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz            attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   nav->q_b2m_wxyz            estimated mounting of the slave (1, slave body to master body);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
+ * in   master->q_m2n_wxyz         attitude that the master reports (1, master body to NED);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   master->lag                how much older the master's data is believed to be than the
+ *                                 slave's state given (s); -1 to 1
+ * out  H                          rows n, e, d (rad per unit of state); 3 x 16, row-major; 30 of 48
+ *                                 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status va_quaternion_H(const bs_real x[VA_N_STATES],
                           const va_nav *nav,
-                          const va_imu *imu,
+                          const va_corrected_imu *corrected_imu,
                           const va_master *master,
                           bs_real H[3 * VA_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
 bs_status va_quaternion_H_nz(const bs_real x[VA_N_STATES],
                              const va_nav *nav,
-                             const va_imu *imu,
+                             const va_corrected_imu *corrected_imu,
                              const va_master *master,
                              bs_real H_nz[30]);
 
 /* Euler angles of the master: z = computed - measured; z = H x + noise; rows roll, pitch, yaw.
  * Equations: song-lee-2001 (13).
- * in   nav->position    geodetic latitude, longitude, not wrapped, height above the ellipsoid
- *                       (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
- *                       -500 to 30000
- * in   nav->v_n         velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz  attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   nav->q_b2m_wxyz  estimated mounting of the slave (1, slave body to master body);
- *                       -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
- * in   master->euler_m  roll, pitch, yaw that the master reports; where one is not measured, the
- *                       expected one (rad, NED to master body); -3.14159 to 3.14159,
- *                       -1.39626 to 1.39626, -3.14159 to 3.14159
- * in   master->lag      how much older the master's data is believed to be than the slave's state
- *                       given (s); -1 to 1
- * out  z                roll, pitch, yaw (rad); 3, wrapped to [-pi, pi]
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
+ *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+ *                                 -6.28319 to 6.28319, -500 to 30000
+ * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz            attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   nav->q_b2m_wxyz            estimated mounting of the slave (1, slave body to master body);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
+ * in   master->euler_m            roll, pitch, yaw that the master reports; where one is not
+ *                                 measured, the expected one (rad, NED to master body);
+ *                                 -3.14159 to 3.14159, -1.39626 to 1.39626, -3.14159 to 3.14159
+ * in   master->lag                how much older the master's data is believed to be than the
+ *                                 slave's state given (s); -1 to 1
+ * out  z                          roll, pitch, yaw (rad); 3, wrapped to [-pi, pi]
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
-bs_status va_euler_z(const va_nav *nav, const va_imu *imu, const va_master *master, bs_real z[3]);
+bs_status va_euler_z(const va_nav *nav,
+                     const va_corrected_imu *corrected_imu,
+                     const va_master *master,
+                     bs_real z[3]);
 
 /* Euler angles of the master: z = computed - measured; measurement matrix H = d z / d x; rows roll,
  * pitch, yaw.
  * Equations: song-lee-2001 (13).
- * in   nav->position    geodetic latitude, longitude, not wrapped, height above the ellipsoid
- *                       (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
- *                       -500 to 30000
- * in   nav->v_n         velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz  attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
- * in   master->euler_m  roll, pitch, yaw that the master reports; where one is not measured, the
- *                       expected one (rad, NED to master body); -3.14159 to 3.14159,
- *                       -1.39626 to 1.39626, -3.14159 to 3.14159
- * out  H                rows roll, pitch, yaw (rad per unit of state); 3 x 16, row-major; 17 of 48
- *                       are not zero
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
+ *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+ *                                 -6.28319 to 6.28319, -500 to 30000
+ * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz            attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
+ * in   master->euler_m            roll, pitch, yaw that the master reports; where one is not
+ *                                 measured, the expected one (rad, NED to master body);
+ *                                 -3.14159 to 3.14159, -1.39626 to 1.39626, -3.14159 to 3.14159
+ * out  H                          rows roll, pitch, yaw (rad per unit of state); 3 x 16, row-major;
+ *                                 17 of 48 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status va_euler_H(const va_nav *nav,
-                     const va_imu *imu,
+                     const va_corrected_imu *corrected_imu,
                      const va_master *master,
                      bs_real H[3 * VA_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
 bs_status va_euler_H_nz(const va_nav *nav,
-                        const va_imu *imu,
+                        const va_corrected_imu *corrected_imu,
                         const va_master *master,
                         bs_real H_nz[17]);
 
 /* Position, velocity and attitude after one step of inertial increments, estimated biases removed.
- * in   nav->position              geodetic latitude, longitude, not wrapped, height above the
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                 -6.28319 to 6.28319, -500 to 30000
  * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
@@ -412,41 +428,41 @@ bs_status va_euler_H_nz(const va_nav *nav,
  *                                 -0.0174533 to 0.0174533
  * in   nav->accel_bias            estimated accelerometer bias, measured - true (m/s^2, body);
  *                                 -1 to 1
- * in   imu->dt                    length of the step (s); 1e-06 to 10
+ * in   corrected_imu->dt          length of the step (s); 1e-06 to 10
  * in   increments->dtheta_ib_b    integral of the measured angular rate over the step (rad, body);
  *                                 -0.5 to 0.5
  * in   increments->dv_b           integral of the measured specific force over the step
  *                                 (m/s, body); -100 to 100
  * in   increments->dtheta_before  dtheta_ib_b of the step before, as long (rad, body); -0.5 to 0.5
  * in   increments->dv_before      dv_b of the step before (m/s, body); -100 to 100
- * out  position                   lat, lon, height, WGS-84 (rad, rad, m); 3
+ * out  lat_lon_height             lat, lon, height, WGS-84 (rad, rad, m); 3
  * out  v_n                        velocity over the ground, NED (m/s); 3
  * out  q_b2n_wxyz                 attitude, of unit norm, body to NED (1); 4
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status va_strapdown(const va_nav *nav,
-                       const va_imu *imu,
+                       const va_corrected_imu *corrected_imu,
                        const va_increments *increments,
-                       bs_real position[3],
+                       bs_real lat_lon_height[3],
                        bs_real v_n[3],
                        bs_real q_b2n_wxyz[4]);
 
 /* What the master should report for this state of the slave.
  * Equations: kang-2025 (1).
- * in   nav->position      geodetic latitude, longitude, not wrapped, height above the ellipsoid
- *                         (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
- *                         -500 to 30000
- * in   nav->v_n           velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz    attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   nav->q_b2m_wxyz    estimated mounting of the slave (1, slave body to master body);
- *                         -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b    angular rate, estimated bias removed (rad/s, body); -20 to 20
- * in   mounting->lever_b  lever arm, from the master to the slave (m, body); -100 to 100
- * out  v_m_n              velocity at the master, NED (m/s); 3
- * out  q_m2n_wxyz         attitude of the master, master to NED (1); 4
- * out  omega_nb_n         rate of the body against the level, NED (rad/s); 3
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
+ *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+ *                                 -6.28319 to 6.28319, -500 to 30000
+ * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz            attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   nav->q_b2m_wxyz            estimated mounting of the slave (1, slave body to master body);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
+ * in   mounting->lever_b          lever arm, from the master to the slave (m, body); -100 to 100
+ * out  v_m_n                      velocity at the master, NED (m/s); 3
+ * out  q_m2n_wxyz                 attitude of the master, master to NED (1); 4
+ * out  omega_nb_n                 rate of the body against the level, NED (rad/s); 3
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status va_expected(const va_nav *nav,
-                      const va_imu *imu,
+                      const va_corrected_imu *corrected_imu,
                       const va_mounting *mounting,
                       bs_real v_m_n[3],
                       bs_real q_m2n_wxyz[4],

@@ -110,22 +110,23 @@ bs_status va_filter_init_sigmas(va_filter *filter,
 
 /* Set nav from outside; P stays, and x becomes zero.  Where a strapdown or a correction is refused
  * for good, this is the way out.
- * in   clamp  0 to refuse a number outside its box; else it is put on the edge, and a vector that
- *             has a norm is scaled to it
+ * in   beyond  BS_REFUSE or BS_CLAMP
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; BS_NOT_POSITIVE: P is none */
-bs_status va_filter_set_nav(va_filter *filter, const va_nav *nav, int clamp);
+bs_status va_filter_set_nav(va_filter *filter, const va_nav *nav, bs_beyond beyond);
 
 /* Position, velocity and attitude after one step of inertial increments, estimated biases removed.
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE: an input, or the result, lies
  * outside its box */
 bs_status va_filter_strapdown(va_filter *filter,
-                              const va_imu *imu,
+                              const va_corrected_imu *corrected_imu,
                               const va_increments *increments);
 
 /* Carry x and P over dt: x = Phi x, P = Phi P Phi' + Q.
  * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE,
  * BS_NOT_POSITIVE */
-bs_status va_filter_propagate(va_filter *filter, const va_imu *imu, const va_noise *noise);
+bs_status va_filter_propagate(va_filter *filter,
+                              const va_corrected_imu *corrected_imu,
+                              const va_noise *noise);
 
 /* From now on no measurement corrects the states whose number is not 0 (a Schmidt filter): their
  * rows of the whole measurement's gain are zero.  They and their covariance among themselves stay,
@@ -146,7 +147,7 @@ bs_status va_filter_consider(va_filter *filter, const unsigned char considered[V
  * outside its box, or x would lie beyond its ceiling; or BS_NOT_POSITIVE: nu, S or nis is no finite
  * number, S is not above 0, or a variance would be negative */
 bs_status va_filter_measure_velocity(va_filter *filter,
-                                     const va_imu *imu,
+                                     const va_corrected_imu *corrected_imu,
                                      const va_mounting *mounting,
                                      const va_master *master,
                                      const bs_real R[3],
@@ -164,7 +165,7 @@ bs_status va_filter_measure_velocity(va_filter *filter,
  * outside its box, or x would lie beyond its ceiling; or BS_NOT_POSITIVE: nu, S or nis is no finite
  * number, S is not above 0, or a variance would be negative */
 bs_status va_filter_measure_dcm(va_filter *filter,
-                                const va_imu *imu,
+                                const va_corrected_imu *corrected_imu,
                                 const va_master *master,
                                 const bs_real R[3],
                                 const bs_gates *gates,
@@ -184,7 +185,7 @@ bs_status va_filter_measure_dcm(va_filter *filter,
  * outside its box, or x would lie beyond its ceiling; or BS_NOT_POSITIVE: nu, S or nis is no finite
  * number, S is not above 0, or a variance would be negative */
 bs_status va_filter_measure_quaternion(va_filter *filter,
-                                       const va_imu *imu,
+                                       const va_corrected_imu *corrected_imu,
                                        const va_master *master,
                                        const bs_real R[3],
                                        const bs_gates *gates,
@@ -200,7 +201,7 @@ bs_status va_filter_measure_quaternion(va_filter *filter,
  * outside its box, or x would lie beyond its ceiling; or BS_NOT_POSITIVE: nu, S or nis is no finite
  * number, S is not above 0, or a variance would be negative */
 bs_status va_filter_measure_euler(va_filter *filter,
-                                  const va_imu *imu,
+                                  const va_corrected_imu *corrected_imu,
                                   const va_master *master,
                                   const bs_real R[3],
                                   const bs_gates *gates,

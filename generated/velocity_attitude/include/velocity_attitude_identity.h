@@ -20,7 +20,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "ba9c427b3235884a6956d78209b7f186294c8b6233359e4a2876203efb847700"
+#define VA_MODEL_HASH "4b5d3e223cb83072cff6fe78fa2f2e4ecf8190cee5f2d37bc914fc65ffe5f639"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { 0x1.1fc7140000000p+0, 0x1.1bee6e0000000p+2, 0x1.22ea220000000p+13 }
 };
@@ -51,10 +51,10 @@ static const unsigned short at_Phi[82] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11,
                                            75, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 102,
                                            119, 136, 153, 170, 187, 204, 221, 238, 255 };
 
-static void set_point(int v, va_nav *nav, va_imu *imu)
+static void set_point(int v, va_nav *nav, va_corrected_imu *corrected_imu)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -63,10 +63,10 @@ static void set_point(int v, va_nav *nav, va_imu *imu)
         nav->q_b2n_wxyz[i] = (bs_real)in_q_b2n_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->f_b[i] = (bs_real)in_f_b[v][i];
+        corrected_imu->f_b[i] = (bs_real)in_f_b[v][i];
     }
     for (int i = 0; i < 1; ++i) {
-        imu->dt = (bs_real)in_dt[v][i];
+        corrected_imu->dt = (bs_real)in_dt[v][i];
     }
 }
 
@@ -74,31 +74,31 @@ int test_va_Phi(void)
 {
     int failures = 0;
     va_nav nav = {0};
-    va_imu imu = {0};
+    va_corrected_imu corrected_imu = {0};
     bs_real Phi[256];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu);
-        if (va_Phi(&nav, &imu, Phi) != BS_OK) {
+        set_point(v, &nav, &corrected_imu);
+        if (va_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
             ++failures;
             continue;
         }
         failures += selftest_compare("va_Phi Phi", v, Phi, 256, out_Phi[v], tol_Phi[v], at_Phi, 82,
                                      0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 256);
-            if (va_Phi(&nav, &imu, Phi) != expected) {
-                selftest_print("va_Phi: position[%d] bad value %d not refused\n", i, bad);
+            if (va_Phi(&nav, &corrected_imu, Phi) != expected) {
+                selftest_print("va_Phi: lat_lon_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_Phi Phi", Phi, 256);
@@ -108,10 +108,10 @@ int test_va_Phi(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (va_Phi(&nav, &imu, Phi) != BS_OK) {
-                selftest_print("va_Phi: position[%d] end %d refused\n", i, end);
+            set_point(0, &nav, &corrected_imu);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (va_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
+                selftest_print("va_Phi: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -122,11 +122,11 @@ int test_va_Phi(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 256);
-            if (va_Phi(&nav, &imu, Phi) != expected) {
+            if (va_Phi(&nav, &corrected_imu, Phi) != expected) {
                 selftest_print("va_Phi: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -135,9 +135,9 @@ int test_va_Phi(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (va_Phi(&nav, &imu, Phi) != BS_OK) {
+            if (va_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
                 selftest_print("va_Phi: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -150,12 +150,12 @@ int test_va_Phi(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 256);
-            if (va_Phi(&nav, &imu, Phi) != expected) {
+            if (va_Phi(&nav, &corrected_imu, Phi) != expected) {
                 selftest_print("va_Phi: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -165,11 +165,11 @@ int test_va_Phi(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_Phi(&nav, &imu, Phi) != BS_OK) {
+            if (va_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
                 selftest_print("va_Phi: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -178,11 +178,11 @@ int test_va_Phi(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu);
+        set_point(0, &nav, &corrected_imu);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_Phi(&nav, &imu, Phi) != BS_OUT_OF_RANGE) {
+        if (va_Phi(&nav, &corrected_imu, Phi) != BS_OUT_OF_RANGE) {
             selftest_print("va_Phi: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -193,11 +193,12 @@ int test_va_Phi(void)
         static const double beyond_high[3] = { 500.25, 500.25, 500.25 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
-            imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
-                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu);
+            corrected_imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                             : (bad == 1) ? selftest_infinity()
+                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 256);
-            if (va_Phi(&nav, &imu, Phi) != expected) {
+            if (va_Phi(&nav, &corrected_imu, Phi) != expected) {
                 selftest_print("va_Phi: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -206,9 +207,9 @@ int test_va_Phi(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
-            set_point(0, &nav, &imu);
-            imu.f_b[i] = (end == 0) ? low[i] : high[i];
-            if (va_Phi(&nav, &imu, Phi) != BS_OK) {
+            set_point(0, &nav, &corrected_imu);
+            corrected_imu.f_b[i] = (end == 0) ? low[i] : high[i];
+            if (va_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
                 selftest_print("va_Phi: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -220,11 +221,12 @@ int test_va_Phi(void)
         static const double beyond_high[1] = { 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
-            imu.dt = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
-                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu);
+            corrected_imu.dt = (bs_real)((bad == 0) ? selftest_nan()
+                                         : (bad == 1) ? selftest_infinity()
+                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 256);
-            if (va_Phi(&nav, &imu, Phi) != expected) {
+            if (va_Phi(&nav, &corrected_imu, Phi) != expected) {
                 selftest_print("va_Phi: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -233,20 +235,20 @@ int test_va_Phi(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
-            set_point(0, &nav, &imu);
-            imu.dt = (end == 0) ? low[i] : high[i];
-            if (va_Phi(&nav, &imu, Phi) != BS_OK) {
+            set_point(0, &nav, &corrected_imu);
+            corrected_imu.dt = (end == 0) ? low[i] : high[i];
+            if (va_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
                 selftest_print("va_Phi: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu);
-    failures += (va_Phi(0, &imu, Phi) != BS_NULL_POINTER);
+    set_point(0, &nav, &corrected_imu);
+    failures += (va_Phi(0, &corrected_imu, Phi) != BS_NULL_POINTER);
     failures += (va_Phi(&nav, 0, Phi) != BS_NULL_POINTER);
-    failures += (va_Phi(&nav, &imu, 0) != BS_NULL_POINTER);
-    failures += (va_Phi_nz(0, &imu, Phi) != BS_NULL_POINTER);
+    failures += (va_Phi(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
+    failures += (va_Phi_nz(0, &corrected_imu, Phi) != BS_NULL_POINTER);
     failures += (va_Phi_nz(&nav, 0, Phi) != BS_NULL_POINTER);
-    failures += (va_Phi_nz(&nav, &imu, 0) != BS_NULL_POINTER);
+    failures += (va_Phi_nz(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
     return failures;
 }

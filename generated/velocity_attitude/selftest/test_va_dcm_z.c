@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { 0x1.53bfe80000000p-2, 0x1.d049980000000p+1, 0x1.d413600000000p+14 }
 };
@@ -54,10 +54,10 @@ static const float tol_z[N_VECTORS][3] = {
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
 
-static void set_point(int v, va_nav *nav, va_imu *imu, va_master *master)
+static void set_point(int v, va_nav *nav, va_corrected_imu *corrected_imu, va_master *master)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -69,7 +69,7 @@ static void set_point(int v, va_nav *nav, va_imu *imu, va_master *master)
         nav->q_b2m_wxyz[i] = (bs_real)in_q_b2m_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
+        corrected_imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
     }
     for (int i = 0; i < 4; ++i) {
         master->q_m2n_wxyz[i] = (bs_real)in_q_m2n_wxyz[v][i];
@@ -83,31 +83,31 @@ int test_va_dcm_z(void)
 {
     int failures = 0;
     va_nav nav = {0};
-    va_imu imu = {0};
+    va_corrected_imu corrected_imu = {0};
     va_master master = {0};
     bs_real z[3];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu, &master);
-        if (va_dcm_z(&nav, &imu, &master, z) != BS_OK) {
+        set_point(v, &nav, &corrected_imu, &master);
+        if (va_dcm_z(&nav, &corrected_imu, &master, z) != BS_OK) {
             ++failures;
             continue;
         }
         failures += selftest_compare("va_dcm_z z", v, z, 3, out_z[v], tol_z[v], at_z, 3, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &master);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (va_dcm_z(&nav, &imu, &master, z) != expected) {
-                selftest_print("va_dcm_z: position[%d] bad value %d not refused\n", i, bad);
+            if (va_dcm_z(&nav, &corrected_imu, &master, z) != expected) {
+                selftest_print("va_dcm_z: lat_lon_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("va_dcm_z z", z, 3);
@@ -117,10 +117,10 @@ int test_va_dcm_z(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu, &master);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (va_dcm_z(&nav, &imu, &master, z) != BS_OK) {
-                selftest_print("va_dcm_z: position[%d] end %d refused\n", i, end);
+            set_point(0, &nav, &corrected_imu, &master);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (va_dcm_z(&nav, &corrected_imu, &master, z) != BS_OK) {
+                selftest_print("va_dcm_z: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -131,11 +131,11 @@ int test_va_dcm_z(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master);
+            set_point(0, &nav, &corrected_imu, &master);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (va_dcm_z(&nav, &imu, &master, z) != expected) {
+            if (va_dcm_z(&nav, &corrected_imu, &master, z) != expected) {
                 selftest_print("va_dcm_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -144,9 +144,9 @@ int test_va_dcm_z(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu, &master);
+            set_point(0, &nav, &corrected_imu, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (va_dcm_z(&nav, &imu, &master, z) != BS_OK) {
+            if (va_dcm_z(&nav, &corrected_imu, &master, z) != BS_OK) {
                 selftest_print("va_dcm_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -159,12 +159,12 @@ int test_va_dcm_z(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master);
+            set_point(0, &nav, &corrected_imu, &master);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (va_dcm_z(&nav, &imu, &master, z) != expected) {
+            if (va_dcm_z(&nav, &corrected_imu, &master, z) != expected) {
                 selftest_print("va_dcm_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -174,11 +174,11 @@ int test_va_dcm_z(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &master);
+            set_point(0, &nav, &corrected_imu, &master);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_dcm_z(&nav, &imu, &master, z) != BS_OK) {
+            if (va_dcm_z(&nav, &corrected_imu, &master, z) != BS_OK) {
                 selftest_print("va_dcm_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -187,11 +187,11 @@ int test_va_dcm_z(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &master);
+        set_point(0, &nav, &corrected_imu, &master);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_dcm_z(&nav, &imu, &master, z) != BS_OUT_OF_RANGE) {
+        if (va_dcm_z(&nav, &corrected_imu, &master, z) != BS_OUT_OF_RANGE) {
             selftest_print("va_dcm_z: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -203,12 +203,12 @@ int test_va_dcm_z(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master);
+            set_point(0, &nav, &corrected_imu, &master);
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (va_dcm_z(&nav, &imu, &master, z) != expected) {
+            if (va_dcm_z(&nav, &corrected_imu, &master, z) != expected) {
                 selftest_print("va_dcm_z: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -218,11 +218,11 @@ int test_va_dcm_z(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &master);
+            set_point(0, &nav, &corrected_imu, &master);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_dcm_z(&nav, &imu, &master, z) != BS_OK) {
+            if (va_dcm_z(&nav, &corrected_imu, &master, z) != BS_OK) {
                 selftest_print("va_dcm_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -231,11 +231,11 @@ int test_va_dcm_z(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &master);
+        set_point(0, &nav, &corrected_imu, &master);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_dcm_z(&nav, &imu, &master, z) != BS_OUT_OF_RANGE) {
+        if (va_dcm_z(&nav, &corrected_imu, &master, z) != BS_OUT_OF_RANGE) {
             selftest_print("va_dcm_z: q_b2m_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -247,12 +247,12 @@ int test_va_dcm_z(void)
         static const double beyond_high[3] = { 20.01, 20.01, 20.01 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master);
-            imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                          : (bad == 1) ? selftest_infinity()
-                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &master);
+            corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                                    : (bad == 1) ? selftest_infinity()
+                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (va_dcm_z(&nav, &imu, &master, z) != expected) {
+            if (va_dcm_z(&nav, &corrected_imu, &master, z) != expected) {
                 selftest_print("va_dcm_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -261,9 +261,9 @@ int test_va_dcm_z(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
-            set_point(0, &nav, &imu, &master);
-            imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (va_dcm_z(&nav, &imu, &master, z) != BS_OK) {
+            set_point(0, &nav, &corrected_imu, &master);
+            corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
+            if (va_dcm_z(&nav, &corrected_imu, &master, z) != BS_OK) {
                 selftest_print("va_dcm_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -276,12 +276,12 @@ int test_va_dcm_z(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master);
+            set_point(0, &nav, &corrected_imu, &master);
             master.q_m2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (va_dcm_z(&nav, &imu, &master, z) != expected) {
+            if (va_dcm_z(&nav, &corrected_imu, &master, z) != expected) {
                 selftest_print("va_dcm_z: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -291,11 +291,11 @@ int test_va_dcm_z(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &master);
+            set_point(0, &nav, &corrected_imu, &master);
             for (int j = 0; j < 4; ++j) {
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_dcm_z(&nav, &imu, &master, z) != BS_OK) {
+            if (va_dcm_z(&nav, &corrected_imu, &master, z) != BS_OK) {
                 selftest_print("va_dcm_z: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -304,11 +304,11 @@ int test_va_dcm_z(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &master);
+        set_point(0, &nav, &corrected_imu, &master);
         for (int i = 0; i < 4; ++i) {
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_dcm_z(&nav, &imu, &master, z) != BS_OUT_OF_RANGE) {
+        if (va_dcm_z(&nav, &corrected_imu, &master, z) != BS_OUT_OF_RANGE) {
             selftest_print("va_dcm_z: q_m2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -319,11 +319,11 @@ int test_va_dcm_z(void)
         static const double beyond_high[1] = { 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master);
+            set_point(0, &nav, &corrected_imu, &master);
             master.lag = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (va_dcm_z(&nav, &imu, &master, z) != expected) {
+            if (va_dcm_z(&nav, &corrected_imu, &master, z) != expected) {
                 selftest_print("va_dcm_z: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -332,18 +332,18 @@ int test_va_dcm_z(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
             static const bs_real high[1] = { BS_REAL(1.0) };
-            set_point(0, &nav, &imu, &master);
+            set_point(0, &nav, &corrected_imu, &master);
             master.lag = (end == 0) ? low[i] : high[i];
-            if (va_dcm_z(&nav, &imu, &master, z) != BS_OK) {
+            if (va_dcm_z(&nav, &corrected_imu, &master, z) != BS_OK) {
                 selftest_print("va_dcm_z: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu, &master);
-    failures += (va_dcm_z(0, &imu, &master, z) != BS_NULL_POINTER);
+    set_point(0, &nav, &corrected_imu, &master);
+    failures += (va_dcm_z(0, &corrected_imu, &master, z) != BS_NULL_POINTER);
     failures += (va_dcm_z(&nav, 0, &master, z) != BS_NULL_POINTER);
-    failures += (va_dcm_z(&nav, &imu, 0, z) != BS_NULL_POINTER);
-    failures += (va_dcm_z(&nav, &imu, &master, 0) != BS_NULL_POINTER);
+    failures += (va_dcm_z(&nav, &corrected_imu, 0, z) != BS_NULL_POINTER);
+    failures += (va_dcm_z(&nav, &corrected_imu, &master, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -26,7 +26,7 @@ static const double in_nav[POINTS][21] = {
     { 0x1.59cf735373ac8p-1, 0x1.1d6c3d0ba8e1cp+2, 0x1.1edb9b1620a58p+12, -0x1.a5c3380dbdf5cp+9, -0x1.dea98a4c500f4p+8, -0x1.8e0aabb95af40p+5, 0x1.8300c1dd2e6d1p-2, -0x1.8a725b180452fp-3, 0x1.cca65b17ab7f7p-1, 0x1.af755b9f337bep-4, -0x1.0dbdf66fee420p-8, 0x1.ea47e36db26d4p-10, 0x1.6257e9be136d6p-7, -0x1.bab4652027874p-2, 0x1.b5829af566f3cp-1, -0x1.372c77193c560p-1, -0x1.cebd4b80dfbf1p-7, 0x1.b8434c2dd3640p-1, -0x1.036f578fe951dp-1, 0x1.ec59dae837774p-5, 0x1.30caafb3aaca2p-1 },
     { 0x1.769924d400616p+0, 0x1.8583b487a2ca4p+2, 0x1.5c702164d70d4p+14, -0x1.e2238f9ba88c0p+6, 0x1.84bd6ad6eb050p+9, 0x1.3ef737b19f2e6p+9, 0x1.29f22e4d5114ep-3, -0x1.22c5b1e6c8a9cp-1, 0x1.6d7028854da64p-3, 0x1.94b26266909b3p-1, -0x1.cc53a648e2955p-8, 0x1.59dfb33f42964p-8, 0x1.463f7a2d2f580p-12, 0x1.a7e2c5ff0d3e6p-1, -0x1.bbb0cc8580e72p-1, -0x1.eac98529d1d72p-1, -0x1.0f031e29e1dcep-3, 0x1.c211909933b63p-1, -0x1.a1bee97e9f31bp-3, -0x1.a39a9e65c0705p-2, -0x1.1cd2e9e661248p-2 }
 };
-static const double in_imu[POINTS][7] = {
+static const double in_corrected_imu[POINTS][7] = {
     { 0x1.d704e201198cep+6, -0x1.d74e6141e0fcbp+7, 0x1.eb96fd354aeb0p+6, 0x1.01277231c1124p+2, -0x1.13df9399b0ca0p+0, -0x1.222680d284d72p+3, 0x1.66c3c48fd8fa1p+1 },
     { -0x1.bf69087530eaep+8, 0x1.b9af0504ddeaep+8, -0x1.1ee55873cef06p+8, 0x1.314c586bc17a0p+2, 0x1.178be664132acp+2, -0x1.bc0b090a8f644p+3, 0x1.441088f9ee104p+1 }
 };
@@ -109,9 +109,9 @@ static const bs_real ceiling[N] = { BS_REAL(1000000.0), BS_REAL(1000000.0), BS_R
 static va_health health;
 static unsigned char bytes[VA_SNAPSHOT_SIZE];
 static unsigned char again[VA_SNAPSHOT_SIZE];
-static int clamp;
+static bs_beyond beyond = BS_REFUSE;
 static va_nav given_nav;
-static va_imu given_imu;
+static va_corrected_imu given_corrected_imu;
 static va_increments given_increments;
 static va_noise given_noise;
 static va_mounting given_mounting;
@@ -142,9 +142,11 @@ static int same_state(const va_filter *a, const va_filter *b)
 
 /* ---- by hand */
 
-static bs_status hand_propagate(va_filter *filter, const va_imu *imu, const va_noise *noise)
+static bs_status hand_propagate(va_filter *filter,
+                                const va_corrected_imu *corrected_imu,
+                                const va_noise *noise)
 {
-    bs_status status = va_F(&filter->nav, imu, dense);
+    bs_status status = va_F(&filter->nav, corrected_imu, dense);
     for (int i = 0; i < VA_N_F; ++i) {
         filter->F[i] = dense[F_places[i]];
     }
@@ -153,7 +155,8 @@ static bs_status hand_propagate(va_filter *filter, const va_imu *imu, const va_n
         filter->Qc[i] = dense[Qc_places[i]];
     }
     if (status == BS_OK) {
-        va_discretize(filter->F, filter->Qc, imu->dt, filter->Phi, filter->Q, filter->work);
+        va_discretize(filter->F, filter->Qc, corrected_imu->dt, filter->Phi, filter->Q,
+                      filter->work);
         va_predict_state(filter->Phi, filter->x);
         PREDICT(filter->P, filter->Phi, filter->Q, next_P, filter->work);
         memcpy(filter->P, next_P, sizeof(next_P));
@@ -268,15 +271,16 @@ static bs_real hand_moved(const va_filter *filter,
 }
 
 static bs_status hand_measure_velocity(va_filter *filter,
-                                       const va_imu *imu,
+                                       const va_corrected_imu *corrected_imu,
                                        const va_mounting *mounting,
                                        const va_master *master)
 {
     bs_real *const z = residual;
     bs_real target_[3];
-    bs_status status = va_velocity_z(&filter->nav, imu, mounting, master, z);
+    bs_status status = va_velocity_z(&filter->nav, corrected_imu, mounting, master, z);
     unmeasured = *filter;
-    status = (status == BS_OK) ? va_velocity_H(&filter->nav, imu, mounting, master, dense) : status;
+    status = (status == BS_OK) ? va_velocity_H(&filter->nav, corrected_imu, mounting, master, dense)
+        : status;
     if (status == BS_OK) {
         for (int i = 0; i < 3; ++i) {
             target_[i] = z[i];
@@ -286,13 +290,15 @@ static bs_status hand_measure_velocity(va_filter *filter,
     return hand_settle(filter, status);
 }
 
-static bs_status hand_measure_dcm(va_filter *filter, const va_imu *imu, const va_master *master)
+static bs_status hand_measure_dcm(va_filter *filter,
+                                  const va_corrected_imu *corrected_imu,
+                                  const va_master *master)
 {
     bs_real *const z = residual;
     bs_real target_[3];
-    bs_status status = va_dcm_z(&filter->nav, imu, master, z);
+    bs_status status = va_dcm_z(&filter->nav, corrected_imu, master, z);
     unmeasured = *filter;
-    status = (status == BS_OK) ? va_dcm_H(&filter->nav, imu, dense) : status;
+    status = (status == BS_OK) ? va_dcm_H(&filter->nav, corrected_imu, dense) : status;
     if (status == BS_OK) {
         for (int i = 0; i < 3; ++i) {
             target_[i] = z[i];
@@ -303,12 +309,12 @@ static bs_status hand_measure_dcm(va_filter *filter, const va_imu *imu, const va
 }
 
 static bs_status hand_measure_quaternion(va_filter *filter,
-                                         const va_imu *imu,
+                                         const va_corrected_imu *corrected_imu,
                                          const va_master *master)
 {
     bs_real *const z = residual;
     bs_real target_[3];
-    bs_status status = va_quaternion_z(&filter->nav, imu, master, z);
+    bs_status status = va_quaternion_z(&filter->nav, corrected_imu, master, z);
     bs_real from_[N];
     bs_real last_ = BS_REAL(0.0);
     int diverges_ = 0;
@@ -317,10 +323,10 @@ static bs_status hand_measure_quaternion(va_filter *filter,
     memcpy(from_, filter->x, sizeof(from_));
     for (int k = 0; k < iterations; ++k) {
         bs_real step_;
-        status = (status == BS_OK) ? va_quaternion_H(filter->x, &filter->nav, imu, master, dense)
-            : status;
-        status = (status == BS_OK) ? va_quaternion_h(filter->x, &filter->nav, imu, master, target_)
-            : status;
+        status = (status == BS_OK) ? va_quaternion_H(filter->x, &filter->nav, corrected_imu, master,
+                                                     dense) : status;
+        status = (status == BS_OK) ? va_quaternion_h(filter->x, &filter->nav, corrected_imu, master,
+                                                     target_) : status;
         if (status == BS_OK) {
             for (int i = 0; i < 3; ++i) {
                 target_[i] = z[i] - target_[i];
@@ -359,13 +365,15 @@ static bs_status hand_measure_quaternion(va_filter *filter,
     return hand_settle(filter, BS_OK);
 }
 
-static bs_status hand_measure_euler(va_filter *filter, const va_imu *imu, const va_master *master)
+static bs_status hand_measure_euler(va_filter *filter,
+                                    const va_corrected_imu *corrected_imu,
+                                    const va_master *master)
 {
     bs_real *const z = residual;
     bs_real target_[3];
-    bs_status status = va_euler_z(&filter->nav, imu, master, z);
+    bs_status status = va_euler_z(&filter->nav, corrected_imu, master, z);
     unmeasured = *filter;
-    status = (status == BS_OK) ? va_euler_H(&filter->nav, imu, master, dense) : status;
+    status = (status == BS_OK) ? va_euler_H(&filter->nav, corrected_imu, master, dense) : status;
     if (status == BS_OK) {
         for (int i = 0; i < 3; ++i) {
             target_[i] = z[i];
@@ -398,12 +406,12 @@ static bs_status init(void)
 
 static bs_status propagate(void)
 {
-    return va_filter_propagate(&flown, &given_imu, &given_noise);
+    return va_filter_propagate(&flown, &given_corrected_imu, &given_noise);
 }
 
 static bs_status strapdown(void)
 {
-    return va_filter_strapdown(&flown, &given_imu, &given_increments);
+    return va_filter_strapdown(&flown, &given_corrected_imu, &given_increments);
 }
 
 static bs_status correct(void)
@@ -425,7 +433,7 @@ static bs_status carried_by_hand(void)
 static bs_status propagate_by_hand(void)
 {
     bs_status status = carried_by_hand();
-    status = (status == BS_OK) ? hand_propagate(&hand, &given_imu, &given_noise) : status;
+    status = (status == BS_OK) ? hand_propagate(&hand, &given_corrected_imu, &given_noise) : status;
     return hand_judge(&hand, status, false);
 }
 
@@ -433,11 +441,12 @@ static bs_status strapdown_by_hand(void)
 {
     const va_filter *const filter = &flown;
     va_nav next_nav = flown.nav;
-    const va_imu *const imu = &given_imu;
+    const va_corrected_imu *const corrected_imu = &given_corrected_imu;
     const va_increments *const increments = &given_increments;
     bs_status status = carried_by_hand();
-    status = (status == BS_OK) ? va_strapdown(&filter->nav, imu, increments, next_nav.position,
-                                              next_nav.v_n, next_nav.q_b2n_wxyz) : status;
+    status = (status == BS_OK) ? va_strapdown(&filter->nav, corrected_imu, increments,
+                                              next_nav.lat_lon_height, next_nav.v_n,
+                                              next_nav.q_b2n_wxyz) : status;
     return (status == BS_OK) ? va_filter_set_nav(&hand, &next_nav, 0) : status;
 }
 
@@ -457,7 +466,7 @@ static bs_status correct_by_hand(void)
 static bs_status measure_velocity_by_hand(void)
 {
     const bs_status status = carried_by_hand();
-    return (status == BS_OK) ? hand_measure_velocity(&hand, &given_imu, &given_mounting,
+    return (status == BS_OK) ? hand_measure_velocity(&hand, &given_corrected_imu, &given_mounting,
                                                      &given_master) : status;
 }
 
@@ -475,14 +484,15 @@ static void quiet_velocity(void)
 static bs_status measure_velocity(void)
 {
     const bs_gates gates = { rows, gate, joint, iterations };
-    return va_filter_measure_velocity(&flown, &given_imu, &given_mounting, &given_master, R, &gates,
-                                      &said);
+    return va_filter_measure_velocity(&flown, &given_corrected_imu, &given_mounting, &given_master,
+                                      R, &gates, &said);
 }
 
 static bs_status measure_dcm_by_hand(void)
 {
     const bs_status status = carried_by_hand();
-    return (status == BS_OK) ? hand_measure_dcm(&hand, &given_imu, &given_master) : status;
+    return (status == BS_OK) ? hand_measure_dcm(&hand, &given_corrected_imu, &given_master)
+        : status;
 }
 
 /* The least noise with which x stays in its box; it stays with much of it. */
@@ -499,13 +509,14 @@ static void quiet_dcm(void)
 static bs_status measure_dcm(void)
 {
     const bs_gates gates = { rows, gate, joint, iterations };
-    return va_filter_measure_dcm(&flown, &given_imu, &given_master, R, &gates, &said);
+    return va_filter_measure_dcm(&flown, &given_corrected_imu, &given_master, R, &gates, &said);
 }
 
 static bs_status measure_quaternion_by_hand(void)
 {
     const bs_status status = carried_by_hand();
-    return (status == BS_OK) ? hand_measure_quaternion(&hand, &given_imu, &given_master) : status;
+    return (status == BS_OK) ? hand_measure_quaternion(&hand, &given_corrected_imu, &given_master)
+        : status;
 }
 
 /* The least noise with which x stays in its box; it stays with much of it. */
@@ -522,13 +533,15 @@ static void quiet_quaternion(void)
 static bs_status measure_quaternion(void)
 {
     const bs_gates gates = { rows, gate, joint, iterations };
-    return va_filter_measure_quaternion(&flown, &given_imu, &given_master, R, &gates, &said);
+    return va_filter_measure_quaternion(&flown, &given_corrected_imu, &given_master, R, &gates,
+                                        &said);
 }
 
 static bs_status measure_euler_by_hand(void)
 {
     const bs_status status = carried_by_hand();
-    return (status == BS_OK) ? hand_measure_euler(&hand, &given_imu, &given_master) : status;
+    return (status == BS_OK) ? hand_measure_euler(&hand, &given_corrected_imu, &given_master)
+        : status;
 }
 
 /* The least noise with which x stays in its box; it stays with much of it. */
@@ -545,12 +558,12 @@ static void quiet_euler(void)
 static bs_status measure_euler(void)
 {
     const bs_gates gates = { rows, gate, joint, iterations };
-    return va_filter_measure_euler(&flown, &given_imu, &given_master, R, &gates, &said);
+    return va_filter_measure_euler(&flown, &given_corrected_imu, &given_master, R, &gates, &said);
 }
 
 static bs_status set_nav(void)
 {
-    return va_filter_set_nav(&flown, &given_nav, clamp);
+    return va_filter_set_nav(&flown, &given_nav, beyond);
 }
 
 
@@ -572,7 +585,7 @@ static bs_status restore(void)
 static void set_point(int k)
 {
     for (int i = 0; i < 3; ++i) {
-        given_nav.position[i] = (bs_real)in_nav[k][0 + i];
+        given_nav.lat_lon_height[i] = (bs_real)in_nav[k][0 + i];
     }
     for (int i = 0; i < 3; ++i) {
         given_nav.v_n[i] = (bs_real)in_nav[k][3 + i];
@@ -591,12 +604,12 @@ static void set_point(int k)
     }
     given_nav.tau = (bs_real)in_nav[k][20];
     for (int i = 0; i < 3; ++i) {
-        given_imu.f_b[i] = (bs_real)in_imu[k][0 + i];
+        given_corrected_imu.f_b[i] = (bs_real)in_corrected_imu[k][0 + i];
     }
     for (int i = 0; i < 3; ++i) {
-        given_imu.omega_ib_b[i] = (bs_real)in_imu[k][3 + i];
+        given_corrected_imu.omega_ib_b[i] = (bs_real)in_corrected_imu[k][3 + i];
     }
-    given_imu.dt = (bs_real)in_imu[k][6];
+    given_corrected_imu.dt = (bs_real)in_corrected_imu[k][6];
     for (int i = 0; i < 3; ++i) {
         given_increments.dtheta_ib_b[i] = (bs_real)in_increments[k][0 + i];
     }
@@ -728,11 +741,12 @@ static int fly(int k_point)
     {
         const va_filter *const filter = &hand;
         va_nav next_nav = hand.nav;
-        const va_imu *const imu = &given_imu;
+        const va_corrected_imu *const corrected_imu = &given_corrected_imu;
         const va_increments *const increments = &given_increments;
         failures += expect("strapdown by hand",
-                           va_strapdown(&filter->nav, imu, increments, next_nav.position,
-                                        next_nav.v_n, next_nav.q_b2n_wxyz) == BS_OK);
+                           va_strapdown(&filter->nav, corrected_imu, increments,
+                                        next_nav.lat_lon_height, next_nav.v_n,
+                                        next_nav.q_b2n_wxyz) == BS_OK);
         failures += expect("strapdown", memcmp(&flown.nav, &next_nav, sizeof(next_nav)) == 0);
     }
     failures += same("strapdown changes x or P", BS_OK, BS_OK);
@@ -753,7 +767,8 @@ static int fly(int k_point)
     failures += begin();
     hand = flown;
     status = propagate();
-    failures += same("propagate", status, hand_propagate(&hand, &given_imu, &given_noise));
+    failures += same("propagate", status,
+                     hand_propagate(&hand, &given_corrected_imu, &given_noise));
     failures += expect("propagate is refused", status == BS_OK);
     for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
                                    * pass, all of little noise; then with considered states: half,
@@ -775,7 +790,8 @@ static int fly(int k_point)
         hand = flown;
         status = measure_velocity();
         failures += same("velocity", status,
-                         hand_measure_velocity(&hand, &given_imu, &given_mounting, &given_master));
+                         hand_measure_velocity(&hand, &given_corrected_imu, &given_mounting,
+                                               &given_master));
         failures += expect("velocity is refused", status == BS_OK) +
             same_said("velocity: innovation", 3);
         failures += expect("velocity: used", (k == 3) || (said.used == (rows & 7U)));
@@ -790,7 +806,8 @@ static int fly(int k_point)
         hand = flown;
         status = measure_velocity();
         failures += same("velocity: far", status,
-                         hand_measure_velocity(&hand, &given_imu, &given_mounting, &given_master));
+                         hand_measure_velocity(&hand, &given_corrected_imu, &given_mounting,
+                                               &given_master));
         failures += bs_good(status) ? same_said("velocity: far", 3) : 0;
     }
     set_noise(BS_REAL(1.0));
@@ -816,7 +833,8 @@ static int fly(int k_point)
         }
         hand = flown;
         status = measure_dcm();
-        failures += same("dcm", status, hand_measure_dcm(&hand, &given_imu, &given_master));
+        failures += same("dcm", status,
+                         hand_measure_dcm(&hand, &given_corrected_imu, &given_master));
         failures += expect("dcm is refused", status == BS_OK) + same_said("dcm: innovation", 3);
         failures += expect("dcm: used", (k == 3) || (said.used == (rows & 7U)));
     }
@@ -829,7 +847,8 @@ static int fly(int k_point)
         set_noise(BS_REAL(1e-9));
         hand = flown;
         status = measure_dcm();
-        failures += same("dcm: far", status, hand_measure_dcm(&hand, &given_imu, &given_master));
+        failures += same("dcm: far", status,
+                         hand_measure_dcm(&hand, &given_corrected_imu, &given_master));
         failures += bs_good(status) ? same_said("dcm: far", 3) : 0;
     }
     set_noise(BS_REAL(1.0));
@@ -857,7 +876,7 @@ static int fly(int k_point)
         hand = flown;
         status = measure_quaternion();
         failures += same("quaternion", status,
-                         hand_measure_quaternion(&hand, &given_imu, &given_master));
+                         hand_measure_quaternion(&hand, &given_corrected_imu, &given_master));
         failures += expect("quaternion is refused", status == BS_OK) +
             same_said("quaternion: innovation", 3);
         failures += expect("quaternion: used", (k == 3) || (said.used == (rows & 7U)));
@@ -872,7 +891,7 @@ static int fly(int k_point)
         hand = flown;
         status = measure_quaternion();
         failures += same("quaternion: far", status,
-                         hand_measure_quaternion(&hand, &given_imu, &given_master));
+                         hand_measure_quaternion(&hand, &given_corrected_imu, &given_master));
         failures += bs_good(status) ? same_said("quaternion: far", 3) : 0;
     }
     set_noise(BS_REAL(1.0));
@@ -891,7 +910,7 @@ static int fly(int k_point)
             iterations = 1;
             rows = 0U;
             hand = flown;
-            (void)hand_measure_quaternion(&hand, &given_imu, &given_master);
+            (void)hand_measure_quaternion(&hand, &given_corrected_imu, &given_master);
             rows = BS_ALL_ROWS;
             gate = BS_REAL(1.001) *
                 (BS_FABS(said_by_hand.nu[k % 3]) / BS_SQRT(said_by_hand.S[k % 3]));
@@ -901,7 +920,7 @@ static int fly(int k_point)
         iterations = 2 + (k % 7);
         status = measure_quaternion();
         failures += same("quaternion: iterated", status,
-                         hand_measure_quaternion(&hand, &given_imu, &given_master));
+                         hand_measure_quaternion(&hand, &given_corrected_imu, &given_master));
         failures += bs_good(status) ? same_said("quaternion: iterated", 3) : 0;
         gate = BS_REAL(0.0);
         rows = BS_ALL_ROWS;
@@ -917,7 +936,7 @@ static int fly(int k_point)
             set_noise(middle);
             iterations = 1;
             hand = flown;
-            (void)hand_measure_quaternion(&hand, &given_imu, &given_master);
+            (void)hand_measure_quaternion(&hand, &given_corrected_imu, &given_master);
             little = (first_step > BS_REAL(1e-4)) ? middle : little;
             much = (first_step > BS_REAL(1e-4)) ? much : middle;
         }
@@ -928,7 +947,7 @@ static int fly(int k_point)
             hand = flown;
             status = measure_quaternion();
             failures += same("quaternion: at the end", status,
-                             hand_measure_quaternion(&hand, &given_imu, &given_master));
+                             hand_measure_quaternion(&hand, &given_corrected_imu, &given_master));
             failures += bs_good(status) ? same_said("quaternion: at the end", 3) : 0;
         }
     }
@@ -952,7 +971,8 @@ static int fly(int k_point)
         }
         hand = flown;
         status = measure_euler();
-        failures += same("euler", status, hand_measure_euler(&hand, &given_imu, &given_master));
+        failures += same("euler", status,
+                         hand_measure_euler(&hand, &given_corrected_imu, &given_master));
         failures += expect("euler is refused", status == BS_OK) + same_said("euler: innovation", 3);
         failures += expect("euler: used", (k == 3) || (said.used == (rows & 7U)));
     }
@@ -966,7 +986,7 @@ static int fly(int k_point)
         hand = flown;
         status = measure_euler();
         failures += same("euler: far", status,
-                         hand_measure_euler(&hand, &given_imu, &given_master));
+                         hand_measure_euler(&hand, &given_corrected_imu, &given_master));
         failures += bs_good(status) ? same_said("euler: far", 3) : 0;
     }
     set_noise(BS_REAL(1.0));
@@ -987,7 +1007,7 @@ static int fly(int k_point)
                 bs_real nu = BS_REAL(0.0);
                 hand = flown;
                 gate = BS_REAL(1e-9); /* so that H alone is left of it */
-                (void)hand_measure_euler(&hand, &given_imu, &given_master);
+                (void)hand_measure_euler(&hand, &given_corrected_imu, &given_master);
                 gate = BS_REAL(0.0);
                 for (int j = 0; j < N; ++j) {
                     seen = (BS_FABS(dense[(i * N) + j]) > BS_FABS(dense[(i * N) + seen])) ? j
@@ -1002,7 +1022,7 @@ static int fly(int k_point)
             hand = flown;
             status = measure_euler();
             failures += same("euler: turned", status,
-                             hand_measure_euler(&hand, &given_imu, &given_master));
+                             hand_measure_euler(&hand, &given_corrected_imu, &given_master));
             failures += bs_good(status) ? same_said("euler: turned", 3) : 0;
         }
     }
@@ -1113,7 +1133,8 @@ static int limits(void)
                                         BS_REAL(-500.0) };
         static const bs_real high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586),
                                          BS_REAL(30000.0) };
-        failures += accepts("init: position", init, NULL, &given_nav.position[i], low[i], high[i]);
+        failures += accepts("init: lat_lon_height", init, NULL, &given_nav.lat_lon_height[i],
+                            low[i], high[i]);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
@@ -1179,7 +1200,7 @@ static int limits(void)
         static const bs_real high[1] = { BS_REAL(1.0) };
         failures += accepts("init: tau", init, NULL, &given_nav.tau, low[i], high[i]);
     }
-    failures += accepts("propagate: dt", propagate, propagate_by_hand, &given_imu.dt,
+    failures += accepts("propagate: dt", propagate, propagate_by_hand, &given_corrected_imu.dt,
                         BS_REAL(1e-06), BS_REAL(10.0));
     rows = 0U;
     failures += accepts("measure_velocity: gate", measure_velocity, NULL, &gate, BS_REAL(0.0),
@@ -1382,7 +1403,7 @@ static int kept(void)
     set_point(0);
     failures += begin();
     failures += expect("without gates",
-                       va_filter_measure_velocity(&flown, &given_imu, &given_mounting,
+                       va_filter_measure_velocity(&flown, &given_corrected_imu, &given_mounting,
                                                   &given_master, R, NULL, &said) == BS_OK) +
         expect("all rows", said.used == 7U);
     /* the joint gate just above nis, and just below */
@@ -1414,7 +1435,7 @@ static int kept(void)
     set_point(0);
     failures += begin();
     failures += expect("without gates",
-                       va_filter_measure_dcm(&flown, &given_imu, &given_master, R, NULL,
+                       va_filter_measure_dcm(&flown, &given_corrected_imu, &given_master, R, NULL,
                                              &said) == BS_OK) + expect("all rows", said.used == 7U);
     /* the joint gate just above nis, and just below */
     failures += begin();
@@ -1447,8 +1468,8 @@ static int kept(void)
     set_point(0);
     failures += begin();
     failures += expect("without gates",
-                       va_filter_measure_quaternion(&flown, &given_imu, &given_master, R, NULL,
-                                                    &said) == BS_OK) +
+                       va_filter_measure_quaternion(&flown, &given_corrected_imu, &given_master, R,
+                                                    NULL, &said) == BS_OK) +
         expect("all rows", said.used == 7U);
     /* the joint gate just above nis, and just below */
     failures += begin();
@@ -1479,7 +1500,7 @@ static int kept(void)
     set_point(0);
     failures += begin();
     failures += expect("without gates",
-                       va_filter_measure_euler(&flown, &given_imu, &given_master, R, NULL,
+                       va_filter_measure_euler(&flown, &given_corrected_imu, &given_master, R, NULL,
                                                &said) == BS_OK) +
         expect("all rows", said.used == 7U);
     /* memory that something else has written to; a second beginning has met nothing */
@@ -1493,10 +1514,10 @@ static int kept(void)
         failures += expect("health: rejected", health.rejected[i] == (unsigned int)(i + 5));
     }
     {
-        bs_real *const value = &flown.nav.position[0];
+        bs_real *const value = &flown.nav.lat_lon_height[0];
         const bs_real good = *value;
         *value = (bs_real)selftest_nan();
-        failures += expect("health: position", (va_filter_health(&flown, &health) == BS_OK) &&
+        failures += expect("health: lat_lon_height", (va_filter_health(&flown, &health) == BS_OK) &&
                            (health.state == BS_NOT_FINITE));
         *value = good;
     }
@@ -1612,23 +1633,23 @@ static int kept(void)
         static const bs_real high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586),
                                          BS_REAL(30000.0) };
         for (int i = 0; i < 3; ++i) {
-            const bs_real good = given_nav.position[i];
+            const bs_real good = given_nav.lat_lon_height[i];
             for (int end = 0; end < 2; ++end) {
-                given_nav.position[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
+                given_nav.lat_lon_height[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
-                failures += refuses("set_nav: position", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_REFUSE;
+                failures += refuses("set_nav: lat_lon_height", set_nav, BS_OUT_OF_RANGE);
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
-                                   (flown.nav.position[i] >= low[i]) &&
-                                   (flown.nav.position[i] <= high[i]));
+                                   (flown.nav.lat_lon_height[i] >= low[i]) &&
+                                   (flown.nav.lat_lon_height[i] <= high[i]));
                 failures += expect("set_nav: to the edge",
-                                   equal(&flown.nav.position[i], (end == 0) ? &low[i] : &high[i],
-                                         1));
-                given_nav.position[i] = (bs_real)((end == 0) ? selftest_nan()
-                                                  : selftest_infinity());
-                failures += refuses("set_nav: position", set_nav, BS_NOT_FINITE);
-                given_nav.position[i] = good;
+                                   equal(&flown.nav.lat_lon_height[i], (end == 0) ? &low[i]
+                                         : &high[i], 1));
+                given_nav.lat_lon_height[i] = (bs_real)((end == 0) ? selftest_nan()
+                                                        : selftest_infinity());
+                failures += refuses("set_nav: lat_lon_height", set_nav, BS_NOT_FINITE);
+                given_nav.lat_lon_height[i] = good;
             }
         }
     }
@@ -1640,9 +1661,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.v_n[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: v_n", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.v_n[i] >= low[i]) && (flown.nav.v_n[i] <= high[i]));
                 failures += expect("set_nav: to the edge",
@@ -1663,9 +1684,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.q_b2n_wxyz[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: q_b2n_wxyz", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.q_b2n_wxyz[i] >= low[i]) &&
                                    (flown.nav.q_b2n_wxyz[i] <= high[i]));
@@ -1688,9 +1709,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.gyro_bias[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: gyro_bias", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.gyro_bias[i] >= low[i]) &&
                                    (flown.nav.gyro_bias[i] <= high[i]));
@@ -1712,9 +1733,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.accel_bias[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: accel_bias", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.accel_bias[i] >= low[i]) &&
                                    (flown.nav.accel_bias[i] <= high[i]));
@@ -1738,9 +1759,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.q_b2m_wxyz[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: q_b2m_wxyz", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.q_b2m_wxyz[i] >= low[i]) &&
                                    (flown.nav.q_b2m_wxyz[i] <= high[i]));
@@ -1759,9 +1780,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.tau = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: tau", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.tau >= low[i]) && (flown.nav.tau <= high[i]));
                 failures += expect("set_nav: to the edge",
@@ -1772,7 +1793,7 @@ static int kept(void)
             }
         }
     }
-    clamp = 0;
+    beyond = BS_REFUSE;
     failures += expect("set_nav", set_nav() == BS_OK);
     /* where the correction would leave the box, nothing is changed: the way out is set_nav */
     for (int i = 0; i < N; ++i) {
@@ -1804,39 +1825,41 @@ static int guards(void)
                                            { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) } };
         for (int i = 0; i < 3; ++i) {
-            failures += spoil("init: position", init, &given_nav.position[i], low[i], high[i]);
-            failures += spoil("set_nav: position", set_nav, &given_nav.position[i], low[i],
+            failures += spoil("init: lat_lon_height", init, &given_nav.lat_lon_height[i], low[i],
                               high[i]);
-            failures += spoil("propagate: position", propagate, &flown.nav.position[i], low[i],
-                              high[i]);
-            failures += accepts("propagate: position", propagate, propagate_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("strapdown: position", strapdown, &flown.nav.position[i], low[i],
-                              high[i]);
-            failures += accepts("strapdown: position", strapdown, strapdown_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("correct: position", correct, &flown.nav.position[i], low[i],
-                              high[i]);
-            failures += accepts("correct: position", correct, correct_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("measure_velocity: position", measure_velocity,
-                              &flown.nav.position[i], low[i], high[i]);
-            failures += accepts("measure_velocity: position", measure_velocity,
-                                measure_velocity_by_hand, &flown.nav.position[i], end[0][i],
-                                end[1][i]);
-            failures += spoil("measure_dcm: position", measure_dcm, &flown.nav.position[i], low[i],
-                              high[i]);
-            failures += accepts("measure_dcm: position", measure_dcm, measure_dcm_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("measure_quaternion: position", measure_quaternion,
-                              &flown.nav.position[i], low[i], high[i]);
-            failures += accepts("measure_quaternion: position", measure_quaternion,
-                                measure_quaternion_by_hand, &flown.nav.position[i], end[0][i],
-                                end[1][i]);
-            failures += spoil("measure_euler: position", measure_euler, &flown.nav.position[i],
+            failures += spoil("set_nav: lat_lon_height", set_nav, &given_nav.lat_lon_height[i],
                               low[i], high[i]);
-            failures += accepts("measure_euler: position", measure_euler, measure_euler_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
+            failures += spoil("propagate: lat_lon_height", propagate, &flown.nav.lat_lon_height[i],
+                              low[i], high[i]);
+            failures += accepts("propagate: lat_lon_height", propagate, propagate_by_hand,
+                                &flown.nav.lat_lon_height[i], end[0][i], end[1][i]);
+            failures += spoil("strapdown: lat_lon_height", strapdown, &flown.nav.lat_lon_height[i],
+                              low[i], high[i]);
+            failures += accepts("strapdown: lat_lon_height", strapdown, strapdown_by_hand,
+                                &flown.nav.lat_lon_height[i], end[0][i], end[1][i]);
+            failures += spoil("correct: lat_lon_height", correct, &flown.nav.lat_lon_height[i],
+                              low[i], high[i]);
+            failures += accepts("correct: lat_lon_height", correct, correct_by_hand,
+                                &flown.nav.lat_lon_height[i], end[0][i], end[1][i]);
+            failures += spoil("measure_velocity: lat_lon_height", measure_velocity,
+                              &flown.nav.lat_lon_height[i], low[i], high[i]);
+            failures += accepts("measure_velocity: lat_lon_height", measure_velocity,
+                                measure_velocity_by_hand, &flown.nav.lat_lon_height[i], end[0][i],
+                                end[1][i]);
+            failures += spoil("measure_dcm: lat_lon_height", measure_dcm,
+                              &flown.nav.lat_lon_height[i], low[i], high[i]);
+            failures += accepts("measure_dcm: lat_lon_height", measure_dcm, measure_dcm_by_hand,
+                                &flown.nav.lat_lon_height[i], end[0][i], end[1][i]);
+            failures += spoil("measure_quaternion: lat_lon_height", measure_quaternion,
+                              &flown.nav.lat_lon_height[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: lat_lon_height", measure_quaternion,
+                                measure_quaternion_by_hand, &flown.nav.lat_lon_height[i], end[0][i],
+                                end[1][i]);
+            failures += spoil("measure_euler: lat_lon_height", measure_euler,
+                              &flown.nav.lat_lon_height[i], low[i], high[i]);
+            failures += accepts("measure_euler: lat_lon_height", measure_euler,
+                                measure_euler_by_hand, &flown.nav.lat_lon_height[i], end[0][i],
+                                end[1][i]);
         }
     }
     {
@@ -2086,9 +2109,10 @@ static int guards(void)
         static const bs_real end[2][3] = { { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) },
                                            { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) } };
         for (int i = 0; i < 3; ++i) {
-            failures += spoil("propagate: f_b", propagate, &given_imu.f_b[i], low[i], high[i]);
-            failures += accepts("propagate: f_b", propagate, propagate_by_hand, &given_imu.f_b[i],
-                                end[0][i], end[1][i]);
+            failures += spoil("propagate: f_b", propagate, &given_corrected_imu.f_b[i], low[i],
+                              high[i]);
+            failures += accepts("propagate: f_b", propagate, propagate_by_hand,
+                                &given_corrected_imu.f_b[i], end[0][i], end[1][i]);
         }
     }
     {
@@ -2098,23 +2122,23 @@ static int guards(void)
                                            { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) } };
         for (int i = 0; i < 3; ++i) {
             failures += spoil("measure_velocity: omega_ib_b", measure_velocity,
-                              &given_imu.omega_ib_b[i], low[i], high[i]);
+                              &given_corrected_imu.omega_ib_b[i], low[i], high[i]);
             failures += accepts("measure_velocity: omega_ib_b", measure_velocity,
-                                measure_velocity_by_hand, &given_imu.omega_ib_b[i], end[0][i],
-                                end[1][i]);
-            failures += spoil("measure_dcm: omega_ib_b", measure_dcm, &given_imu.omega_ib_b[i],
-                              low[i], high[i]);
+                                measure_velocity_by_hand, &given_corrected_imu.omega_ib_b[i],
+                                end[0][i], end[1][i]);
+            failures += spoil("measure_dcm: omega_ib_b", measure_dcm,
+                              &given_corrected_imu.omega_ib_b[i], low[i], high[i]);
             failures += accepts("measure_dcm: omega_ib_b", measure_dcm, measure_dcm_by_hand,
-                                &given_imu.omega_ib_b[i], end[0][i], end[1][i]);
+                                &given_corrected_imu.omega_ib_b[i], end[0][i], end[1][i]);
             failures += spoil("measure_quaternion: omega_ib_b", measure_quaternion,
-                              &given_imu.omega_ib_b[i], low[i], high[i]);
+                              &given_corrected_imu.omega_ib_b[i], low[i], high[i]);
             failures += accepts("measure_quaternion: omega_ib_b", measure_quaternion,
-                                measure_quaternion_by_hand, &given_imu.omega_ib_b[i], end[0][i],
-                                end[1][i]);
-            failures += spoil("measure_euler: omega_ib_b", measure_euler, &given_imu.omega_ib_b[i],
-                              low[i], high[i]);
+                                measure_quaternion_by_hand, &given_corrected_imu.omega_ib_b[i],
+                                end[0][i], end[1][i]);
+            failures += spoil("measure_euler: omega_ib_b", measure_euler,
+                              &given_corrected_imu.omega_ib_b[i], low[i], high[i]);
             failures += accepts("measure_euler: omega_ib_b", measure_euler, measure_euler_by_hand,
-                                &given_imu.omega_ib_b[i], end[0][i], end[1][i]);
+                                &given_corrected_imu.omega_ib_b[i], end[0][i], end[1][i]);
         }
     }
     {
@@ -2122,12 +2146,12 @@ static int guards(void)
         static const double high[1] = { 10.005 };
         static const bs_real end[2][1] = { { BS_REAL(1e-06) }, { BS_REAL(10.0) } };
         for (int i = 0; i < 1; ++i) {
-            failures += spoil("propagate: dt", propagate, &given_imu.dt, low[i], high[i]);
-            failures += accepts("propagate: dt", propagate, propagate_by_hand, &given_imu.dt,
-                                end[0][i], end[1][i]);
-            failures += spoil("strapdown: dt", strapdown, &given_imu.dt, low[i], high[i]);
-            failures += accepts("strapdown: dt", strapdown, strapdown_by_hand, &given_imu.dt,
-                                end[0][i], end[1][i]);
+            failures += spoil("propagate: dt", propagate, &given_corrected_imu.dt, low[i], high[i]);
+            failures += accepts("propagate: dt", propagate, propagate_by_hand,
+                                &given_corrected_imu.dt, end[0][i], end[1][i]);
+            failures += spoil("strapdown: dt", strapdown, &given_corrected_imu.dt, low[i], high[i]);
+            failures += accepts("strapdown: dt", strapdown, strapdown_by_hand,
+                                &given_corrected_imu.dt, end[0][i], end[1][i]);
         }
     }
     {
@@ -2366,23 +2390,25 @@ static int guards(void)
         /* is not looked at */
         const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
         failures += expect("measure_velocity: a null pointer",
-                           va_filter_measure_velocity(0, &given_imu, &given_mounting, &given_master,
-                                                      R, &gates, &said) == BS_NULL_POINTER);
+                           va_filter_measure_velocity(0, &given_corrected_imu, &given_mounting,
+                                                      &given_master, R, &gates,
+                                                      &said) == BS_NULL_POINTER);
         failures += expect("measure_velocity: a null pointer",
                            va_filter_measure_velocity(&flown, 0, &given_mounting, &given_master, R,
                                                       &gates, &said) == BS_NULL_POINTER);
         failures += expect("measure_velocity: a null pointer",
-                           va_filter_measure_velocity(&flown, &given_imu, 0, &given_master, R,
-                                                      &gates, &said) == BS_NULL_POINTER);
+                           va_filter_measure_velocity(&flown, &given_corrected_imu, 0,
+                                                      &given_master, R, &gates,
+                                                      &said) == BS_NULL_POINTER);
         failures += expect("measure_velocity: a null pointer",
-                           va_filter_measure_velocity(&flown, &given_imu, &given_mounting, 0, R,
-                                                      &gates, &said) == BS_NULL_POINTER);
+                           va_filter_measure_velocity(&flown, &given_corrected_imu, &given_mounting,
+                                                      0, R, &gates, &said) == BS_NULL_POINTER);
         failures += expect("measure_velocity: a null pointer",
-                           va_filter_measure_velocity(&flown, &given_imu, &given_mounting,
+                           va_filter_measure_velocity(&flown, &given_corrected_imu, &given_mounting,
                                                       &given_master, 0, &gates,
                                                       &said) == BS_NULL_POINTER);
         failures += expect("measure_velocity: a null pointer",
-                           va_filter_measure_velocity(&flown, &given_imu, &given_mounting,
+                           va_filter_measure_velocity(&flown, &given_corrected_imu, &given_mounting,
                                                       &given_master, R, &gates,
                                                       0) == BS_NULL_POINTER);
     }
@@ -2404,20 +2430,20 @@ static int guards(void)
         /* is not looked at */
         const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
         failures += expect("measure_dcm: a null pointer",
-                           va_filter_measure_dcm(0, &given_imu, &given_master, R, &gates,
+                           va_filter_measure_dcm(0, &given_corrected_imu, &given_master, R, &gates,
                                                  &said) == BS_NULL_POINTER);
         failures += expect("measure_dcm: a null pointer",
                            va_filter_measure_dcm(&flown, 0, &given_master, R, &gates,
                                                  &said) == BS_NULL_POINTER);
         failures += expect("measure_dcm: a null pointer",
-                           va_filter_measure_dcm(&flown, &given_imu, 0, R, &gates,
+                           va_filter_measure_dcm(&flown, &given_corrected_imu, 0, R, &gates,
                                                  &said) == BS_NULL_POINTER);
         failures += expect("measure_dcm: a null pointer",
-                           va_filter_measure_dcm(&flown, &given_imu, &given_master, 0, &gates,
-                                                 &said) == BS_NULL_POINTER);
+                           va_filter_measure_dcm(&flown, &given_corrected_imu, &given_master, 0,
+                                                 &gates, &said) == BS_NULL_POINTER);
         failures += expect("measure_dcm: a null pointer",
-                           va_filter_measure_dcm(&flown, &given_imu, &given_master, R, &gates,
-                                                 0) == BS_NULL_POINTER);
+                           va_filter_measure_dcm(&flown, &given_corrected_imu, &given_master, R,
+                                                 &gates, 0) == BS_NULL_POINTER);
     }
     failures += spoil("measure_quaternion: gate", measure_quaternion, &gate, -1e-30, 1e+30 *
                       1.0005);
@@ -2444,20 +2470,20 @@ static int guards(void)
         /* is not looked at */
         const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
         failures += expect("measure_quaternion: a null pointer",
-                           va_filter_measure_quaternion(0, &given_imu, &given_master, R, &gates,
-                                                        &said) == BS_NULL_POINTER);
+                           va_filter_measure_quaternion(0, &given_corrected_imu, &given_master, R,
+                                                        &gates, &said) == BS_NULL_POINTER);
         failures += expect("measure_quaternion: a null pointer",
                            va_filter_measure_quaternion(&flown, 0, &given_master, R, &gates,
                                                         &said) == BS_NULL_POINTER);
         failures += expect("measure_quaternion: a null pointer",
-                           va_filter_measure_quaternion(&flown, &given_imu, 0, R, &gates,
+                           va_filter_measure_quaternion(&flown, &given_corrected_imu, 0, R, &gates,
                                                         &said) == BS_NULL_POINTER);
         failures += expect("measure_quaternion: a null pointer",
-                           va_filter_measure_quaternion(&flown, &given_imu, &given_master, 0,
-                                                        &gates, &said) == BS_NULL_POINTER);
+                           va_filter_measure_quaternion(&flown, &given_corrected_imu, &given_master,
+                                                        0, &gates, &said) == BS_NULL_POINTER);
         failures += expect("measure_quaternion: a null pointer",
-                           va_filter_measure_quaternion(&flown, &given_imu, &given_master, R,
-                                                        &gates, 0) == BS_NULL_POINTER);
+                           va_filter_measure_quaternion(&flown, &given_corrected_imu, &given_master,
+                                                        R, &gates, 0) == BS_NULL_POINTER);
     }
     failures += spoil("measure_euler: gate", measure_euler, &gate, -1e-30, 1e+30 * 1.0005);
     for (int i = 0; i < 3; ++i) {
@@ -2477,20 +2503,20 @@ static int guards(void)
         /* is not looked at */
         const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
         failures += expect("measure_euler: a null pointer",
-                           va_filter_measure_euler(0, &given_imu, &given_master, R, &gates,
-                                                   &said) == BS_NULL_POINTER);
+                           va_filter_measure_euler(0, &given_corrected_imu, &given_master, R,
+                                                   &gates, &said) == BS_NULL_POINTER);
         failures += expect("measure_euler: a null pointer",
                            va_filter_measure_euler(&flown, 0, &given_master, R, &gates,
                                                    &said) == BS_NULL_POINTER);
         failures += expect("measure_euler: a null pointer",
-                           va_filter_measure_euler(&flown, &given_imu, 0, R, &gates,
+                           va_filter_measure_euler(&flown, &given_corrected_imu, 0, R, &gates,
                                                    &said) == BS_NULL_POINTER);
         failures += expect("measure_euler: a null pointer",
-                           va_filter_measure_euler(&flown, &given_imu, &given_master, 0, &gates,
-                                                   &said) == BS_NULL_POINTER);
+                           va_filter_measure_euler(&flown, &given_corrected_imu, &given_master, 0,
+                                                   &gates, &said) == BS_NULL_POINTER);
         failures += expect("measure_euler: a null pointer",
-                           va_filter_measure_euler(&flown, &given_imu, &given_master, R, &gates,
-                                                   0) == BS_NULL_POINTER);
+                           va_filter_measure_euler(&flown, &given_corrected_imu, &given_master, R,
+                                                   &gates, 0) == BS_NULL_POINTER);
     }
     for (int i = 0; i < N; ++i) {
         const bs_real good = P0[i * (N + 1)];
@@ -2506,17 +2532,19 @@ static int guards(void)
     failures += expect("init: a null pointer",
                        va_filter_init(&flown, &given_nav, 0) == BS_NULL_POINTER);
     failures += expect("propagate: a null pointer",
-                       va_filter_propagate(0, &given_imu, &given_noise) == BS_NULL_POINTER);
+                       va_filter_propagate(0, &given_corrected_imu,
+                                           &given_noise) == BS_NULL_POINTER);
     failures += expect("propagate: a null pointer",
                        va_filter_propagate(&flown, 0, &given_noise) == BS_NULL_POINTER);
     failures += expect("propagate: a null pointer",
-                       va_filter_propagate(&flown, &given_imu, 0) == BS_NULL_POINTER);
+                       va_filter_propagate(&flown, &given_corrected_imu, 0) == BS_NULL_POINTER);
     failures += expect("strapdown: a null pointer",
-                       va_filter_strapdown(0, &given_imu, &given_increments) == BS_NULL_POINTER);
+                       va_filter_strapdown(0, &given_corrected_imu,
+                                           &given_increments) == BS_NULL_POINTER);
     failures += expect("strapdown: a null pointer",
                        va_filter_strapdown(&flown, 0, &given_increments) == BS_NULL_POINTER);
     failures += expect("strapdown: a null pointer",
-                       va_filter_strapdown(&flown, &given_imu, 0) == BS_NULL_POINTER);
+                       va_filter_strapdown(&flown, &given_corrected_imu, 0) == BS_NULL_POINTER);
     failures += expect("correct: a null pointer", va_filter_correct(0) == BS_NULL_POINTER);
     failures += expect("init_sigmas: a null pointer",
                        va_filter_init_sigmas(0, &given_nav, sigmas) == BS_NULL_POINTER);

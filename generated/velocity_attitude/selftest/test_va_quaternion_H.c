@@ -17,7 +17,7 @@ static const float in_x[N_VECTORS][16] = {
     { 0x1.f1dc6c0000000p-5, -0x1.9b4f620000000p-2, 0x1.b60f1c0000000p-2, 0x1.eaa8f80000000p+2, -0x1.b65e2e0000000p+5, 0x1.5301ce0000000p+4, 0x1.8016600000000p-8, -0x1.f60e920000000p-10, 0x1.5229780000000p-9, -0x1.406cca0000000p-1, 0x1.96b1640000000p-1, -0x1.418aa80000000p-1, 0x1.eba2a40000000p-5, 0x1.b924c60000000p-6, -0x1.fd29ce0000000p-3, -0x1.2518440000000p-8 },
     { 0x1.1a141e0000000p-3, 0x1.4b86500000000p-2, 0x1.a442660000000p-4, 0x1.3c98f00000000p+4, 0x1.6b4af80000000p+6, -0x1.791b440000000p+6, 0x1.d575360000000p-7, 0x1.6b3a840000000p-7, -0x1.521a960000000p-7, 0x1.33830a0000000p-2, -0x1.5f49100000000p-1, 0x1.41c39c0000000p-1, 0x1.6ab46c0000000p-2, 0x1.36f0a80000000p-5, 0x1.61c2ca0000000p-3, 0x1.27d1f40000000p-1 }
 };
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { 0x1.0456fa0000000p+0, 0x1.2657780000000p+2, 0x1.b8fefc0000000p+14 },
     { -0x1.b5c9f80000000p-3, -0x1.69caa80000000p+1, 0x1.08c0780000000p+11 },
@@ -114,13 +114,17 @@ static const float tol_H[N_VECTORS][30] = {
 static const unsigned short at_H[30] = { 0, 1, 2, 6, 7, 8, 12, 13, 14, 15, 16, 17, 18, 22, 23, 24,
                                          28, 29, 30, 31, 32, 33, 34, 38, 39, 40, 44, 45, 46, 47 };
 
-static void set_point(int v, bs_real x[VA_N_STATES], va_nav *nav, va_imu *imu, va_master *master)
+static void set_point(int v,
+                      bs_real x[VA_N_STATES],
+                      va_nav *nav,
+                      va_corrected_imu *corrected_imu,
+                      va_master *master)
 {
     for (int i = 0; i < 16; ++i) {
         x[i] = (bs_real)in_x[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -132,7 +136,7 @@ static void set_point(int v, bs_real x[VA_N_STATES], va_nav *nav, va_imu *imu, v
         nav->q_b2m_wxyz[i] = (bs_real)in_q_b2m_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
+        corrected_imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
     }
     for (int i = 0; i < 4; ++i) {
         master->q_m2n_wxyz[i] = (bs_real)in_q_m2n_wxyz[v][i];
@@ -147,12 +151,12 @@ int test_va_quaternion_H(void)
     int failures = 0;
     bs_real x[VA_N_STATES] = {0};
     va_nav nav = {0};
-    va_imu imu = {0};
+    va_corrected_imu corrected_imu = {0};
     va_master master = {0};
     bs_real H[48];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, x, &nav, &imu, &master);
-        if (va_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
+        set_point(v, x, &nav, &corrected_imu, &master);
+        if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
             ++failures;
             continue;
         }
@@ -171,11 +175,11 @@ int test_va_quaternion_H(void)
                                                 0.50025, 0.50025, 0.50025, 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
-            if (va_quaternion_H(x, &nav, &imu, &master, H) != expected) {
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
                 selftest_print("va_quaternion_H: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -196,28 +200,29 @@ int test_va_quaternion_H(void)
                                               BS_REAL(0.017453292519943295), BS_REAL(1.0),
                                               BS_REAL(1.0), BS_REAL(1.0), BS_REAL(0.5),
                                               BS_REAL(0.5), BS_REAL(0.5), BS_REAL(1.0) };
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (va_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
                 selftest_print("va_quaternion_H: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, x, &nav, &corrected_imu, &master);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
-            if (va_quaternion_H(x, &nav, &imu, &master, H) != expected) {
-                selftest_print("va_quaternion_H: position[%d] bad value %d not refused\n", i, bad);
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
+                selftest_print("va_quaternion_H: lat_lon_height[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_H H", H, 48);
@@ -227,10 +232,10 @@ int test_va_quaternion_H(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, x, &nav, &imu, &master);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (va_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
-                selftest_print("va_quaternion_H: position[%d] end %d refused\n", i, end);
+            set_point(0, x, &nav, &corrected_imu, &master);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
+                selftest_print("va_quaternion_H: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -241,11 +246,11 @@ int test_va_quaternion_H(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
-            if (va_quaternion_H(x, &nav, &imu, &master, H) != expected) {
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
                 selftest_print("va_quaternion_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -254,9 +259,9 @@ int test_va_quaternion_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (va_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
                 selftest_print("va_quaternion_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -269,12 +274,12 @@ int test_va_quaternion_H(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
-            if (va_quaternion_H(x, &nav, &imu, &master, H) != expected) {
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
                 selftest_print("va_quaternion_H: q_b2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -290,11 +295,11 @@ int test_va_quaternion_H(void)
             if (base[(4 * i) + end] < 0) {
                 continue;
             }
-            set_point(base[(4 * i) + end], x, &nav, &imu, &master);
+            set_point(base[(4 * i) + end], x, &nav, &corrected_imu, &master);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
                 selftest_print("va_quaternion_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -303,11 +308,11 @@ int test_va_quaternion_H(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, x, &nav, &imu, &master);
+        set_point(0, x, &nav, &corrected_imu, &master);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_quaternion_H(x, &nav, &imu, &master, H) != BS_OUT_OF_RANGE) {
+        if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OUT_OF_RANGE) {
             selftest_print("va_quaternion_H: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -320,12 +325,12 @@ int test_va_quaternion_H(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
-            if (va_quaternion_H(x, &nav, &imu, &master, H) != expected) {
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
                 selftest_print("va_quaternion_H: q_b2m_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -341,11 +346,11 @@ int test_va_quaternion_H(void)
             if (base[(4 * i) + end] < 0) {
                 continue;
             }
-            set_point(base[(4 * i) + end], x, &nav, &imu, &master);
+            set_point(base[(4 * i) + end], x, &nav, &corrected_imu, &master);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
                 selftest_print("va_quaternion_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -354,11 +359,11 @@ int test_va_quaternion_H(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, x, &nav, &imu, &master);
+        set_point(0, x, &nav, &corrected_imu, &master);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_quaternion_H(x, &nav, &imu, &master, H) != BS_OUT_OF_RANGE) {
+        if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OUT_OF_RANGE) {
             selftest_print("va_quaternion_H: q_b2m_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -371,12 +376,12 @@ int test_va_quaternion_H(void)
         static const double beyond_high[3] = { 20.01, 20.01, 20.01 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
-            imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                          : (bad == 1) ? selftest_infinity()
-                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, x, &nav, &corrected_imu, &master);
+            corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                                    : (bad == 1) ? selftest_infinity()
+                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
-            if (va_quaternion_H(x, &nav, &imu, &master, H) != expected) {
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
                 selftest_print("va_quaternion_H: omega_ib_b[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -386,9 +391,9 @@ int test_va_quaternion_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
-            set_point(0, x, &nav, &imu, &master);
-            imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (va_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
+            set_point(0, x, &nav, &corrected_imu, &master);
+            corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
                 selftest_print("va_quaternion_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -401,12 +406,12 @@ int test_va_quaternion_H(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             master.q_m2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
-            if (va_quaternion_H(x, &nav, &imu, &master, H) != expected) {
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
                 selftest_print("va_quaternion_H: q_m2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -417,11 +422,11 @@ int test_va_quaternion_H(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             for (int j = 0; j < 4; ++j) {
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
                 selftest_print("va_quaternion_H: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -430,11 +435,11 @@ int test_va_quaternion_H(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, x, &nav, &imu, &master);
+        set_point(0, x, &nav, &corrected_imu, &master);
         for (int i = 0; i < 4; ++i) {
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_quaternion_H(x, &nav, &imu, &master, H) != BS_OUT_OF_RANGE) {
+        if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OUT_OF_RANGE) {
             selftest_print("va_quaternion_H: q_m2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -446,11 +451,11 @@ int test_va_quaternion_H(void)
         static const double beyond_high[1] = { 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             master.lag = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
-            if (va_quaternion_H(x, &nav, &imu, &master, H) != expected) {
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
                 selftest_print("va_quaternion_H: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -459,24 +464,24 @@ int test_va_quaternion_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
             static const bs_real high[1] = { BS_REAL(1.0) };
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             master.lag = (end == 0) ? low[i] : high[i];
-            if (va_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
                 selftest_print("va_quaternion_H: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, x, &nav, &imu, &master);
-    failures += (va_quaternion_H(0, &nav, &imu, &master, H) != BS_NULL_POINTER);
-    failures += (va_quaternion_H(x, 0, &imu, &master, H) != BS_NULL_POINTER);
+    set_point(0, x, &nav, &corrected_imu, &master);
+    failures += (va_quaternion_H(0, &nav, &corrected_imu, &master, H) != BS_NULL_POINTER);
+    failures += (va_quaternion_H(x, 0, &corrected_imu, &master, H) != BS_NULL_POINTER);
     failures += (va_quaternion_H(x, &nav, 0, &master, H) != BS_NULL_POINTER);
-    failures += (va_quaternion_H(x, &nav, &imu, 0, H) != BS_NULL_POINTER);
-    failures += (va_quaternion_H(x, &nav, &imu, &master, 0) != BS_NULL_POINTER);
-    failures += (va_quaternion_H_nz(0, &nav, &imu, &master, H) != BS_NULL_POINTER);
-    failures += (va_quaternion_H_nz(x, 0, &imu, &master, H) != BS_NULL_POINTER);
+    failures += (va_quaternion_H(x, &nav, &corrected_imu, 0, H) != BS_NULL_POINTER);
+    failures += (va_quaternion_H(x, &nav, &corrected_imu, &master, 0) != BS_NULL_POINTER);
+    failures += (va_quaternion_H_nz(0, &nav, &corrected_imu, &master, H) != BS_NULL_POINTER);
+    failures += (va_quaternion_H_nz(x, 0, &corrected_imu, &master, H) != BS_NULL_POINTER);
     failures += (va_quaternion_H_nz(x, &nav, 0, &master, H) != BS_NULL_POINTER);
-    failures += (va_quaternion_H_nz(x, &nav, &imu, 0, H) != BS_NULL_POINTER);
-    failures += (va_quaternion_H_nz(x, &nav, &imu, &master, 0) != BS_NULL_POINTER);
+    failures += (va_quaternion_H_nz(x, &nav, &corrected_imu, 0, H) != BS_NULL_POINTER);
+    failures += (va_quaternion_H_nz(x, &nav, &corrected_imu, &master, 0) != BS_NULL_POINTER);
     return failures;
 }

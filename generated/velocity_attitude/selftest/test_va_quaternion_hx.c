@@ -16,7 +16,7 @@ static const float in_x[N_VECTORS][16] = {
     { -0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p-1, 0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.9000000000000p+6, 0x1.1df46a0000000p-6, -0x1.1df46a0000000p-6, -0x1.1df46a0000000p-6, -0x1.0000000000000p+0, -0x1.0000000000000p+0, -0x1.0000000000000p+0, -0x1.0000000000000p-1, -0x1.0000000000000p-1, 0x1.0000000000000p-1, -0x1.0000000000000p+0 },
     { -0x1.f6ab5c0000000p-15, -0x1.7172d80000000p-4, -0x1.3431d80000000p-3, -0x1.bfa4660000000p+5, -0x1.d3a62a0000000p-11, -0x1.4a0ab20000000p+5, -0x1.b2c9420000000p-7, 0x1.09f9cc0000000p-6, -0x1.44eaa80000000p-8, 0x1.1dbe860000000p-13, 0x1.7c71400000000p-13, -0x1.7aff3c0000000p-13, -0x1.10b6540000000p-6, -0x1.1f1be00000000p-15, 0x1.f999580000000p-2, -0x1.1a4f140000000p-1 }
 };
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { 0x1.42fb2e0000000p-1, -0x1.0199960000000p+1, 0x1.35a94a0000000p+14 },
     { 0x1.da2aa80000000p-2, -0x1.87c5c00000000p+2, 0x1.c640da0000000p+14 },
@@ -92,13 +92,17 @@ static const float tol_h[N_VECTORS][3] = {
 #endif
 static const unsigned short at_h[3] = { 0, 1, 2 };
 
-static void set_point(int v, bs_real x[VA_N_STATES], va_nav *nav, va_imu *imu, va_master *master)
+static void set_point(int v,
+                      bs_real x[VA_N_STATES],
+                      va_nav *nav,
+                      va_corrected_imu *corrected_imu,
+                      va_master *master)
 {
     for (int i = 0; i < 16; ++i) {
         x[i] = (bs_real)in_x[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -110,7 +114,7 @@ static void set_point(int v, bs_real x[VA_N_STATES], va_nav *nav, va_imu *imu, v
         nav->q_b2m_wxyz[i] = (bs_real)in_q_b2m_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
+        corrected_imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
     }
     for (int i = 0; i < 4; ++i) {
         master->q_m2n_wxyz[i] = (bs_real)in_q_m2n_wxyz[v][i];
@@ -125,12 +129,12 @@ int test_va_quaternion_h(void)
     int failures = 0;
     bs_real x[VA_N_STATES] = {0};
     va_nav nav = {0};
-    va_imu imu = {0};
+    va_corrected_imu corrected_imu = {0};
     va_master master = {0};
     bs_real h[3];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, x, &nav, &imu, &master);
-        if (va_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
+        set_point(v, x, &nav, &corrected_imu, &master);
+        if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
             ++failures;
             continue;
         }
@@ -148,11 +152,11 @@ int test_va_quaternion_h(void)
                                                 0.50025, 0.50025, 0.50025, 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (va_quaternion_h(x, &nav, &imu, &master, h) != expected) {
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
                 selftest_print("va_quaternion_h: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -173,28 +177,29 @@ int test_va_quaternion_h(void)
                                               BS_REAL(0.017453292519943295), BS_REAL(1.0),
                                               BS_REAL(1.0), BS_REAL(1.0), BS_REAL(0.5),
                                               BS_REAL(0.5), BS_REAL(0.5), BS_REAL(1.0) };
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (va_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
                 selftest_print("va_quaternion_h: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, x, &nav, &corrected_imu, &master);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (va_quaternion_h(x, &nav, &imu, &master, h) != expected) {
-                selftest_print("va_quaternion_h: position[%d] bad value %d not refused\n", i, bad);
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
+                selftest_print("va_quaternion_h: lat_lon_height[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("va_quaternion_h h", h, 3);
@@ -204,10 +209,10 @@ int test_va_quaternion_h(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, x, &nav, &imu, &master);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (va_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
-                selftest_print("va_quaternion_h: position[%d] end %d refused\n", i, end);
+            set_point(0, x, &nav, &corrected_imu, &master);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
+                selftest_print("va_quaternion_h: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -218,11 +223,11 @@ int test_va_quaternion_h(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (va_quaternion_h(x, &nav, &imu, &master, h) != expected) {
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
                 selftest_print("va_quaternion_h: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -231,9 +236,9 @@ int test_va_quaternion_h(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (va_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
                 selftest_print("va_quaternion_h: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -246,12 +251,12 @@ int test_va_quaternion_h(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (va_quaternion_h(x, &nav, &imu, &master, h) != expected) {
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
                 selftest_print("va_quaternion_h: q_b2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -262,11 +267,11 @@ int test_va_quaternion_h(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
                 selftest_print("va_quaternion_h: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -275,11 +280,11 @@ int test_va_quaternion_h(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, x, &nav, &imu, &master);
+        set_point(0, x, &nav, &corrected_imu, &master);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_quaternion_h(x, &nav, &imu, &master, h) != BS_OUT_OF_RANGE) {
+        if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OUT_OF_RANGE) {
             selftest_print("va_quaternion_h: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -292,12 +297,12 @@ int test_va_quaternion_h(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (va_quaternion_h(x, &nav, &imu, &master, h) != expected) {
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
                 selftest_print("va_quaternion_h: q_b2m_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -308,11 +313,11 @@ int test_va_quaternion_h(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
                 selftest_print("va_quaternion_h: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -321,11 +326,11 @@ int test_va_quaternion_h(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, x, &nav, &imu, &master);
+        set_point(0, x, &nav, &corrected_imu, &master);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_quaternion_h(x, &nav, &imu, &master, h) != BS_OUT_OF_RANGE) {
+        if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OUT_OF_RANGE) {
             selftest_print("va_quaternion_h: q_b2m_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -338,12 +343,12 @@ int test_va_quaternion_h(void)
         static const double beyond_high[3] = { 20.01, 20.01, 20.01 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
-            imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                          : (bad == 1) ? selftest_infinity()
-                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, x, &nav, &corrected_imu, &master);
+            corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                                    : (bad == 1) ? selftest_infinity()
+                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (va_quaternion_h(x, &nav, &imu, &master, h) != expected) {
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
                 selftest_print("va_quaternion_h: omega_ib_b[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -353,9 +358,9 @@ int test_va_quaternion_h(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
-            set_point(0, x, &nav, &imu, &master);
-            imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (va_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
+            set_point(0, x, &nav, &corrected_imu, &master);
+            corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
                 selftest_print("va_quaternion_h: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -368,12 +373,12 @@ int test_va_quaternion_h(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             master.q_m2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (va_quaternion_h(x, &nav, &imu, &master, h) != expected) {
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
                 selftest_print("va_quaternion_h: q_m2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -384,11 +389,11 @@ int test_va_quaternion_h(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             for (int j = 0; j < 4; ++j) {
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
                 selftest_print("va_quaternion_h: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -397,11 +402,11 @@ int test_va_quaternion_h(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, x, &nav, &imu, &master);
+        set_point(0, x, &nav, &corrected_imu, &master);
         for (int i = 0; i < 4; ++i) {
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_quaternion_h(x, &nav, &imu, &master, h) != BS_OUT_OF_RANGE) {
+        if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OUT_OF_RANGE) {
             selftest_print("va_quaternion_h: q_m2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -413,11 +418,11 @@ int test_va_quaternion_h(void)
         static const double beyond_high[1] = { 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             master.lag = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (va_quaternion_h(x, &nav, &imu, &master, h) != expected) {
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
                 selftest_print("va_quaternion_h: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -426,19 +431,19 @@ int test_va_quaternion_h(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
             static const bs_real high[1] = { BS_REAL(1.0) };
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             master.lag = (end == 0) ? low[i] : high[i];
-            if (va_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
                 selftest_print("va_quaternion_h: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, x, &nav, &imu, &master);
-    failures += (va_quaternion_h(0, &nav, &imu, &master, h) != BS_NULL_POINTER);
-    failures += (va_quaternion_h(x, 0, &imu, &master, h) != BS_NULL_POINTER);
+    set_point(0, x, &nav, &corrected_imu, &master);
+    failures += (va_quaternion_h(0, &nav, &corrected_imu, &master, h) != BS_NULL_POINTER);
+    failures += (va_quaternion_h(x, 0, &corrected_imu, &master, h) != BS_NULL_POINTER);
     failures += (va_quaternion_h(x, &nav, 0, &master, h) != BS_NULL_POINTER);
-    failures += (va_quaternion_h(x, &nav, &imu, 0, h) != BS_NULL_POINTER);
-    failures += (va_quaternion_h(x, &nav, &imu, &master, 0) != BS_NULL_POINTER);
+    failures += (va_quaternion_h(x, &nav, &corrected_imu, 0, h) != BS_NULL_POINTER);
+    failures += (va_quaternion_h(x, &nav, &corrected_imu, &master, 0) != BS_NULL_POINTER);
     return failures;
 }

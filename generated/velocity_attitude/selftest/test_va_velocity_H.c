@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { 0x1.1a85940000000p-1, -0x1.2072840000000p+2, 0x1.79301e0000000p+14 }
 };
@@ -51,10 +51,14 @@ static const float tol_H[N_VECTORS][24] = {
 static const unsigned short at_H[24] = { 0, 1, 2, 3, 6, 7, 8, 15, 16, 17, 18, 20, 22, 23, 24, 31,
                                          32, 33, 34, 37, 38, 39, 40, 47 };
 
-static void set_point(int v, va_nav *nav, va_imu *imu, va_mounting *mounting, va_master *master)
+static void set_point(int v,
+                      va_nav *nav,
+                      va_corrected_imu *corrected_imu,
+                      va_mounting *mounting,
+                      va_master *master)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -63,7 +67,7 @@ static void set_point(int v, va_nav *nav, va_imu *imu, va_mounting *mounting, va
         nav->q_b2n_wxyz[i] = (bs_real)in_q_b2n_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
+        corrected_imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         mounting->lever_b[i] = (bs_real)in_lever_b[v][i];
@@ -77,32 +81,33 @@ int test_va_velocity_H(void)
 {
     int failures = 0;
     va_nav nav = {0};
-    va_imu imu = {0};
+    va_corrected_imu corrected_imu = {0};
     va_mounting mounting = {0};
     va_master master = {0};
     bs_real H[48];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu, &mounting, &master);
-        if (va_velocity_H(&nav, &imu, &mounting, &master, H) != BS_OK) {
+        set_point(v, &nav, &corrected_imu, &mounting, &master);
+        if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != BS_OK) {
             ++failures;
             continue;
         }
         failures += selftest_compare("va_velocity_H H", v, H, 48, out_H[v], tol_H[v], at_H, 24, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
-            if (va_velocity_H(&nav, &imu, &mounting, &master, H) != expected) {
-                selftest_print("va_velocity_H: position[%d] bad value %d not refused\n", i, bad);
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != expected) {
+                selftest_print("va_velocity_H: lat_lon_height[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("va_velocity_H H", H, 48);
@@ -112,10 +117,10 @@ int test_va_velocity_H(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu, &mounting, &master);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (va_velocity_H(&nav, &imu, &mounting, &master, H) != BS_OK) {
-                selftest_print("va_velocity_H: position[%d] end %d refused\n", i, end);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != BS_OK) {
+                selftest_print("va_velocity_H: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -126,11 +131,11 @@ int test_va_velocity_H(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
-            if (va_velocity_H(&nav, &imu, &mounting, &master, H) != expected) {
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != expected) {
                 selftest_print("va_velocity_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -139,9 +144,9 @@ int test_va_velocity_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu, &mounting, &master);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (va_velocity_H(&nav, &imu, &mounting, &master, H) != BS_OK) {
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != BS_OK) {
                 selftest_print("va_velocity_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -154,12 +159,12 @@ int test_va_velocity_H(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
-            if (va_velocity_H(&nav, &imu, &mounting, &master, H) != expected) {
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != expected) {
                 selftest_print("va_velocity_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -169,11 +174,11 @@ int test_va_velocity_H(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &mounting, &master);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_velocity_H(&nav, &imu, &mounting, &master, H) != BS_OK) {
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != BS_OK) {
                 selftest_print("va_velocity_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -182,11 +187,11 @@ int test_va_velocity_H(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &mounting, &master);
+        set_point(0, &nav, &corrected_imu, &mounting, &master);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_velocity_H(&nav, &imu, &mounting, &master, H) != BS_OUT_OF_RANGE) {
+        if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != BS_OUT_OF_RANGE) {
             selftest_print("va_velocity_H: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -199,12 +204,12 @@ int test_va_velocity_H(void)
         static const double beyond_high[3] = { 20.01, 20.01, 20.01 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master);
-            imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                          : (bad == 1) ? selftest_infinity()
-                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
+            corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                                    : (bad == 1) ? selftest_infinity()
+                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
-            if (va_velocity_H(&nav, &imu, &mounting, &master, H) != expected) {
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != expected) {
                 selftest_print("va_velocity_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -213,9 +218,9 @@ int test_va_velocity_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
-            set_point(0, &nav, &imu, &mounting, &master);
-            imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (va_velocity_H(&nav, &imu, &mounting, &master, H) != BS_OK) {
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
+            corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != BS_OK) {
                 selftest_print("va_velocity_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -228,12 +233,12 @@ int test_va_velocity_H(void)
         static const double beyond_high[3] = { 100.05, 100.05, 100.05 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
             mounting.lever_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
-            if (va_velocity_H(&nav, &imu, &mounting, &master, H) != expected) {
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != expected) {
                 selftest_print("va_velocity_H: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -242,9 +247,9 @@ int test_va_velocity_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
-            set_point(0, &nav, &imu, &mounting, &master);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
             mounting.lever_b[i] = (end == 0) ? low[i] : high[i];
-            if (va_velocity_H(&nav, &imu, &mounting, &master, H) != BS_OK) {
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != BS_OK) {
                 selftest_print("va_velocity_H: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -256,11 +261,11 @@ int test_va_velocity_H(void)
         static const double beyond_high[3] = { 500.25, 500.25, 500.25 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
             master.a_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                       : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 48);
-            if (va_velocity_H(&nav, &imu, &mounting, &master, H) != expected) {
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != expected) {
                 selftest_print("va_velocity_H: a_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -269,24 +274,24 @@ int test_va_velocity_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
-            set_point(0, &nav, &imu, &mounting, &master);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
             master.a_n[i] = (end == 0) ? low[i] : high[i];
-            if (va_velocity_H(&nav, &imu, &mounting, &master, H) != BS_OK) {
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != BS_OK) {
                 selftest_print("va_velocity_H: a_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu, &mounting, &master);
-    failures += (va_velocity_H(0, &imu, &mounting, &master, H) != BS_NULL_POINTER);
+    set_point(0, &nav, &corrected_imu, &mounting, &master);
+    failures += (va_velocity_H(0, &corrected_imu, &mounting, &master, H) != BS_NULL_POINTER);
     failures += (va_velocity_H(&nav, 0, &mounting, &master, H) != BS_NULL_POINTER);
-    failures += (va_velocity_H(&nav, &imu, 0, &master, H) != BS_NULL_POINTER);
-    failures += (va_velocity_H(&nav, &imu, &mounting, 0, H) != BS_NULL_POINTER);
-    failures += (va_velocity_H(&nav, &imu, &mounting, &master, 0) != BS_NULL_POINTER);
-    failures += (va_velocity_H_nz(0, &imu, &mounting, &master, H) != BS_NULL_POINTER);
+    failures += (va_velocity_H(&nav, &corrected_imu, 0, &master, H) != BS_NULL_POINTER);
+    failures += (va_velocity_H(&nav, &corrected_imu, &mounting, 0, H) != BS_NULL_POINTER);
+    failures += (va_velocity_H(&nav, &corrected_imu, &mounting, &master, 0) != BS_NULL_POINTER);
+    failures += (va_velocity_H_nz(0, &corrected_imu, &mounting, &master, H) != BS_NULL_POINTER);
     failures += (va_velocity_H_nz(&nav, 0, &mounting, &master, H) != BS_NULL_POINTER);
-    failures += (va_velocity_H_nz(&nav, &imu, 0, &master, H) != BS_NULL_POINTER);
-    failures += (va_velocity_H_nz(&nav, &imu, &mounting, 0, H) != BS_NULL_POINTER);
-    failures += (va_velocity_H_nz(&nav, &imu, &mounting, &master, 0) != BS_NULL_POINTER);
+    failures += (va_velocity_H_nz(&nav, &corrected_imu, 0, &master, H) != BS_NULL_POINTER);
+    failures += (va_velocity_H_nz(&nav, &corrected_imu, &mounting, 0, H) != BS_NULL_POINTER);
+    failures += (va_velocity_H_nz(&nav, &corrected_imu, &mounting, &master, 0) != BS_NULL_POINTER);
     return failures;
 }

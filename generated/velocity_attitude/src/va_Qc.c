@@ -2,6 +2,8 @@
  * 120 operations, list 8fb771ae222cc26d. */
 #include "velocity_attitude.h"
 
+BS_EXACT_BEGIN
+
 #include "va_Qc_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */

@@ -7,7 +7,7 @@ bs_status va_filter_digest(const va_filter *filter, bs_digest *digest)
     if (filter == NULL) {
         return BS_NULL_POINTER;
     }
-    (void)bs_digest_reals(digest, filter->nav.position, 3);
+    (void)bs_digest_reals(digest, filter->nav.lat_lon_height, 3);
     (void)bs_digest_reals(digest, filter->nav.v_n, 3);
     (void)bs_digest_reals(digest, filter->nav.q_b2n_wxyz, 4);
     (void)bs_digest_reals(digest, filter->nav.gyro_bias, 3);

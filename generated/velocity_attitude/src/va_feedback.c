@@ -3,6 +3,8 @@
  * 122 operations, list 422e0d1cb03bd276. */
 #include "velocity_attitude.h"
 
+BS_EXACT_BEGIN
+
 #include "va_feedback_kernel.h"
 
 bs_status va_feedback(const bs_real x[VA_N_STATES],

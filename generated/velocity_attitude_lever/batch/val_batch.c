@@ -11,16 +11,16 @@
 size_t val_F_batch(size_t n,
                    const val_nav *nav,
                    size_t nav_stride,
-                   const val_imu *imu,
-                   size_t imu_stride,
+                   const val_corrected_imu *corrected_imu,
+                   size_t corrected_imu_stride,
                    bs_real *F,
                    unsigned char *status);
 int val_F_bound(void *const *at);
 size_t val_Phi_batch(size_t n,
                      const val_nav *nav,
                      size_t nav_stride,
-                     const val_imu *imu,
-                     size_t imu_stride,
+                     const val_corrected_imu *corrected_imu,
+                     size_t corrected_imu_stride,
                      bs_real *Phi,
                      unsigned char *status);
 int val_Phi_bound(void *const *at);
@@ -35,8 +35,8 @@ int val_Qc_bound(void *const *at);
 size_t val_Q_batch(size_t n,
                    const val_nav *nav,
                    size_t nav_stride,
-                   const val_imu *imu,
-                   size_t imu_stride,
+                   const val_corrected_imu *corrected_imu,
+                   size_t corrected_imu_stride,
                    const val_noise *noise,
                    size_t noise_stride,
                    bs_real *Q,
@@ -45,8 +45,8 @@ int val_Q_bound(void *const *at);
 size_t val_dcm_z_batch(size_t n,
                        const val_nav *nav,
                        size_t nav_stride,
-                       const val_imu *imu,
-                       size_t imu_stride,
+                       const val_corrected_imu *corrected_imu,
+                       size_t corrected_imu_stride,
                        const val_master *master,
                        size_t master_stride,
                        bs_real *z,
@@ -55,16 +55,16 @@ int val_dcm_z_bound(void *const *at);
 size_t val_dcm_H_batch(size_t n,
                        const val_nav *nav,
                        size_t nav_stride,
-                       const val_imu *imu,
-                       size_t imu_stride,
+                       const val_corrected_imu *corrected_imu,
+                       size_t corrected_imu_stride,
                        bs_real *H,
                        unsigned char *status);
 int val_dcm_H_bound(void *const *at);
 size_t val_quaternion_z_batch(size_t n,
                               const val_nav *nav,
                               size_t nav_stride,
-                              const val_imu *imu,
-                              size_t imu_stride,
+                              const val_corrected_imu *corrected_imu,
+                              size_t corrected_imu_stride,
                               const val_master *master,
                               size_t master_stride,
                               bs_real *z,
@@ -75,8 +75,8 @@ size_t val_quaternion_h_batch(size_t n,
                               size_t x_stride,
                               const val_nav *nav,
                               size_t nav_stride,
-                              const val_imu *imu,
-                              size_t imu_stride,
+                              const val_corrected_imu *corrected_imu,
+                              size_t corrected_imu_stride,
                               const val_master *master,
                               size_t master_stride,
                               bs_real *h,
@@ -87,8 +87,8 @@ size_t val_quaternion_H_batch(size_t n,
                               size_t x_stride,
                               const val_nav *nav,
                               size_t nav_stride,
-                              const val_imu *imu,
-                              size_t imu_stride,
+                              const val_corrected_imu *corrected_imu,
+                              size_t corrected_imu_stride,
                               const val_master *master,
                               size_t master_stride,
                               bs_real *H,
@@ -97,8 +97,8 @@ int val_quaternion_H_bound(void *const *at);
 size_t val_euler_z_batch(size_t n,
                          const val_nav *nav,
                          size_t nav_stride,
-                         const val_imu *imu,
-                         size_t imu_stride,
+                         const val_corrected_imu *corrected_imu,
+                         size_t corrected_imu_stride,
                          const val_master *master,
                          size_t master_stride,
                          bs_real *z,
@@ -107,8 +107,8 @@ int val_euler_z_bound(void *const *at);
 size_t val_euler_H_batch(size_t n,
                          const val_nav *nav,
                          size_t nav_stride,
-                         const val_imu *imu,
-                         size_t imu_stride,
+                         const val_corrected_imu *corrected_imu,
+                         size_t corrected_imu_stride,
                          const val_master *master,
                          size_t master_stride,
                          bs_real *H,
@@ -117,8 +117,8 @@ int val_euler_H_bound(void *const *at);
 size_t val_velocity_z_batch(size_t n,
                             const val_nav *nav,
                             size_t nav_stride,
-                            const val_imu *imu,
-                            size_t imu_stride,
+                            const val_corrected_imu *corrected_imu,
+                            size_t corrected_imu_stride,
                             const val_mounting *mounting,
                             size_t mounting_stride,
                             const val_master *master,
@@ -129,8 +129,8 @@ int val_velocity_z_bound(void *const *at);
 size_t val_velocity_H_batch(size_t n,
                             const val_nav *nav,
                             size_t nav_stride,
-                            const val_imu *imu,
-                            size_t imu_stride,
+                            const val_corrected_imu *corrected_imu,
+                            size_t corrected_imu_stride,
                             const val_mounting *mounting,
                             size_t mounting_stride,
                             const val_master *master,
@@ -141,11 +141,11 @@ int val_velocity_H_bound(void *const *at);
 size_t val_strapdown_batch(size_t n,
                            const val_nav *nav,
                            size_t nav_stride,
-                           const val_imu *imu,
-                           size_t imu_stride,
+                           const val_corrected_imu *corrected_imu,
+                           size_t corrected_imu_stride,
                            const val_increments *increments,
                            size_t increments_stride,
-                           bs_real *position,
+                           bs_real *lat_lon_height,
                            bs_real *v_n,
                            bs_real *q_b2n_wxyz,
                            unsigned char *status);
@@ -153,8 +153,8 @@ int val_strapdown_bound(void *const *at);
 size_t val_expected_batch(size_t n,
                           const val_nav *nav,
                           size_t nav_stride,
-                          const val_imu *imu,
-                          size_t imu_stride,
+                          const val_corrected_imu *corrected_imu,
+                          size_t corrected_imu_stride,
                           const val_mounting *mounting,
                           size_t mounting_stride,
                           bs_real *v_m_n,
@@ -182,14 +182,15 @@ int val_feedback_bound(void *const *at);
 size_t val_F_batch(size_t n,
                    const val_nav *nav,
                    size_t nav_stride,
-                   const val_imu *imu,
-                   size_t imu_stride,
+                   const val_corrected_imu *corrected_imu,
+                   size_t corrected_imu_stride,
                    bs_real *F,
                    unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)val_F(&nav[i * nav_stride], &imu[i * imu_stride], &F[i * 361U]);
+        status[i] = (unsigned char)val_F(&nav[i * nav_stride],
+                                         &corrected_imu[i * corrected_imu_stride], &F[i * 361U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
     return failed;
@@ -197,20 +198,21 @@ size_t val_F_batch(size_t n,
 
 int val_F_bound(void *const *at)
 {
-    return (int)val_F((const val_nav *)at[0], (const val_imu *)at[1], (bs_real *)at[2]);
+    return (int)val_F((const val_nav *)at[0], (const val_corrected_imu *)at[1], (bs_real *)at[2]);
 }
 
 size_t val_Phi_batch(size_t n,
                      const val_nav *nav,
                      size_t nav_stride,
-                     const val_imu *imu,
-                     size_t imu_stride,
+                     const val_corrected_imu *corrected_imu,
+                     size_t corrected_imu_stride,
                      bs_real *Phi,
                      unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)val_Phi(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)val_Phi(&nav[i * nav_stride],
+                                           &corrected_imu[i * corrected_imu_stride],
                                            &Phi[i * 361U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
@@ -219,7 +221,7 @@ size_t val_Phi_batch(size_t n,
 
 int val_Phi_bound(void *const *at)
 {
-    return (int)val_Phi((const val_nav *)at[0], (const val_imu *)at[1], (bs_real *)at[2]);
+    return (int)val_Phi((const val_nav *)at[0], (const val_corrected_imu *)at[1], (bs_real *)at[2]);
 }
 
 size_t val_Qc_batch(size_t n,
@@ -247,8 +249,8 @@ int val_Qc_bound(void *const *at)
 size_t val_Q_batch(size_t n,
                    const val_nav *nav,
                    size_t nav_stride,
-                   const val_imu *imu,
-                   size_t imu_stride,
+                   const val_corrected_imu *corrected_imu,
+                   size_t corrected_imu_stride,
                    const val_noise *noise,
                    size_t noise_stride,
                    bs_real *Q,
@@ -256,7 +258,8 @@ size_t val_Q_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)val_Q(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)val_Q(&nav[i * nav_stride],
+                                         &corrected_imu[i * corrected_imu_stride],
                                          &noise[i * noise_stride], &Q[i * 361U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
@@ -265,15 +268,15 @@ size_t val_Q_batch(size_t n,
 
 int val_Q_bound(void *const *at)
 {
-    return (int)val_Q((const val_nav *)at[0], (const val_imu *)at[1], (const val_noise *)at[2],
-                      (bs_real *)at[3]);
+    return (int)val_Q((const val_nav *)at[0], (const val_corrected_imu *)at[1],
+                      (const val_noise *)at[2], (bs_real *)at[3]);
 }
 
 size_t val_dcm_z_batch(size_t n,
                        const val_nav *nav,
                        size_t nav_stride,
-                       const val_imu *imu,
-                       size_t imu_stride,
+                       const val_corrected_imu *corrected_imu,
+                       size_t corrected_imu_stride,
                        const val_master *master,
                        size_t master_stride,
                        bs_real *z,
@@ -281,7 +284,8 @@ size_t val_dcm_z_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)val_dcm_z(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)val_dcm_z(&nav[i * nav_stride],
+                                             &corrected_imu[i * corrected_imu_stride],
                                              &master[i * master_stride], &z[i * 3U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
@@ -290,22 +294,22 @@ size_t val_dcm_z_batch(size_t n,
 
 int val_dcm_z_bound(void *const *at)
 {
-    return (int)val_dcm_z((const val_nav *)at[0], (const val_imu *)at[1], (const val_master *)at[2],
-                          (bs_real *)at[3]);
+    return (int)val_dcm_z((const val_nav *)at[0], (const val_corrected_imu *)at[1],
+                          (const val_master *)at[2], (bs_real *)at[3]);
 }
 
 size_t val_dcm_H_batch(size_t n,
                        const val_nav *nav,
                        size_t nav_stride,
-                       const val_imu *imu,
-                       size_t imu_stride,
+                       const val_corrected_imu *corrected_imu,
+                       size_t corrected_imu_stride,
                        bs_real *H,
                        unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)val_dcm_H(&nav[i * nav_stride], &imu[i * imu_stride],
-                                             &H[i * 57U]);
+        status[i] = (unsigned char)val_dcm_H(&nav[i * nav_stride],
+                                             &corrected_imu[i * corrected_imu_stride], &H[i * 57U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
     return failed;
@@ -313,14 +317,15 @@ size_t val_dcm_H_batch(size_t n,
 
 int val_dcm_H_bound(void *const *at)
 {
-    return (int)val_dcm_H((const val_nav *)at[0], (const val_imu *)at[1], (bs_real *)at[2]);
+    return (int)val_dcm_H((const val_nav *)at[0], (const val_corrected_imu *)at[1],
+                          (bs_real *)at[2]);
 }
 
 size_t val_quaternion_z_batch(size_t n,
                               const val_nav *nav,
                               size_t nav_stride,
-                              const val_imu *imu,
-                              size_t imu_stride,
+                              const val_corrected_imu *corrected_imu,
+                              size_t corrected_imu_stride,
                               const val_master *master,
                               size_t master_stride,
                               bs_real *z,
@@ -328,7 +333,8 @@ size_t val_quaternion_z_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)val_quaternion_z(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)val_quaternion_z(&nav[i * nav_stride],
+                                                    &corrected_imu[i * corrected_imu_stride],
                                                     &master[i * master_stride], &z[i * 3U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
@@ -337,7 +343,7 @@ size_t val_quaternion_z_batch(size_t n,
 
 int val_quaternion_z_bound(void *const *at)
 {
-    return (int)val_quaternion_z((const val_nav *)at[0], (const val_imu *)at[1],
+    return (int)val_quaternion_z((const val_nav *)at[0], (const val_corrected_imu *)at[1],
                                  (const val_master *)at[2], (bs_real *)at[3]);
 }
 
@@ -346,8 +352,8 @@ size_t val_quaternion_h_batch(size_t n,
                               size_t x_stride,
                               const val_nav *nav,
                               size_t nav_stride,
-                              const val_imu *imu,
-                              size_t imu_stride,
+                              const val_corrected_imu *corrected_imu,
+                              size_t corrected_imu_stride,
                               const val_master *master,
                               size_t master_stride,
                               bs_real *h,
@@ -356,7 +362,7 @@ size_t val_quaternion_h_batch(size_t n,
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
         status[i] = (unsigned char)val_quaternion_h(&x[i * x_stride], &nav[i * nav_stride],
-                                                    &imu[i * imu_stride],
+                                                    &corrected_imu[i * corrected_imu_stride],
                                                     &master[i * master_stride], &h[i * 3U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
@@ -366,7 +372,7 @@ size_t val_quaternion_h_batch(size_t n,
 int val_quaternion_h_bound(void *const *at)
 {
     return (int)val_quaternion_h((const bs_real *)at[0], (const val_nav *)at[1],
-                                 (const val_imu *)at[2], (const val_master *)at[3],
+                                 (const val_corrected_imu *)at[2], (const val_master *)at[3],
                                  (bs_real *)at[4]);
 }
 
@@ -375,8 +381,8 @@ size_t val_quaternion_H_batch(size_t n,
                               size_t x_stride,
                               const val_nav *nav,
                               size_t nav_stride,
-                              const val_imu *imu,
-                              size_t imu_stride,
+                              const val_corrected_imu *corrected_imu,
+                              size_t corrected_imu_stride,
                               const val_master *master,
                               size_t master_stride,
                               bs_real *H,
@@ -385,7 +391,7 @@ size_t val_quaternion_H_batch(size_t n,
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
         status[i] = (unsigned char)val_quaternion_H(&x[i * x_stride], &nav[i * nav_stride],
-                                                    &imu[i * imu_stride],
+                                                    &corrected_imu[i * corrected_imu_stride],
                                                     &master[i * master_stride], &H[i * 57U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
@@ -395,15 +401,15 @@ size_t val_quaternion_H_batch(size_t n,
 int val_quaternion_H_bound(void *const *at)
 {
     return (int)val_quaternion_H((const bs_real *)at[0], (const val_nav *)at[1],
-                                 (const val_imu *)at[2], (const val_master *)at[3],
+                                 (const val_corrected_imu *)at[2], (const val_master *)at[3],
                                  (bs_real *)at[4]);
 }
 
 size_t val_euler_z_batch(size_t n,
                          const val_nav *nav,
                          size_t nav_stride,
-                         const val_imu *imu,
-                         size_t imu_stride,
+                         const val_corrected_imu *corrected_imu,
+                         size_t corrected_imu_stride,
                          const val_master *master,
                          size_t master_stride,
                          bs_real *z,
@@ -411,7 +417,8 @@ size_t val_euler_z_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)val_euler_z(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)val_euler_z(&nav[i * nav_stride],
+                                               &corrected_imu[i * corrected_imu_stride],
                                                &master[i * master_stride], &z[i * 3U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
@@ -420,15 +427,15 @@ size_t val_euler_z_batch(size_t n,
 
 int val_euler_z_bound(void *const *at)
 {
-    return (int)val_euler_z((const val_nav *)at[0], (const val_imu *)at[1],
+    return (int)val_euler_z((const val_nav *)at[0], (const val_corrected_imu *)at[1],
                             (const val_master *)at[2], (bs_real *)at[3]);
 }
 
 size_t val_euler_H_batch(size_t n,
                          const val_nav *nav,
                          size_t nav_stride,
-                         const val_imu *imu,
-                         size_t imu_stride,
+                         const val_corrected_imu *corrected_imu,
+                         size_t corrected_imu_stride,
                          const val_master *master,
                          size_t master_stride,
                          bs_real *H,
@@ -436,7 +443,8 @@ size_t val_euler_H_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)val_euler_H(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)val_euler_H(&nav[i * nav_stride],
+                                               &corrected_imu[i * corrected_imu_stride],
                                                &master[i * master_stride], &H[i * 57U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
@@ -445,15 +453,15 @@ size_t val_euler_H_batch(size_t n,
 
 int val_euler_H_bound(void *const *at)
 {
-    return (int)val_euler_H((const val_nav *)at[0], (const val_imu *)at[1],
+    return (int)val_euler_H((const val_nav *)at[0], (const val_corrected_imu *)at[1],
                             (const val_master *)at[2], (bs_real *)at[3]);
 }
 
 size_t val_velocity_z_batch(size_t n,
                             const val_nav *nav,
                             size_t nav_stride,
-                            const val_imu *imu,
-                            size_t imu_stride,
+                            const val_corrected_imu *corrected_imu,
+                            size_t corrected_imu_stride,
                             const val_mounting *mounting,
                             size_t mounting_stride,
                             const val_master *master,
@@ -463,7 +471,8 @@ size_t val_velocity_z_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)val_velocity_z(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)val_velocity_z(&nav[i * nav_stride],
+                                                  &corrected_imu[i * corrected_imu_stride],
                                                   &mounting[i * mounting_stride],
                                                   &master[i * master_stride], &z[i * 3U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
@@ -473,7 +482,7 @@ size_t val_velocity_z_batch(size_t n,
 
 int val_velocity_z_bound(void *const *at)
 {
-    return (int)val_velocity_z((const val_nav *)at[0], (const val_imu *)at[1],
+    return (int)val_velocity_z((const val_nav *)at[0], (const val_corrected_imu *)at[1],
                                (const val_mounting *)at[2], (const val_master *)at[3],
                                (bs_real *)at[4]);
 }
@@ -481,8 +490,8 @@ int val_velocity_z_bound(void *const *at)
 size_t val_velocity_H_batch(size_t n,
                             const val_nav *nav,
                             size_t nav_stride,
-                            const val_imu *imu,
-                            size_t imu_stride,
+                            const val_corrected_imu *corrected_imu,
+                            size_t corrected_imu_stride,
                             const val_mounting *mounting,
                             size_t mounting_stride,
                             const val_master *master,
@@ -492,7 +501,8 @@ size_t val_velocity_H_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)val_velocity_H(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)val_velocity_H(&nav[i * nav_stride],
+                                                  &corrected_imu[i * corrected_imu_stride],
                                                   &mounting[i * mounting_stride],
                                                   &master[i * master_stride], &H[i * 57U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
@@ -502,7 +512,7 @@ size_t val_velocity_H_batch(size_t n,
 
 int val_velocity_H_bound(void *const *at)
 {
-    return (int)val_velocity_H((const val_nav *)at[0], (const val_imu *)at[1],
+    return (int)val_velocity_H((const val_nav *)at[0], (const val_corrected_imu *)at[1],
                                (const val_mounting *)at[2], (const val_master *)at[3],
                                (bs_real *)at[4]);
 }
@@ -510,20 +520,21 @@ int val_velocity_H_bound(void *const *at)
 size_t val_strapdown_batch(size_t n,
                            const val_nav *nav,
                            size_t nav_stride,
-                           const val_imu *imu,
-                           size_t imu_stride,
+                           const val_corrected_imu *corrected_imu,
+                           size_t corrected_imu_stride,
                            const val_increments *increments,
                            size_t increments_stride,
-                           bs_real *position,
+                           bs_real *lat_lon_height,
                            bs_real *v_n,
                            bs_real *q_b2n_wxyz,
                            unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)val_strapdown(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)val_strapdown(&nav[i * nav_stride],
+                                                 &corrected_imu[i * corrected_imu_stride],
                                                  &increments[i * increments_stride],
-                                                 &position[i * 3U], &v_n[i * 3U],
+                                                 &lat_lon_height[i * 3U], &v_n[i * 3U],
                                                  &q_b2n_wxyz[i * 4U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
@@ -532,7 +543,7 @@ size_t val_strapdown_batch(size_t n,
 
 int val_strapdown_bound(void *const *at)
 {
-    return (int)val_strapdown((const val_nav *)at[0], (const val_imu *)at[1],
+    return (int)val_strapdown((const val_nav *)at[0], (const val_corrected_imu *)at[1],
                               (const val_increments *)at[2], (bs_real *)at[3], (bs_real *)at[4],
                               (bs_real *)at[5]);
 }
@@ -540,8 +551,8 @@ int val_strapdown_bound(void *const *at)
 size_t val_expected_batch(size_t n,
                           const val_nav *nav,
                           size_t nav_stride,
-                          const val_imu *imu,
-                          size_t imu_stride,
+                          const val_corrected_imu *corrected_imu,
+                          size_t corrected_imu_stride,
                           const val_mounting *mounting,
                           size_t mounting_stride,
                           bs_real *v_m_n,
@@ -551,7 +562,8 @@ size_t val_expected_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)val_expected(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)val_expected(&nav[i * nav_stride],
+                                                &corrected_imu[i * corrected_imu_stride],
                                                 &mounting[i * mounting_stride], &v_m_n[i * 3U],
                                                 &q_m2n_wxyz[i * 4U], &omega_nb_n[i * 3U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
@@ -561,7 +573,7 @@ size_t val_expected_batch(size_t n,
 
 int val_expected_bound(void *const *at)
 {
-    return (int)val_expected((const val_nav *)at[0], (const val_imu *)at[1],
+    return (int)val_expected((const val_nav *)at[0], (const val_corrected_imu *)at[1],
                              (const val_mounting *)at[2], (bs_real *)at[3], (bs_real *)at[4],
                              (bs_real *)at[5]);
 }

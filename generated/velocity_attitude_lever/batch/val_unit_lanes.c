@@ -91,9 +91,9 @@ size_t val_F_lanes(size_t n, const bs_given *given, double *const *out, unsigned
                 status[run] = (unsigned char)BS_OK;
             } else {
                 val_nav nav = {0};
-                val_imu imu = {0};
+                val_corrected_imu corrected_imu = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -102,9 +102,9 @@ size_t val_F_lanes(size_t n, const bs_given *given, double *const *out, unsigned
                     nav.q_b2n_wxyz[i] = in[6 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.f_b[i] = in[10 + i][l];
+                    corrected_imu.f_b[i] = in[10 + i][l];
                 }
-                status[run] = (unsigned char)val_F(&nav, &imu, &out[0][run * 361U]);
+                status[run] = (unsigned char)val_F(&nav, &corrected_imu, &out[0][run * 361U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -151,9 +151,9 @@ size_t val_Phi_lanes(size_t n, const bs_given *given, double *const *out, unsign
                 status[run] = (unsigned char)BS_OK;
             } else {
                 val_nav nav = {0};
-                val_imu imu = {0};
+                val_corrected_imu corrected_imu = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -162,10 +162,10 @@ size_t val_Phi_lanes(size_t n, const bs_given *given, double *const *out, unsign
                     nav.q_b2n_wxyz[i] = in[6 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.f_b[i] = in[10 + i][l];
+                    corrected_imu.f_b[i] = in[10 + i][l];
                 }
-                imu.dt = in[13][l];
-                status[run] = (unsigned char)val_Phi(&nav, &imu, &out[0][run * 361U]);
+                corrected_imu.dt = in[13][l];
+                status[run] = (unsigned char)val_Phi(&nav, &corrected_imu, &out[0][run * 361U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -288,10 +288,10 @@ size_t val_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned
                 status[run] = (unsigned char)BS_OK;
             } else {
                 val_nav nav = {0};
-                val_imu imu = {0};
+                val_corrected_imu corrected_imu = {0};
                 val_noise noise = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -300,9 +300,9 @@ size_t val_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned
                     nav.q_b2n_wxyz[i] = in[6 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.f_b[i] = in[10 + i][l];
+                    corrected_imu.f_b[i] = in[10 + i][l];
                 }
-                imu.dt = in[13][l];
+                corrected_imu.dt = in[13][l];
                 for (int i = 0; i < 3; ++i) {
                     noise.gyro_noise[i] = in[14 + i][l];
                 }
@@ -319,7 +319,8 @@ size_t val_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned
                     noise.mu_noise[i] = in[26 + i][l];
                 }
                 noise.tau_noise = in[29][l];
-                status[run] = (unsigned char)val_Q(&nav, &imu, &noise, &out[0][run * 361U]);
+                status[run] = (unsigned char)val_Q(&nav, &corrected_imu, &noise,
+                                                   &out[0][run * 361U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -365,10 +366,10 @@ size_t val_dcm_z_lanes(size_t n, const bs_given *given, double *const *out, unsi
                 status[run] = (unsigned char)BS_OK;
             } else {
                 val_nav nav = {0};
-                val_imu imu = {0};
+                val_corrected_imu corrected_imu = {0};
                 val_master master = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -380,13 +381,14 @@ size_t val_dcm_z_lanes(size_t n, const bs_given *given, double *const *out, unsi
                     nav.q_b2m_wxyz[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[14 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[14 + i][l];
                 }
                 for (int i = 0; i < 4; ++i) {
                     master.q_m2n_wxyz[i] = in[17 + i][l];
                 }
                 master.lag = in[21][l];
-                status[run] = (unsigned char)val_dcm_z(&nav, &imu, &master, &out[0][run * 3U]);
+                status[run] = (unsigned char)val_dcm_z(&nav, &corrected_imu, &master,
+                                                       &out[0][run * 3U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -429,9 +431,9 @@ size_t val_dcm_H_lanes(size_t n, const bs_given *given, double *const *out, unsi
                 status[run] = (unsigned char)BS_OK;
             } else {
                 val_nav nav = {0};
-                val_imu imu = {0};
+                val_corrected_imu corrected_imu = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -443,9 +445,9 @@ size_t val_dcm_H_lanes(size_t n, const bs_given *given, double *const *out, unsi
                     nav.q_b2m_wxyz[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[14 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[14 + i][l];
                 }
-                status[run] = (unsigned char)val_dcm_H(&nav, &imu, &out[0][run * 57U]);
+                status[run] = (unsigned char)val_dcm_H(&nav, &corrected_imu, &out[0][run * 57U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -497,10 +499,10 @@ size_t val_quaternion_z_lanes(size_t n,
                 status[run] = (unsigned char)BS_OK;
             } else {
                 val_nav nav = {0};
-                val_imu imu = {0};
+                val_corrected_imu corrected_imu = {0};
                 val_master master = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -512,13 +514,13 @@ size_t val_quaternion_z_lanes(size_t n,
                     nav.q_b2m_wxyz[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[14 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[14 + i][l];
                 }
                 for (int i = 0; i < 4; ++i) {
                     master.q_m2n_wxyz[i] = in[17 + i][l];
                 }
                 master.lag = in[21][l];
-                status[run] = (unsigned char)val_quaternion_z(&nav, &imu, &master,
+                status[run] = (unsigned char)val_quaternion_z(&nav, &corrected_imu, &master,
                                                               &out[0][run * 3U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
@@ -582,13 +584,13 @@ size_t val_quaternion_h_lanes(size_t n,
             } else {
                 bs_real x[VAL_N_STATES] = {0};
                 val_nav nav = {0};
-                val_imu imu = {0};
+                val_corrected_imu corrected_imu = {0};
                 val_master master = {0};
                 for (int i = 0; i < 19; ++i) {
                     x[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[19 + i][l];
+                    nav.lat_lon_height[i] = in[19 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[22 + i][l];
@@ -600,13 +602,13 @@ size_t val_quaternion_h_lanes(size_t n,
                     nav.q_b2m_wxyz[i] = in[29 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[33 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[33 + i][l];
                 }
                 for (int i = 0; i < 4; ++i) {
                     master.q_m2n_wxyz[i] = in[36 + i][l];
                 }
                 master.lag = in[40][l];
-                status[run] = (unsigned char)val_quaternion_h(x, &nav, &imu, &master,
+                status[run] = (unsigned char)val_quaternion_h(x, &nav, &corrected_imu, &master,
                                                               &out[0][run * 3U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
@@ -673,13 +675,13 @@ size_t val_quaternion_H_lanes(size_t n,
             } else {
                 bs_real x[VAL_N_STATES] = {0};
                 val_nav nav = {0};
-                val_imu imu = {0};
+                val_corrected_imu corrected_imu = {0};
                 val_master master = {0};
                 for (int i = 0; i < 19; ++i) {
                     x[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[19 + i][l];
+                    nav.lat_lon_height[i] = in[19 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[22 + i][l];
@@ -691,13 +693,13 @@ size_t val_quaternion_H_lanes(size_t n,
                     nav.q_b2m_wxyz[i] = in[29 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[33 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[33 + i][l];
                 }
                 for (int i = 0; i < 4; ++i) {
                     master.q_m2n_wxyz[i] = in[36 + i][l];
                 }
                 master.lag = in[40][l];
-                status[run] = (unsigned char)val_quaternion_H(x, &nav, &imu, &master,
+                status[run] = (unsigned char)val_quaternion_H(x, &nav, &corrected_imu, &master,
                                                               &out[0][run * 57U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
@@ -747,10 +749,10 @@ size_t val_euler_z_lanes(size_t n, const bs_given *given, double *const *out, un
                 status[run] = (unsigned char)BS_OK;
             } else {
                 val_nav nav = {0};
-                val_imu imu = {0};
+                val_corrected_imu corrected_imu = {0};
                 val_master master = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -762,13 +764,14 @@ size_t val_euler_z_lanes(size_t n, const bs_given *given, double *const *out, un
                     nav.q_b2m_wxyz[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[14 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[14 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     master.euler_m[i] = in[17 + i][l];
                 }
                 master.lag = in[20][l];
-                status[run] = (unsigned char)val_euler_z(&nav, &imu, &master, &out[0][run * 3U]);
+                status[run] = (unsigned char)val_euler_z(&nav, &corrected_imu, &master,
+                                                         &out[0][run * 3U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -814,10 +817,10 @@ size_t val_euler_H_lanes(size_t n, const bs_given *given, double *const *out, un
                 status[run] = (unsigned char)BS_OK;
             } else {
                 val_nav nav = {0};
-                val_imu imu = {0};
+                val_corrected_imu corrected_imu = {0};
                 val_master master = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -826,12 +829,13 @@ size_t val_euler_H_lanes(size_t n, const bs_given *given, double *const *out, un
                     nav.q_b2n_wxyz[i] = in[6 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[10 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     master.euler_m[i] = in[13 + i][l];
                 }
-                status[run] = (unsigned char)val_euler_H(&nav, &imu, &master, &out[0][run * 57U]);
+                status[run] = (unsigned char)val_euler_H(&nav, &corrected_imu, &master,
+                                                         &out[0][run * 57U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -883,11 +887,11 @@ size_t val_velocity_z_lanes(size_t n,
                 status[run] = (unsigned char)BS_OK;
             } else {
                 val_nav nav = {0};
-                val_imu imu = {0};
+                val_corrected_imu corrected_imu = {0};
                 val_mounting mounting = {0};
                 val_master master = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -896,7 +900,7 @@ size_t val_velocity_z_lanes(size_t n,
                     nav.q_b2n_wxyz[i] = in[6 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[10 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     mounting.lever_b[i] = in[13 + i][l];
@@ -908,8 +912,8 @@ size_t val_velocity_z_lanes(size_t n,
                     master.a_n[i] = in[19 + i][l];
                 }
                 master.lag = in[22][l];
-                status[run] = (unsigned char)val_velocity_z(&nav, &imu, &mounting, &master,
-                                                            &out[0][run * 3U]);
+                status[run] = (unsigned char)val_velocity_z(&nav, &corrected_imu, &mounting,
+                                                            &master, &out[0][run * 3U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -960,11 +964,11 @@ size_t val_velocity_H_lanes(size_t n,
                 status[run] = (unsigned char)BS_OK;
             } else {
                 val_nav nav = {0};
-                val_imu imu = {0};
+                val_corrected_imu corrected_imu = {0};
                 val_mounting mounting = {0};
                 val_master master = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -973,7 +977,7 @@ size_t val_velocity_H_lanes(size_t n,
                     nav.q_b2n_wxyz[i] = in[6 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[10 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     mounting.lever_b[i] = in[13 + i][l];
@@ -981,8 +985,8 @@ size_t val_velocity_H_lanes(size_t n,
                 for (int i = 0; i < 3; ++i) {
                     master.a_n[i] = in[16 + i][l];
                 }
-                status[run] = (unsigned char)val_velocity_H(&nav, &imu, &mounting, &master,
-                                                            &out[0][run * 57U]);
+                status[run] = (unsigned char)val_velocity_H(&nav, &corrected_imu, &mounting,
+                                                            &master, &out[0][run * 57U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -1014,7 +1018,7 @@ size_t val_strapdown_lanes(size_t n,
     size_t failed = 0U;
     for (size_t first = 0U; first < n; first += BORESIGHT_LANES) {
         bs_lanes in[29];
-        bs_lanes position_nz[3];
+        bs_lanes lat_lon_height_nz[3];
         bs_lanes v_n_nz[3];
         bs_lanes q_b2n_wxyz_nz[4];
         bs_bits good;
@@ -1032,21 +1036,21 @@ size_t val_strapdown_lanes(size_t n,
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
         bs_unusual = (bs_bits)bs_all_of(0.0);
         val_strapdown_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[16], &in[17], &in[20],
-                             &in[23], &in[26], position_nz, v_n_nz, q_b2n_wxyz_nz);
+                             &in[23], &in[26], lat_lon_height_nz, v_n_nz, q_b2n_wxyz_nz);
         good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
-                bs_write(&out[0][run * 3U], 3, position_nz, NULL, 3, l);
+                bs_write(&out[0][run * 3U], 3, lat_lon_height_nz, NULL, 3, l);
                 bs_write(&out[1][run * 3U], 3, v_n_nz, NULL, 3, l);
                 bs_write(&out[2][run * 4U], 4, q_b2n_wxyz_nz, NULL, 4, l);
                 status[run] = (unsigned char)BS_OK;
             } else {
                 val_nav nav = {0};
-                val_imu imu = {0};
+                val_corrected_imu corrected_imu = {0};
                 val_increments increments = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -1060,7 +1064,7 @@ size_t val_strapdown_lanes(size_t n,
                 for (int i = 0; i < 3; ++i) {
                     nav.accel_bias[i] = in[13 + i][l];
                 }
-                imu.dt = in[16][l];
+                corrected_imu.dt = in[16][l];
                 for (int i = 0; i < 3; ++i) {
                     increments.dtheta_ib_b[i] = in[17 + i][l];
                 }
@@ -1073,7 +1077,7 @@ size_t val_strapdown_lanes(size_t n,
                 for (int i = 0; i < 3; ++i) {
                     increments.dv_before[i] = in[26 + i][l];
                 }
-                status[run] = (unsigned char)val_strapdown(&nav, &imu, &increments,
+                status[run] = (unsigned char)val_strapdown(&nav, &corrected_imu, &increments,
                                                            &out[0][run * 3U], &out[1][run * 3U],
                                                            &out[2][run * 4U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
@@ -1129,10 +1133,10 @@ size_t val_expected_lanes(size_t n,
                 status[run] = (unsigned char)BS_OK;
             } else {
                 val_nav nav = {0};
-                val_imu imu = {0};
+                val_corrected_imu corrected_imu = {0};
                 val_mounting mounting = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -1144,13 +1148,14 @@ size_t val_expected_lanes(size_t n,
                     nav.q_b2m_wxyz[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[14 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[14 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     mounting.lever_b[i] = in[17 + i][l];
                 }
-                status[run] = (unsigned char)val_expected(&nav, &imu, &mounting, &out[0][run * 3U],
-                                                          &out[1][run * 4U], &out[2][run * 3U]);
+                status[run] = (unsigned char)val_expected(&nav, &corrected_imu, &mounting,
+                                                          &out[0][run * 3U], &out[1][run * 4U],
+                                                          &out[2][run * 3U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }

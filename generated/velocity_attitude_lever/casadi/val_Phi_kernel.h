@@ -9,7 +9,7 @@
 
 int val_Phi_casadi(const double **arg, double **res, int *iw, double *w, int mem);
 
-static void val_Phi_kernel(const bs_real position[3],
+static void val_Phi_kernel(const bs_real lat_lon_height[3],
                            const bs_real v_n[3],
                            const bs_real q_b2n_wxyz[4],
                            const bs_real f_b[3],
@@ -20,7 +20,7 @@ static void val_Phi_kernel(const bs_real position[3],
     double *res[1] = {0};
     int iw[1] = {0};
     double w[48] = {0};
-    arg[0] = position;
+    arg[0] = lat_lon_height;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;
     arg[3] = f_b;

@@ -52,7 +52,7 @@ CASADI_SYMBOL_EXPORT int val_expected_casadi__casadi_real_size(void) { return (i
 static const casadi_int casadi_s0[3] = {3, 1, 1};
 static const casadi_int casadi_s1[3] = {4, 1, 1};
 
-/* val_expected_casadi:(position[3],v_n[3],q_b2n_wxyz[4],q_b2m_wxyz[4],omega_ib_b[3],lever_b[3])->(out_v_m_n[3],out_q_m2n_wxyz[4],out_omega_nb_n[3]) */
+/* val_expected_casadi:(lat_lon_height[3],v_n[3],q_b2n_wxyz[4],q_b2m_wxyz[4],omega_ib_b[3],lever_b[3])->(out_v_m_n[3],out_q_m2n_wxyz[4],out_omega_nb_n[3]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
@@ -321,7 +321,7 @@ CASADI_SYMBOL_EXPORT casadi_real val_expected_casadi_default_in(casadi_int i) {
 
 CASADI_SYMBOL_EXPORT const char* val_expected_casadi_name_in(casadi_int i) {
   switch (i) {
-    case 0: return "position";
+    case 0: return "lat_lon_height";
     case 1: return "v_n";
     case 2: return "q_b2n_wxyz";
     case 3: return "q_b2m_wxyz";

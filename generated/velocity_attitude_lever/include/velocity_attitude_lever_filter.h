@@ -117,25 +117,26 @@ bs_status val_filter_init_sigmas(val_filter *filter,
 
 /* Set nav, mounting from outside; P stays, and x becomes zero.  Where a strapdown or a correction
  * is refused for good, this is the way out.
- * in   clamp  0 to refuse a number outside its box; else it is put on the edge, and a vector that
- *             has a norm is scaled to it
+ * in   beyond  BS_REFUSE or BS_CLAMP
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; BS_NOT_POSITIVE: P is none */
 bs_status val_filter_set_nav(val_filter *filter,
                              const val_nav *nav,
                              const val_mounting *mounting,
-                             int clamp);
+                             bs_beyond beyond);
 
 /* Position, velocity and attitude after one step of inertial increments, estimated biases removed.
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE: an input, or the result, lies
  * outside its box */
 bs_status val_filter_strapdown(val_filter *filter,
-                               const val_imu *imu,
+                               const val_corrected_imu *corrected_imu,
                                const val_increments *increments);
 
 /* Carry x and P over dt: x = Phi x, P = Phi P Phi' + Q.
  * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE,
  * BS_NOT_POSITIVE */
-bs_status val_filter_propagate(val_filter *filter, const val_imu *imu, const val_noise *noise);
+bs_status val_filter_propagate(val_filter *filter,
+                               const val_corrected_imu *corrected_imu,
+                               const val_noise *noise);
 
 /* From now on no measurement corrects the states whose number is not 0 (a Schmidt filter): their
  * rows of the whole measurement's gain are zero.  They and their covariance among themselves stay,
@@ -157,7 +158,7 @@ bs_status val_filter_consider(val_filter *filter, const unsigned char considered
  * outside its box, or x would lie beyond its ceiling; or BS_NOT_POSITIVE: nu, S or nis is no finite
  * number, S is not above 0, or a variance would be negative */
 bs_status val_filter_measure_dcm(val_filter *filter,
-                                 const val_imu *imu,
+                                 const val_corrected_imu *corrected_imu,
                                  const val_master *master,
                                  const bs_real R[3],
                                  const bs_gates *gates,
@@ -177,7 +178,7 @@ bs_status val_filter_measure_dcm(val_filter *filter,
  * outside its box, or x would lie beyond its ceiling; or BS_NOT_POSITIVE: nu, S or nis is no finite
  * number, S is not above 0, or a variance would be negative */
 bs_status val_filter_measure_quaternion(val_filter *filter,
-                                        const val_imu *imu,
+                                        const val_corrected_imu *corrected_imu,
                                         const val_master *master,
                                         const bs_real R[3],
                                         const bs_gates *gates,
@@ -193,7 +194,7 @@ bs_status val_filter_measure_quaternion(val_filter *filter,
  * outside its box, or x would lie beyond its ceiling; or BS_NOT_POSITIVE: nu, S or nis is no finite
  * number, S is not above 0, or a variance would be negative */
 bs_status val_filter_measure_euler(val_filter *filter,
-                                   const val_imu *imu,
+                                   const val_corrected_imu *corrected_imu,
                                    const val_master *master,
                                    const bs_real R[3],
                                    const bs_gates *gates,
@@ -209,7 +210,7 @@ bs_status val_filter_measure_euler(val_filter *filter,
  * outside its box, or x would lie beyond its ceiling; or BS_NOT_POSITIVE: nu, S or nis is no finite
  * number, S is not above 0, or a variance would be negative */
 bs_status val_filter_measure_velocity(val_filter *filter,
-                                      const val_imu *imu,
+                                      const val_corrected_imu *corrected_imu,
                                       const val_master *master,
                                       const bs_real R[3],
                                       const bs_gates *gates,

@@ -20,7 +20,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "715017fe4a9c49fa12de832fa091ab5aa8411a03987080aaa8a447e67e324e7f"
+#define VAL_MODEL_HASH "ef90d0f145f1661859cb44f0b42af727daf6ee89ab406b92d797f53987004317"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

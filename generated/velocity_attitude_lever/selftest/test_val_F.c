@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { 0x1.e1fa620000000p-1, -0x1.14da740000000p+2, -0x1.87438e0000000p+8 }
 };
@@ -44,10 +44,10 @@ static const unsigned short at_F[41] = { 1, 2, 4, 6, 7, 8, 19, 21, 22, 25, 26, 2
                                          45, 46, 58, 59, 60, 61, 62, 66, 67, 68, 76, 78, 79, 80, 81,
                                          85, 86, 87, 95, 96, 98, 99, 104, 105, 106 };
 
-static void set_point(int v, val_nav *nav, val_imu *imu)
+static void set_point(int v, val_nav *nav, val_corrected_imu *corrected_imu)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -56,7 +56,7 @@ static void set_point(int v, val_nav *nav, val_imu *imu)
         nav->q_b2n_wxyz[i] = (bs_real)in_q_b2n_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->f_b[i] = (bs_real)in_f_b[v][i];
+        corrected_imu->f_b[i] = (bs_real)in_f_b[v][i];
     }
 }
 
@@ -64,30 +64,30 @@ int test_val_F(void)
 {
     int failures = 0;
     val_nav nav = {0};
-    val_imu imu = {0};
+    val_corrected_imu corrected_imu = {0};
     bs_real F[361];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu);
-        if (val_F(&nav, &imu, F) != BS_OK) {
+        set_point(v, &nav, &corrected_imu);
+        if (val_F(&nav, &corrected_imu, F) != BS_OK) {
             ++failures;
             continue;
         }
         failures += selftest_compare("val_F F", v, F, 361, out_F[v], tol_F[v], at_F, 41, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 361);
-            if (val_F(&nav, &imu, F) != expected) {
-                selftest_print("val_F: position[%d] bad value %d not refused\n", i, bad);
+            if (val_F(&nav, &corrected_imu, F) != expected) {
+                selftest_print("val_F: lat_lon_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_F F", F, 361);
@@ -97,10 +97,10 @@ int test_val_F(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (val_F(&nav, &imu, F) != BS_OK) {
-                selftest_print("val_F: position[%d] end %d refused\n", i, end);
+            set_point(0, &nav, &corrected_imu);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (val_F(&nav, &corrected_imu, F) != BS_OK) {
+                selftest_print("val_F: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -111,11 +111,11 @@ int test_val_F(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 361);
-            if (val_F(&nav, &imu, F) != expected) {
+            if (val_F(&nav, &corrected_imu, F) != expected) {
                 selftest_print("val_F: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -124,9 +124,9 @@ int test_val_F(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (val_F(&nav, &imu, F) != BS_OK) {
+            if (val_F(&nav, &corrected_imu, F) != BS_OK) {
                 selftest_print("val_F: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -139,12 +139,12 @@ int test_val_F(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 361);
-            if (val_F(&nav, &imu, F) != expected) {
+            if (val_F(&nav, &corrected_imu, F) != expected) {
                 selftest_print("val_F: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -154,11 +154,11 @@ int test_val_F(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_F(&nav, &imu, F) != BS_OK) {
+            if (val_F(&nav, &corrected_imu, F) != BS_OK) {
                 selftest_print("val_F: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -167,11 +167,11 @@ int test_val_F(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu);
+        set_point(0, &nav, &corrected_imu);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_F(&nav, &imu, F) != BS_OUT_OF_RANGE) {
+        if (val_F(&nav, &corrected_imu, F) != BS_OUT_OF_RANGE) {
             selftest_print("val_F: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -182,11 +182,12 @@ int test_val_F(void)
         static const double beyond_high[3] = { 500.25, 500.25, 500.25 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
-            imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
-                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu);
+            corrected_imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                             : (bad == 1) ? selftest_infinity()
+                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 361);
-            if (val_F(&nav, &imu, F) != expected) {
+            if (val_F(&nav, &corrected_imu, F) != expected) {
                 selftest_print("val_F: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -195,20 +196,20 @@ int test_val_F(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
-            set_point(0, &nav, &imu);
-            imu.f_b[i] = (end == 0) ? low[i] : high[i];
-            if (val_F(&nav, &imu, F) != BS_OK) {
+            set_point(0, &nav, &corrected_imu);
+            corrected_imu.f_b[i] = (end == 0) ? low[i] : high[i];
+            if (val_F(&nav, &corrected_imu, F) != BS_OK) {
                 selftest_print("val_F: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu);
-    failures += (val_F(0, &imu, F) != BS_NULL_POINTER);
+    set_point(0, &nav, &corrected_imu);
+    failures += (val_F(0, &corrected_imu, F) != BS_NULL_POINTER);
     failures += (val_F(&nav, 0, F) != BS_NULL_POINTER);
-    failures += (val_F(&nav, &imu, 0) != BS_NULL_POINTER);
-    failures += (val_F_nz(0, &imu, F) != BS_NULL_POINTER);
+    failures += (val_F(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
+    failures += (val_F_nz(0, &corrected_imu, F) != BS_NULL_POINTER);
     failures += (val_F_nz(&nav, 0, F) != BS_NULL_POINTER);
-    failures += (val_F_nz(&nav, &imu, 0) != BS_NULL_POINTER);
+    failures += (val_F_nz(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { -0x1.2a567c0000000p-2, -0x1.06b52a0000000p+1, 0x1.3b9df40000000p+10 }
 };
@@ -52,10 +52,10 @@ static const unsigned short at_Phi[85] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11,
                                            106, 120, 140, 160, 180, 200, 220, 240, 260, 280, 300,
                                            320, 340, 360 };
 
-static void set_point(int v, val_nav *nav, val_imu *imu)
+static void set_point(int v, val_nav *nav, val_corrected_imu *corrected_imu)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -64,10 +64,10 @@ static void set_point(int v, val_nav *nav, val_imu *imu)
         nav->q_b2n_wxyz[i] = (bs_real)in_q_b2n_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->f_b[i] = (bs_real)in_f_b[v][i];
+        corrected_imu->f_b[i] = (bs_real)in_f_b[v][i];
     }
     for (int i = 0; i < 1; ++i) {
-        imu->dt = (bs_real)in_dt[v][i];
+        corrected_imu->dt = (bs_real)in_dt[v][i];
     }
 }
 
@@ -75,31 +75,31 @@ int test_val_Phi(void)
 {
     int failures = 0;
     val_nav nav = {0};
-    val_imu imu = {0};
+    val_corrected_imu corrected_imu = {0};
     bs_real Phi[361];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu);
-        if (val_Phi(&nav, &imu, Phi) != BS_OK) {
+        set_point(v, &nav, &corrected_imu);
+        if (val_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
             ++failures;
             continue;
         }
         failures += selftest_compare("val_Phi Phi", v, Phi, 361, out_Phi[v], tol_Phi[v], at_Phi, 85,
                                      0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 361);
-            if (val_Phi(&nav, &imu, Phi) != expected) {
-                selftest_print("val_Phi: position[%d] bad value %d not refused\n", i, bad);
+            if (val_Phi(&nav, &corrected_imu, Phi) != expected) {
+                selftest_print("val_Phi: lat_lon_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_Phi Phi", Phi, 361);
@@ -109,10 +109,10 @@ int test_val_Phi(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (val_Phi(&nav, &imu, Phi) != BS_OK) {
-                selftest_print("val_Phi: position[%d] end %d refused\n", i, end);
+            set_point(0, &nav, &corrected_imu);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (val_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
+                selftest_print("val_Phi: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -123,11 +123,11 @@ int test_val_Phi(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 361);
-            if (val_Phi(&nav, &imu, Phi) != expected) {
+            if (val_Phi(&nav, &corrected_imu, Phi) != expected) {
                 selftest_print("val_Phi: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -136,9 +136,9 @@ int test_val_Phi(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (val_Phi(&nav, &imu, Phi) != BS_OK) {
+            if (val_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
                 selftest_print("val_Phi: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -151,12 +151,12 @@ int test_val_Phi(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 361);
-            if (val_Phi(&nav, &imu, Phi) != expected) {
+            if (val_Phi(&nav, &corrected_imu, Phi) != expected) {
                 selftest_print("val_Phi: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -166,11 +166,11 @@ int test_val_Phi(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_Phi(&nav, &imu, Phi) != BS_OK) {
+            if (val_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
                 selftest_print("val_Phi: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -179,11 +179,11 @@ int test_val_Phi(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu);
+        set_point(0, &nav, &corrected_imu);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_Phi(&nav, &imu, Phi) != BS_OUT_OF_RANGE) {
+        if (val_Phi(&nav, &corrected_imu, Phi) != BS_OUT_OF_RANGE) {
             selftest_print("val_Phi: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -194,11 +194,12 @@ int test_val_Phi(void)
         static const double beyond_high[3] = { 500.25, 500.25, 500.25 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
-            imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
-                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu);
+            corrected_imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                             : (bad == 1) ? selftest_infinity()
+                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 361);
-            if (val_Phi(&nav, &imu, Phi) != expected) {
+            if (val_Phi(&nav, &corrected_imu, Phi) != expected) {
                 selftest_print("val_Phi: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -207,9 +208,9 @@ int test_val_Phi(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
-            set_point(0, &nav, &imu);
-            imu.f_b[i] = (end == 0) ? low[i] : high[i];
-            if (val_Phi(&nav, &imu, Phi) != BS_OK) {
+            set_point(0, &nav, &corrected_imu);
+            corrected_imu.f_b[i] = (end == 0) ? low[i] : high[i];
+            if (val_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
                 selftest_print("val_Phi: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -221,11 +222,12 @@ int test_val_Phi(void)
         static const double beyond_high[1] = { 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
-            imu.dt = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
-                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu);
+            corrected_imu.dt = (bs_real)((bad == 0) ? selftest_nan()
+                                         : (bad == 1) ? selftest_infinity()
+                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 361);
-            if (val_Phi(&nav, &imu, Phi) != expected) {
+            if (val_Phi(&nav, &corrected_imu, Phi) != expected) {
                 selftest_print("val_Phi: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -234,20 +236,20 @@ int test_val_Phi(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
-            set_point(0, &nav, &imu);
-            imu.dt = (end == 0) ? low[i] : high[i];
-            if (val_Phi(&nav, &imu, Phi) != BS_OK) {
+            set_point(0, &nav, &corrected_imu);
+            corrected_imu.dt = (end == 0) ? low[i] : high[i];
+            if (val_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
                 selftest_print("val_Phi: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu);
-    failures += (val_Phi(0, &imu, Phi) != BS_NULL_POINTER);
+    set_point(0, &nav, &corrected_imu);
+    failures += (val_Phi(0, &corrected_imu, Phi) != BS_NULL_POINTER);
     failures += (val_Phi(&nav, 0, Phi) != BS_NULL_POINTER);
-    failures += (val_Phi(&nav, &imu, 0) != BS_NULL_POINTER);
-    failures += (val_Phi_nz(0, &imu, Phi) != BS_NULL_POINTER);
+    failures += (val_Phi(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
+    failures += (val_Phi_nz(0, &corrected_imu, Phi) != BS_NULL_POINTER);
     failures += (val_Phi_nz(&nav, 0, Phi) != BS_NULL_POINTER);
-    failures += (val_Phi_nz(&nav, &imu, 0) != BS_NULL_POINTER);
+    failures += (val_Phi_nz(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { -0x1.81a3a00000000p-1, 0x1.7e8a540000000p+1, 0x1.8795060000000p+13 }
 };
@@ -47,10 +47,10 @@ static const float tol_H[N_VECTORS][15] = {
 static const unsigned short at_H[15] = { 0, 12, 13, 14, 15, 20, 31, 32, 33, 34, 40, 50, 51, 52,
                                          53 };
 
-static void set_point(int v, val_nav *nav, val_imu *imu)
+static void set_point(int v, val_nav *nav, val_corrected_imu *corrected_imu)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -62,7 +62,7 @@ static void set_point(int v, val_nav *nav, val_imu *imu)
         nav->q_b2m_wxyz[i] = (bs_real)in_q_b2m_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
+        corrected_imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
     }
 }
 
@@ -70,30 +70,30 @@ int test_val_dcm_H(void)
 {
     int failures = 0;
     val_nav nav = {0};
-    val_imu imu = {0};
+    val_corrected_imu corrected_imu = {0};
     bs_real H[57];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu);
-        if (val_dcm_H(&nav, &imu, H) != BS_OK) {
+        set_point(v, &nav, &corrected_imu);
+        if (val_dcm_H(&nav, &corrected_imu, H) != BS_OK) {
             ++failures;
             continue;
         }
         failures += selftest_compare("val_dcm_H H", v, H, 57, out_H[v], tol_H[v], at_H, 15, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
-            if (val_dcm_H(&nav, &imu, H) != expected) {
-                selftest_print("val_dcm_H: position[%d] bad value %d not refused\n", i, bad);
+            if (val_dcm_H(&nav, &corrected_imu, H) != expected) {
+                selftest_print("val_dcm_H: lat_lon_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("val_dcm_H H", H, 57);
@@ -103,10 +103,10 @@ int test_val_dcm_H(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (val_dcm_H(&nav, &imu, H) != BS_OK) {
-                selftest_print("val_dcm_H: position[%d] end %d refused\n", i, end);
+            set_point(0, &nav, &corrected_imu);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (val_dcm_H(&nav, &corrected_imu, H) != BS_OK) {
+                selftest_print("val_dcm_H: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -117,11 +117,11 @@ int test_val_dcm_H(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
-            if (val_dcm_H(&nav, &imu, H) != expected) {
+            if (val_dcm_H(&nav, &corrected_imu, H) != expected) {
                 selftest_print("val_dcm_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -130,9 +130,9 @@ int test_val_dcm_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (val_dcm_H(&nav, &imu, H) != BS_OK) {
+            if (val_dcm_H(&nav, &corrected_imu, H) != BS_OK) {
                 selftest_print("val_dcm_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -145,12 +145,12 @@ int test_val_dcm_H(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
-            if (val_dcm_H(&nav, &imu, H) != expected) {
+            if (val_dcm_H(&nav, &corrected_imu, H) != expected) {
                 selftest_print("val_dcm_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -160,11 +160,11 @@ int test_val_dcm_H(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_dcm_H(&nav, &imu, H) != BS_OK) {
+            if (val_dcm_H(&nav, &corrected_imu, H) != BS_OK) {
                 selftest_print("val_dcm_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -173,11 +173,11 @@ int test_val_dcm_H(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu);
+        set_point(0, &nav, &corrected_imu);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_dcm_H(&nav, &imu, H) != BS_OUT_OF_RANGE) {
+        if (val_dcm_H(&nav, &corrected_imu, H) != BS_OUT_OF_RANGE) {
             selftest_print("val_dcm_H: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -189,12 +189,12 @@ int test_val_dcm_H(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
-            if (val_dcm_H(&nav, &imu, H) != expected) {
+            if (val_dcm_H(&nav, &corrected_imu, H) != expected) {
                 selftest_print("val_dcm_H: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -204,11 +204,11 @@ int test_val_dcm_H(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_dcm_H(&nav, &imu, H) != BS_OK) {
+            if (val_dcm_H(&nav, &corrected_imu, H) != BS_OK) {
                 selftest_print("val_dcm_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -217,11 +217,11 @@ int test_val_dcm_H(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu);
+        set_point(0, &nav, &corrected_imu);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_dcm_H(&nav, &imu, H) != BS_OUT_OF_RANGE) {
+        if (val_dcm_H(&nav, &corrected_imu, H) != BS_OUT_OF_RANGE) {
             selftest_print("val_dcm_H: q_b2m_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -233,12 +233,12 @@ int test_val_dcm_H(void)
         static const double beyond_high[3] = { 20.01, 20.01, 20.01 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
-            imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                          : (bad == 1) ? selftest_infinity()
-                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu);
+            corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                                    : (bad == 1) ? selftest_infinity()
+                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
-            if (val_dcm_H(&nav, &imu, H) != expected) {
+            if (val_dcm_H(&nav, &corrected_imu, H) != expected) {
                 selftest_print("val_dcm_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -247,20 +247,20 @@ int test_val_dcm_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
-            set_point(0, &nav, &imu);
-            imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (val_dcm_H(&nav, &imu, H) != BS_OK) {
+            set_point(0, &nav, &corrected_imu);
+            corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
+            if (val_dcm_H(&nav, &corrected_imu, H) != BS_OK) {
                 selftest_print("val_dcm_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu);
-    failures += (val_dcm_H(0, &imu, H) != BS_NULL_POINTER);
+    set_point(0, &nav, &corrected_imu);
+    failures += (val_dcm_H(0, &corrected_imu, H) != BS_NULL_POINTER);
     failures += (val_dcm_H(&nav, 0, H) != BS_NULL_POINTER);
-    failures += (val_dcm_H(&nav, &imu, 0) != BS_NULL_POINTER);
-    failures += (val_dcm_H_nz(0, &imu, H) != BS_NULL_POINTER);
+    failures += (val_dcm_H(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
+    failures += (val_dcm_H_nz(0, &corrected_imu, H) != BS_NULL_POINTER);
     failures += (val_dcm_H_nz(&nav, 0, H) != BS_NULL_POINTER);
-    failures += (val_dcm_H_nz(&nav, &imu, 0) != BS_NULL_POINTER);
+    failures += (val_dcm_H_nz(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { 0x1.b6861a0000000p-1, 0x1.978e580000000p+1, 0x1.5708360000000p+13 }
 };
@@ -84,10 +84,10 @@ static const float tol_omega_nb_n[N_VECTORS][3] = {
 #endif
 static const unsigned short at_omega_nb_n[3] = { 0, 1, 2 };
 
-static void set_point(int v, val_nav *nav, val_imu *imu, val_mounting *mounting)
+static void set_point(int v, val_nav *nav, val_corrected_imu *corrected_imu, val_mounting *mounting)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -99,7 +99,7 @@ static void set_point(int v, val_nav *nav, val_imu *imu, val_mounting *mounting)
         nav->q_b2m_wxyz[i] = (bs_real)in_q_b2m_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
+        corrected_imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         mounting->lever_b[i] = (bs_real)in_lever_b[v][i];
@@ -110,14 +110,14 @@ int test_val_expected(void)
 {
     int failures = 0;
     val_nav nav = {0};
-    val_imu imu = {0};
+    val_corrected_imu corrected_imu = {0};
     val_mounting mounting = {0};
     bs_real v_m_n[3];
     bs_real q_m2n_wxyz[4];
     bs_real omega_nb_n[3];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu, &mounting);
-        if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OK) {
+        set_point(v, &nav, &corrected_imu, &mounting);
+        if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OK) {
             ++failures;
             continue;
         }
@@ -128,22 +128,24 @@ int test_val_expected(void)
         failures += selftest_compare("val_expected omega_nb_n", v, omega_nb_n, 3, out_omega_nb_n[v],
                                      tol_omega_nb_n[v], at_omega_nb_n, 3, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &mounting);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(v_m_n, 3);
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
-            if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != expected) {
-                selftest_print("val_expected: position[%d] bad value %d not refused\n", i, bad);
+            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
+                             omega_nb_n) != expected) {
+                selftest_print("val_expected: lat_lon_height[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("val_expected v_m_n", v_m_n, 3);
@@ -155,10 +157,11 @@ int test_val_expected(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu, &mounting);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OK) {
-                selftest_print("val_expected: position[%d] end %d refused\n", i, end);
+            set_point(0, &nav, &corrected_imu, &mounting);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
+                             omega_nb_n) != BS_OK) {
+                selftest_print("val_expected: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -169,13 +172,14 @@ int test_val_expected(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting);
+            set_point(0, &nav, &corrected_imu, &mounting);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(v_m_n, 3);
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
-            if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != expected) {
+            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
+                             omega_nb_n) != expected) {
                 selftest_print("val_expected: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -186,9 +190,10 @@ int test_val_expected(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu, &mounting);
+            set_point(0, &nav, &corrected_imu, &mounting);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OK) {
+            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
+                             omega_nb_n) != BS_OK) {
                 selftest_print("val_expected: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -201,14 +206,15 @@ int test_val_expected(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting);
+            set_point(0, &nav, &corrected_imu, &mounting);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(v_m_n, 3);
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
-            if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != expected) {
+            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
+                             omega_nb_n) != expected) {
                 selftest_print("val_expected: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -220,11 +226,12 @@ int test_val_expected(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &mounting);
+            set_point(0, &nav, &corrected_imu, &mounting);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OK) {
+            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
+                             omega_nb_n) != BS_OK) {
                 selftest_print("val_expected: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -233,11 +240,12 @@ int test_val_expected(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &mounting);
+        set_point(0, &nav, &corrected_imu, &mounting);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OUT_OF_RANGE) {
+        if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
+                         omega_nb_n) != BS_OUT_OF_RANGE) {
             selftest_print("val_expected: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -250,14 +258,15 @@ int test_val_expected(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting);
+            set_point(0, &nav, &corrected_imu, &mounting);
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(v_m_n, 3);
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
-            if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != expected) {
+            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
+                             omega_nb_n) != expected) {
                 selftest_print("val_expected: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -269,11 +278,12 @@ int test_val_expected(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &mounting);
+            set_point(0, &nav, &corrected_imu, &mounting);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OK) {
+            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
+                             omega_nb_n) != BS_OK) {
                 selftest_print("val_expected: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -282,11 +292,12 @@ int test_val_expected(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &mounting);
+        set_point(0, &nav, &corrected_imu, &mounting);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OUT_OF_RANGE) {
+        if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
+                         omega_nb_n) != BS_OUT_OF_RANGE) {
             selftest_print("val_expected: q_b2m_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -299,14 +310,15 @@ int test_val_expected(void)
         static const double beyond_high[3] = { 20.01, 20.01, 20.01 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting);
-            imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                          : (bad == 1) ? selftest_infinity()
-                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &mounting);
+            corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                                    : (bad == 1) ? selftest_infinity()
+                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(v_m_n, 3);
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
-            if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != expected) {
+            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
+                             omega_nb_n) != expected) {
                 selftest_print("val_expected: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -317,9 +329,10 @@ int test_val_expected(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
-            set_point(0, &nav, &imu, &mounting);
-            imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OK) {
+            set_point(0, &nav, &corrected_imu, &mounting);
+            corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
+            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
+                             omega_nb_n) != BS_OK) {
                 selftest_print("val_expected: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -332,14 +345,15 @@ int test_val_expected(void)
         static const double beyond_high[3] = { 100.05, 100.05, 100.05 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting);
+            set_point(0, &nav, &corrected_imu, &mounting);
             mounting.lever_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(v_m_n, 3);
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
-            if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != expected) {
+            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
+                             omega_nb_n) != expected) {
                 selftest_print("val_expected: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -350,22 +364,27 @@ int test_val_expected(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
-            set_point(0, &nav, &imu, &mounting);
+            set_point(0, &nav, &corrected_imu, &mounting);
             mounting.lever_b[i] = (end == 0) ? low[i] : high[i];
-            if (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OK) {
+            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
+                             omega_nb_n) != BS_OK) {
                 selftest_print("val_expected: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu, &mounting);
-    failures += (val_expected(0, &imu, &mounting, v_m_n, q_m2n_wxyz,
+    set_point(0, &nav, &corrected_imu, &mounting);
+    failures += (val_expected(0, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
                               omega_nb_n) != BS_NULL_POINTER);
     failures += (val_expected(&nav, 0, &mounting, v_m_n, q_m2n_wxyz,
                               omega_nb_n) != BS_NULL_POINTER);
-    failures += (val_expected(&nav, &imu, 0, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_NULL_POINTER);
-    failures += (val_expected(&nav, &imu, &mounting, 0, q_m2n_wxyz, omega_nb_n) != BS_NULL_POINTER);
-    failures += (val_expected(&nav, &imu, &mounting, v_m_n, 0, omega_nb_n) != BS_NULL_POINTER);
-    failures += (val_expected(&nav, &imu, &mounting, v_m_n, q_m2n_wxyz, 0) != BS_NULL_POINTER);
+    failures += (val_expected(&nav, &corrected_imu, 0, v_m_n, q_m2n_wxyz,
+                              omega_nb_n) != BS_NULL_POINTER);
+    failures += (val_expected(&nav, &corrected_imu, &mounting, 0, q_m2n_wxyz,
+                              omega_nb_n) != BS_NULL_POINTER);
+    failures += (val_expected(&nav, &corrected_imu, &mounting, v_m_n, 0,
+                              omega_nb_n) != BS_NULL_POINTER);
+    failures += (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
+                              0) != BS_NULL_POINTER);
     return failures;
 }

@@ -26,7 +26,7 @@ static const double in_nav[POINTS][21] = {
     { -0x1.74f935bcbbfb8p+0, 0x1.56175043cc560p+2, 0x1.36897cdf939b5p+13, -0x1.43fbbfc8455c8p+9, -0x1.75e499f51d3fap+9, 0x1.506f73e151616p+9, -0x1.d7ed020123d8cp-2, -0x1.7388971e26a06p-1, 0x1.fd0982ce643dap-2, 0x1.d50dd2c0cb12dp-4, -0x1.19482307c48e4p-8, -0x1.57e31eba8a830p-10, 0x1.02857acf3c8dbp-6, 0x1.7d214a1d79d28p-1, 0x1.c141e814aee18p-3, -0x1.04b85b06ad860p-1, -0x1.52a0dd853f53fp-1, -0x1.2bd268fd6bf1fp-5, -0x1.491637512960cp-1, 0x1.8824520e19518p-2, 0x1.ae472ed537e34p-1 },
     { 0x1.2284ca7be966cp-1, -0x1.bbcc771957788p+0, 0x1.27c0134914217p+14, 0x1.46aedd29c7ef4p+8, 0x1.cf83dba1df1d0p+4, -0x1.3cbfc5e3e78c0p+6, 0x1.ad6e6a5fd5945p-1, 0x1.75ed2e5e3e1b6p-2, 0x1.a467b89790bccp-3, -0x1.66b8496051b03p-2, 0x1.7090a35aa1688p-7, 0x1.1f594d1a3fb30p-7, -0x1.35a1a1cf9f7c4p-7, 0x1.8568e353f3da6p-1, 0x1.08593e0516eeap-1, 0x1.885f3c50ab4f2p-1, 0x1.1211afe07a4c0p-1, -0x1.8a8d0227a8cecp-1, -0x1.d30f3d0ef0e46p-3, -0x1.0af8ac2993c07p-2, 0x1.9b9164b33cf9cp-2 }
 };
-static const double in_imu[POINTS][7] = {
+static const double in_corrected_imu[POINTS][7] = {
     { -0x1.8115a15be89ccp+8, -0x1.ce13320bf079cp+5, -0x1.c9a403137b3d6p+8, 0x1.6df8d648b4c00p+1, -0x1.c5c9f94ab2840p+1, 0x1.8edf6aff45630p+2, 0x1.d2929827dae81p+2 },
     { 0x1.6d5feb24eb7f0p+8, -0x1.d40528b56985ap+8, 0x1.819ec099836c4p+8, 0x1.549c1dfa34cc0p-1, 0x1.48109861f2a28p+3, 0x1.5770c8ea28936p+3, 0x1.e3451ed7a34b4p+1 }
 };
@@ -112,9 +112,9 @@ static const bs_real ceiling[N] = { BS_REAL(1000000.0), BS_REAL(1000000.0), BS_R
 static val_health health;
 static unsigned char bytes[VAL_SNAPSHOT_SIZE];
 static unsigned char again[VAL_SNAPSHOT_SIZE];
-static int clamp;
+static bs_beyond beyond = BS_REFUSE;
 static val_nav given_nav;
-static val_imu given_imu;
+static val_corrected_imu given_corrected_imu;
 static val_increments given_increments;
 static val_noise given_noise;
 static val_mounting given_mounting;
@@ -146,9 +146,11 @@ static int same_state(const val_filter *a, const val_filter *b)
 
 /* ---- by hand */
 
-static bs_status hand_propagate(val_filter *filter, const val_imu *imu, const val_noise *noise)
+static bs_status hand_propagate(val_filter *filter,
+                                const val_corrected_imu *corrected_imu,
+                                const val_noise *noise)
 {
-    bs_status status = val_F(&filter->nav, imu, dense);
+    bs_status status = val_F(&filter->nav, corrected_imu, dense);
     for (int i = 0; i < VAL_N_F; ++i) {
         filter->F[i] = dense[F_places[i]];
     }
@@ -157,7 +159,8 @@ static bs_status hand_propagate(val_filter *filter, const val_imu *imu, const va
         filter->Qc[i] = dense[Qc_places[i]];
     }
     if (status == BS_OK) {
-        val_discretize(filter->F, filter->Qc, imu->dt, filter->Phi, filter->Q, filter->work);
+        val_discretize(filter->F, filter->Qc, corrected_imu->dt, filter->Phi, filter->Q,
+                       filter->work);
         val_predict_state(filter->Phi, filter->x);
         PREDICT(filter->P, filter->Phi, filter->Q, next_P, filter->work);
         memcpy(filter->P, next_P, sizeof(next_P));
@@ -271,13 +274,15 @@ static bs_real hand_moved(const val_filter *filter,
     return most;
 }
 
-static bs_status hand_measure_dcm(val_filter *filter, const val_imu *imu, const val_master *master)
+static bs_status hand_measure_dcm(val_filter *filter,
+                                  const val_corrected_imu *corrected_imu,
+                                  const val_master *master)
 {
     bs_real *const z = residual;
     bs_real target_[3];
-    bs_status status = val_dcm_z(&filter->nav, imu, master, z);
+    bs_status status = val_dcm_z(&filter->nav, corrected_imu, master, z);
     unmeasured = *filter;
-    status = (status == BS_OK) ? val_dcm_H(&filter->nav, imu, dense) : status;
+    status = (status == BS_OK) ? val_dcm_H(&filter->nav, corrected_imu, dense) : status;
     if (status == BS_OK) {
         for (int i = 0; i < 3; ++i) {
             target_[i] = z[i];
@@ -288,12 +293,12 @@ static bs_status hand_measure_dcm(val_filter *filter, const val_imu *imu, const 
 }
 
 static bs_status hand_measure_quaternion(val_filter *filter,
-                                         const val_imu *imu,
+                                         const val_corrected_imu *corrected_imu,
                                          const val_master *master)
 {
     bs_real *const z = residual;
     bs_real target_[3];
-    bs_status status = val_quaternion_z(&filter->nav, imu, master, z);
+    bs_status status = val_quaternion_z(&filter->nav, corrected_imu, master, z);
     bs_real from_[N];
     bs_real last_ = BS_REAL(0.0);
     int diverges_ = 0;
@@ -302,10 +307,10 @@ static bs_status hand_measure_quaternion(val_filter *filter,
     memcpy(from_, filter->x, sizeof(from_));
     for (int k = 0; k < iterations; ++k) {
         bs_real step_;
-        status = (status == BS_OK) ? val_quaternion_H(filter->x, &filter->nav, imu, master, dense)
-            : status;
-        status = (status == BS_OK) ? val_quaternion_h(filter->x, &filter->nav, imu, master, target_)
-            : status;
+        status = (status == BS_OK) ? val_quaternion_H(filter->x, &filter->nav, corrected_imu,
+                                                      master, dense) : status;
+        status = (status == BS_OK) ? val_quaternion_h(filter->x, &filter->nav, corrected_imu,
+                                                      master, target_) : status;
         if (status == BS_OK) {
             for (int i = 0; i < 3; ++i) {
                 target_[i] = z[i] - target_[i];
@@ -345,14 +350,14 @@ static bs_status hand_measure_quaternion(val_filter *filter,
 }
 
 static bs_status hand_measure_euler(val_filter *filter,
-                                    const val_imu *imu,
+                                    const val_corrected_imu *corrected_imu,
                                     const val_master *master)
 {
     bs_real *const z = residual;
     bs_real target_[3];
-    bs_status status = val_euler_z(&filter->nav, imu, master, z);
+    bs_status status = val_euler_z(&filter->nav, corrected_imu, master, z);
     unmeasured = *filter;
-    status = (status == BS_OK) ? val_euler_H(&filter->nav, imu, master, dense) : status;
+    status = (status == BS_OK) ? val_euler_H(&filter->nav, corrected_imu, master, dense) : status;
     if (status == BS_OK) {
         for (int i = 0; i < 3; ++i) {
             target_[i] = z[i];
@@ -370,15 +375,15 @@ static bs_status hand_measure_euler(val_filter *filter,
 }
 
 static bs_status hand_measure_velocity(val_filter *filter,
-                                       const val_imu *imu,
+                                       const val_corrected_imu *corrected_imu,
                                        const val_master *master)
 {
     bs_real *const z = residual;
     bs_real target_[3];
-    bs_status status = val_velocity_z(&filter->nav, imu, &filter->mounting, master, z);
+    bs_status status = val_velocity_z(&filter->nav, corrected_imu, &filter->mounting, master, z);
     unmeasured = *filter;
-    status = (status == BS_OK) ? val_velocity_H(&filter->nav, imu, &filter->mounting, master, dense)
-        : status;
+    status = (status == BS_OK) ? val_velocity_H(&filter->nav, corrected_imu, &filter->mounting,
+                                                master, dense) : status;
     if (status == BS_OK) {
         for (int i = 0; i < 3; ++i) {
             target_[i] = z[i];
@@ -404,12 +409,12 @@ static bs_status init(void)
 
 static bs_status propagate(void)
 {
-    return val_filter_propagate(&flown, &given_imu, &given_noise);
+    return val_filter_propagate(&flown, &given_corrected_imu, &given_noise);
 }
 
 static bs_status strapdown(void)
 {
-    return val_filter_strapdown(&flown, &given_imu, &given_increments);
+    return val_filter_strapdown(&flown, &given_corrected_imu, &given_increments);
 }
 
 static bs_status correct(void)
@@ -431,7 +436,7 @@ static bs_status carried_by_hand(void)
 static bs_status propagate_by_hand(void)
 {
     bs_status status = carried_by_hand();
-    status = (status == BS_OK) ? hand_propagate(&hand, &given_imu, &given_noise) : status;
+    status = (status == BS_OK) ? hand_propagate(&hand, &given_corrected_imu, &given_noise) : status;
     return hand_judge(&hand, status, false);
 }
 
@@ -439,11 +444,12 @@ static bs_status strapdown_by_hand(void)
 {
     const val_filter *const filter = &flown;
     val_nav next_nav = flown.nav;
-    const val_imu *const imu = &given_imu;
+    const val_corrected_imu *const corrected_imu = &given_corrected_imu;
     const val_increments *const increments = &given_increments;
     bs_status status = carried_by_hand();
-    status = (status == BS_OK) ? val_strapdown(&filter->nav, imu, increments, next_nav.position,
-                                               next_nav.v_n, next_nav.q_b2n_wxyz) : status;
+    status = (status == BS_OK) ? val_strapdown(&filter->nav, corrected_imu, increments,
+                                               next_nav.lat_lon_height, next_nav.v_n,
+                                               next_nav.q_b2n_wxyz) : status;
     return (status == BS_OK) ? val_filter_set_nav(&hand, &next_nav, &hand.mounting, 0) : status;
 }
 
@@ -464,7 +470,8 @@ static bs_status correct_by_hand(void)
 static bs_status measure_dcm_by_hand(void)
 {
     const bs_status status = carried_by_hand();
-    return (status == BS_OK) ? hand_measure_dcm(&hand, &given_imu, &given_master) : status;
+    return (status == BS_OK) ? hand_measure_dcm(&hand, &given_corrected_imu, &given_master)
+        : status;
 }
 
 /* The least noise with which x stays in its box; it stays with much of it. */
@@ -481,13 +488,14 @@ static void quiet_dcm(void)
 static bs_status measure_dcm(void)
 {
     const bs_gates gates = { rows, gate, joint, iterations };
-    return val_filter_measure_dcm(&flown, &given_imu, &given_master, R, &gates, &said);
+    return val_filter_measure_dcm(&flown, &given_corrected_imu, &given_master, R, &gates, &said);
 }
 
 static bs_status measure_quaternion_by_hand(void)
 {
     const bs_status status = carried_by_hand();
-    return (status == BS_OK) ? hand_measure_quaternion(&hand, &given_imu, &given_master) : status;
+    return (status == BS_OK) ? hand_measure_quaternion(&hand, &given_corrected_imu, &given_master)
+        : status;
 }
 
 /* The least noise with which x stays in its box; it stays with much of it. */
@@ -504,13 +512,15 @@ static void quiet_quaternion(void)
 static bs_status measure_quaternion(void)
 {
     const bs_gates gates = { rows, gate, joint, iterations };
-    return val_filter_measure_quaternion(&flown, &given_imu, &given_master, R, &gates, &said);
+    return val_filter_measure_quaternion(&flown, &given_corrected_imu, &given_master, R, &gates,
+                                         &said);
 }
 
 static bs_status measure_euler_by_hand(void)
 {
     const bs_status status = carried_by_hand();
-    return (status == BS_OK) ? hand_measure_euler(&hand, &given_imu, &given_master) : status;
+    return (status == BS_OK) ? hand_measure_euler(&hand, &given_corrected_imu, &given_master)
+        : status;
 }
 
 /* The least noise with which x stays in its box; it stays with much of it. */
@@ -527,13 +537,14 @@ static void quiet_euler(void)
 static bs_status measure_euler(void)
 {
     const bs_gates gates = { rows, gate, joint, iterations };
-    return val_filter_measure_euler(&flown, &given_imu, &given_master, R, &gates, &said);
+    return val_filter_measure_euler(&flown, &given_corrected_imu, &given_master, R, &gates, &said);
 }
 
 static bs_status measure_velocity_by_hand(void)
 {
     const bs_status status = carried_by_hand();
-    return (status == BS_OK) ? hand_measure_velocity(&hand, &given_imu, &given_master) : status;
+    return (status == BS_OK) ? hand_measure_velocity(&hand, &given_corrected_imu, &given_master)
+        : status;
 }
 
 /* The least noise with which x stays in its box; it stays with much of it. */
@@ -550,12 +561,13 @@ static void quiet_velocity(void)
 static bs_status measure_velocity(void)
 {
     const bs_gates gates = { rows, gate, joint, iterations };
-    return val_filter_measure_velocity(&flown, &given_imu, &given_master, R, &gates, &said);
+    return val_filter_measure_velocity(&flown, &given_corrected_imu, &given_master, R, &gates,
+                                       &said);
 }
 
 static bs_status set_nav(void)
 {
-    return val_filter_set_nav(&flown, &given_nav, &given_mounting, clamp);
+    return val_filter_set_nav(&flown, &given_nav, &given_mounting, beyond);
 }
 
 
@@ -577,7 +589,7 @@ static bs_status restore(void)
 static void set_point(int k)
 {
     for (int i = 0; i < 3; ++i) {
-        given_nav.position[i] = (bs_real)in_nav[k][0 + i];
+        given_nav.lat_lon_height[i] = (bs_real)in_nav[k][0 + i];
     }
     for (int i = 0; i < 3; ++i) {
         given_nav.v_n[i] = (bs_real)in_nav[k][3 + i];
@@ -596,12 +608,12 @@ static void set_point(int k)
     }
     given_nav.tau = (bs_real)in_nav[k][20];
     for (int i = 0; i < 3; ++i) {
-        given_imu.f_b[i] = (bs_real)in_imu[k][0 + i];
+        given_corrected_imu.f_b[i] = (bs_real)in_corrected_imu[k][0 + i];
     }
     for (int i = 0; i < 3; ++i) {
-        given_imu.omega_ib_b[i] = (bs_real)in_imu[k][3 + i];
+        given_corrected_imu.omega_ib_b[i] = (bs_real)in_corrected_imu[k][3 + i];
     }
-    given_imu.dt = (bs_real)in_imu[k][6];
+    given_corrected_imu.dt = (bs_real)in_corrected_imu[k][6];
     for (int i = 0; i < 3; ++i) {
         given_increments.dtheta_ib_b[i] = (bs_real)in_increments[k][0 + i];
     }
@@ -735,11 +747,12 @@ static int fly(int k_point)
     {
         const val_filter *const filter = &hand;
         val_nav next_nav = hand.nav;
-        const val_imu *const imu = &given_imu;
+        const val_corrected_imu *const corrected_imu = &given_corrected_imu;
         const val_increments *const increments = &given_increments;
         failures += expect("strapdown by hand",
-                           val_strapdown(&filter->nav, imu, increments, next_nav.position,
-                                         next_nav.v_n, next_nav.q_b2n_wxyz) == BS_OK);
+                           val_strapdown(&filter->nav, corrected_imu, increments,
+                                         next_nav.lat_lon_height, next_nav.v_n,
+                                         next_nav.q_b2n_wxyz) == BS_OK);
         failures += expect("strapdown", memcmp(&flown.nav, &next_nav, sizeof(next_nav)) == 0);
     }
     failures += same("strapdown changes x or P", BS_OK, BS_OK);
@@ -764,7 +777,8 @@ static int fly(int k_point)
     failures += begin();
     hand = flown;
     status = propagate();
-    failures += same("propagate", status, hand_propagate(&hand, &given_imu, &given_noise));
+    failures += same("propagate", status,
+                     hand_propagate(&hand, &given_corrected_imu, &given_noise));
     failures += expect("propagate is refused", status == BS_OK);
     for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
                                    * pass, all of little noise; then with considered states: half,
@@ -785,7 +799,8 @@ static int fly(int k_point)
         }
         hand = flown;
         status = measure_dcm();
-        failures += same("dcm", status, hand_measure_dcm(&hand, &given_imu, &given_master));
+        failures += same("dcm", status,
+                         hand_measure_dcm(&hand, &given_corrected_imu, &given_master));
         failures += expect("dcm is refused", status == BS_OK) + same_said("dcm: innovation", 3);
         failures += expect("dcm: used", (k == 3) || (said.used == (rows & 7U)));
     }
@@ -798,7 +813,8 @@ static int fly(int k_point)
         set_noise(BS_REAL(1e-9));
         hand = flown;
         status = measure_dcm();
-        failures += same("dcm: far", status, hand_measure_dcm(&hand, &given_imu, &given_master));
+        failures += same("dcm: far", status,
+                         hand_measure_dcm(&hand, &given_corrected_imu, &given_master));
         failures += bs_good(status) ? same_said("dcm: far", 3) : 0;
     }
     set_noise(BS_REAL(1.0));
@@ -826,7 +842,7 @@ static int fly(int k_point)
         hand = flown;
         status = measure_quaternion();
         failures += same("quaternion", status,
-                         hand_measure_quaternion(&hand, &given_imu, &given_master));
+                         hand_measure_quaternion(&hand, &given_corrected_imu, &given_master));
         failures += expect("quaternion is refused", status == BS_OK) +
             same_said("quaternion: innovation", 3);
         failures += expect("quaternion: used", (k == 3) || (said.used == (rows & 7U)));
@@ -841,7 +857,7 @@ static int fly(int k_point)
         hand = flown;
         status = measure_quaternion();
         failures += same("quaternion: far", status,
-                         hand_measure_quaternion(&hand, &given_imu, &given_master));
+                         hand_measure_quaternion(&hand, &given_corrected_imu, &given_master));
         failures += bs_good(status) ? same_said("quaternion: far", 3) : 0;
     }
     set_noise(BS_REAL(1.0));
@@ -860,7 +876,7 @@ static int fly(int k_point)
             iterations = 1;
             rows = 0U;
             hand = flown;
-            (void)hand_measure_quaternion(&hand, &given_imu, &given_master);
+            (void)hand_measure_quaternion(&hand, &given_corrected_imu, &given_master);
             rows = BS_ALL_ROWS;
             gate = BS_REAL(1.001) *
                 (BS_FABS(said_by_hand.nu[k % 3]) / BS_SQRT(said_by_hand.S[k % 3]));
@@ -870,7 +886,7 @@ static int fly(int k_point)
         iterations = 2 + (k % 7);
         status = measure_quaternion();
         failures += same("quaternion: iterated", status,
-                         hand_measure_quaternion(&hand, &given_imu, &given_master));
+                         hand_measure_quaternion(&hand, &given_corrected_imu, &given_master));
         failures += bs_good(status) ? same_said("quaternion: iterated", 3) : 0;
         gate = BS_REAL(0.0);
         rows = BS_ALL_ROWS;
@@ -886,7 +902,7 @@ static int fly(int k_point)
             set_noise(middle);
             iterations = 1;
             hand = flown;
-            (void)hand_measure_quaternion(&hand, &given_imu, &given_master);
+            (void)hand_measure_quaternion(&hand, &given_corrected_imu, &given_master);
             little = (first_step > BS_REAL(1e-4)) ? middle : little;
             much = (first_step > BS_REAL(1e-4)) ? much : middle;
         }
@@ -897,7 +913,7 @@ static int fly(int k_point)
             hand = flown;
             status = measure_quaternion();
             failures += same("quaternion: at the end", status,
-                             hand_measure_quaternion(&hand, &given_imu, &given_master));
+                             hand_measure_quaternion(&hand, &given_corrected_imu, &given_master));
             failures += bs_good(status) ? same_said("quaternion: at the end", 3) : 0;
         }
     }
@@ -921,7 +937,8 @@ static int fly(int k_point)
         }
         hand = flown;
         status = measure_euler();
-        failures += same("euler", status, hand_measure_euler(&hand, &given_imu, &given_master));
+        failures += same("euler", status,
+                         hand_measure_euler(&hand, &given_corrected_imu, &given_master));
         failures += expect("euler is refused", status == BS_OK) + same_said("euler: innovation", 3);
         failures += expect("euler: used", (k == 3) || (said.used == (rows & 7U)));
     }
@@ -935,7 +952,7 @@ static int fly(int k_point)
         hand = flown;
         status = measure_euler();
         failures += same("euler: far", status,
-                         hand_measure_euler(&hand, &given_imu, &given_master));
+                         hand_measure_euler(&hand, &given_corrected_imu, &given_master));
         failures += bs_good(status) ? same_said("euler: far", 3) : 0;
     }
     set_noise(BS_REAL(1.0));
@@ -956,7 +973,7 @@ static int fly(int k_point)
                 bs_real nu = BS_REAL(0.0);
                 hand = flown;
                 gate = BS_REAL(1e-9); /* so that H alone is left of it */
-                (void)hand_measure_euler(&hand, &given_imu, &given_master);
+                (void)hand_measure_euler(&hand, &given_corrected_imu, &given_master);
                 gate = BS_REAL(0.0);
                 for (int j = 0; j < N; ++j) {
                     seen = (BS_FABS(dense[(i * N) + j]) > BS_FABS(dense[(i * N) + seen])) ? j
@@ -971,7 +988,7 @@ static int fly(int k_point)
             hand = flown;
             status = measure_euler();
             failures += same("euler: turned", status,
-                             hand_measure_euler(&hand, &given_imu, &given_master));
+                             hand_measure_euler(&hand, &given_corrected_imu, &given_master));
             failures += bs_good(status) ? same_said("euler: turned", 3) : 0;
         }
     }
@@ -995,7 +1012,7 @@ static int fly(int k_point)
         hand = flown;
         status = measure_velocity();
         failures += same("velocity", status,
-                         hand_measure_velocity(&hand, &given_imu, &given_master));
+                         hand_measure_velocity(&hand, &given_corrected_imu, &given_master));
         failures += expect("velocity is refused", status == BS_OK) +
             same_said("velocity: innovation", 3);
         failures += expect("velocity: used", (k == 3) || (said.used == (rows & 7U)));
@@ -1010,7 +1027,7 @@ static int fly(int k_point)
         hand = flown;
         status = measure_velocity();
         failures += same("velocity: far", status,
-                         hand_measure_velocity(&hand, &given_imu, &given_master));
+                         hand_measure_velocity(&hand, &given_corrected_imu, &given_master));
         failures += bs_good(status) ? same_said("velocity: far", 3) : 0;
     }
     set_noise(BS_REAL(1.0));
@@ -1124,7 +1141,8 @@ static int limits(void)
                                         BS_REAL(-500.0) };
         static const bs_real high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586),
                                          BS_REAL(30000.0) };
-        failures += accepts("init: position", init, NULL, &given_nav.position[i], low[i], high[i]);
+        failures += accepts("init: lat_lon_height", init, NULL, &given_nav.lat_lon_height[i],
+                            low[i], high[i]);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
@@ -1196,7 +1214,7 @@ static int limits(void)
         failures += accepts("init: lever_b", init, NULL, &given_mounting.lever_b[i], low[i],
                             high[i]);
     }
-    failures += accepts("propagate: dt", propagate, propagate_by_hand, &given_imu.dt,
+    failures += accepts("propagate: dt", propagate, propagate_by_hand, &given_corrected_imu.dt,
                         BS_REAL(1e-06), BS_REAL(10.0));
     rows = 0U;
     failures += accepts("measure_dcm: gate", measure_dcm, NULL, &gate, BS_REAL(0.0),
@@ -1399,7 +1417,7 @@ static int kept(void)
     set_point(0);
     failures += begin();
     failures += expect("without gates",
-                       val_filter_measure_dcm(&flown, &given_imu, &given_master, R, NULL,
+                       val_filter_measure_dcm(&flown, &given_corrected_imu, &given_master, R, NULL,
                                               &said) == BS_OK) +
         expect("all rows", said.used == 7U);
     /* the joint gate just above nis, and just below */
@@ -1433,8 +1451,8 @@ static int kept(void)
     set_point(0);
     failures += begin();
     failures += expect("without gates",
-                       val_filter_measure_quaternion(&flown, &given_imu, &given_master, R, NULL,
-                                                     &said) == BS_OK) +
+                       val_filter_measure_quaternion(&flown, &given_corrected_imu, &given_master, R,
+                                                     NULL, &said) == BS_OK) +
         expect("all rows", said.used == 7U);
     /* the joint gate just above nis, and just below */
     failures += begin();
@@ -1465,8 +1483,8 @@ static int kept(void)
     set_point(0);
     failures += begin();
     failures += expect("without gates",
-                       val_filter_measure_euler(&flown, &given_imu, &given_master, R, NULL,
-                                                &said) == BS_OK) +
+                       val_filter_measure_euler(&flown, &given_corrected_imu, &given_master, R,
+                                                NULL, &said) == BS_OK) +
         expect("all rows", said.used == 7U);
     /* the joint gate just above nis, and just below */
     failures += begin();
@@ -1499,8 +1517,8 @@ static int kept(void)
     set_point(0);
     failures += begin();
     failures += expect("without gates",
-                       val_filter_measure_velocity(&flown, &given_imu, &given_master, R, NULL,
-                                                   &said) == BS_OK) +
+                       val_filter_measure_velocity(&flown, &given_corrected_imu, &given_master, R,
+                                                   NULL, &said) == BS_OK) +
         expect("all rows", said.used == 7U);
     /* memory that something else has written to; a second beginning has met nothing */
     for (int i = 0; i < VAL_N_MEASUREMENTS; ++i) {
@@ -1513,10 +1531,11 @@ static int kept(void)
         failures += expect("health: rejected", health.rejected[i] == (unsigned int)(i + 5));
     }
     {
-        bs_real *const value = &flown.nav.position[0];
+        bs_real *const value = &flown.nav.lat_lon_height[0];
         const bs_real good = *value;
         *value = (bs_real)selftest_nan();
-        failures += expect("health: position", (val_filter_health(&flown, &health) == BS_OK) &&
+        failures += expect("health: lat_lon_height",
+                           (val_filter_health(&flown, &health) == BS_OK) &&
                            (health.state == BS_NOT_FINITE));
         *value = good;
     }
@@ -1640,23 +1659,23 @@ static int kept(void)
         static const bs_real high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586),
                                          BS_REAL(30000.0) };
         for (int i = 0; i < 3; ++i) {
-            const bs_real good = given_nav.position[i];
+            const bs_real good = given_nav.lat_lon_height[i];
             for (int end = 0; end < 2; ++end) {
-                given_nav.position[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
+                given_nav.lat_lon_height[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
-                failures += refuses("set_nav: position", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_REFUSE;
+                failures += refuses("set_nav: lat_lon_height", set_nav, BS_OUT_OF_RANGE);
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
-                                   (flown.nav.position[i] >= low[i]) &&
-                                   (flown.nav.position[i] <= high[i]));
+                                   (flown.nav.lat_lon_height[i] >= low[i]) &&
+                                   (flown.nav.lat_lon_height[i] <= high[i]));
                 failures += expect("set_nav: to the edge",
-                                   equal(&flown.nav.position[i], (end == 0) ? &low[i] : &high[i],
-                                         1));
-                given_nav.position[i] = (bs_real)((end == 0) ? selftest_nan()
-                                                  : selftest_infinity());
-                failures += refuses("set_nav: position", set_nav, BS_NOT_FINITE);
-                given_nav.position[i] = good;
+                                   equal(&flown.nav.lat_lon_height[i], (end == 0) ? &low[i]
+                                         : &high[i], 1));
+                given_nav.lat_lon_height[i] = (bs_real)((end == 0) ? selftest_nan()
+                                                        : selftest_infinity());
+                failures += refuses("set_nav: lat_lon_height", set_nav, BS_NOT_FINITE);
+                given_nav.lat_lon_height[i] = good;
             }
         }
     }
@@ -1668,9 +1687,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.v_n[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: v_n", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.v_n[i] >= low[i]) && (flown.nav.v_n[i] <= high[i]));
                 failures += expect("set_nav: to the edge",
@@ -1691,9 +1710,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.q_b2n_wxyz[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: q_b2n_wxyz", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.q_b2n_wxyz[i] >= low[i]) &&
                                    (flown.nav.q_b2n_wxyz[i] <= high[i]));
@@ -1716,9 +1735,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.gyro_bias[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: gyro_bias", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.gyro_bias[i] >= low[i]) &&
                                    (flown.nav.gyro_bias[i] <= high[i]));
@@ -1740,9 +1759,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.accel_bias[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: accel_bias", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.accel_bias[i] >= low[i]) &&
                                    (flown.nav.accel_bias[i] <= high[i]));
@@ -1766,9 +1785,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.q_b2m_wxyz[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: q_b2m_wxyz", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.q_b2m_wxyz[i] >= low[i]) &&
                                    (flown.nav.q_b2m_wxyz[i] <= high[i]));
@@ -1787,9 +1806,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.tau = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: tau", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.tau >= low[i]) && (flown.nav.tau <= high[i]));
                 failures += expect("set_nav: to the edge",
@@ -1808,9 +1827,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_mounting.lever_b[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: lever_b", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.mounting.lever_b[i] >= low[i]) &&
                                    (flown.mounting.lever_b[i] <= high[i]));
@@ -1824,7 +1843,7 @@ static int kept(void)
             }
         }
     }
-    clamp = 0;
+    beyond = BS_REFUSE;
     failures += expect("set_nav", set_nav() == BS_OK);
     /* where the correction would leave the box, nothing is changed: the way out is set_nav */
     for (int i = 0; i < N; ++i) {
@@ -1856,38 +1875,40 @@ static int guards(void)
                                            { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) } };
         for (int i = 0; i < 3; ++i) {
-            failures += spoil("init: position", init, &given_nav.position[i], low[i], high[i]);
-            failures += spoil("set_nav: position", set_nav, &given_nav.position[i], low[i],
+            failures += spoil("init: lat_lon_height", init, &given_nav.lat_lon_height[i], low[i],
                               high[i]);
-            failures += spoil("propagate: position", propagate, &flown.nav.position[i], low[i],
-                              high[i]);
-            failures += accepts("propagate: position", propagate, propagate_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("strapdown: position", strapdown, &flown.nav.position[i], low[i],
-                              high[i]);
-            failures += accepts("strapdown: position", strapdown, strapdown_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("correct: position", correct, &flown.nav.position[i], low[i],
-                              high[i]);
-            failures += accepts("correct: position", correct, correct_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("measure_dcm: position", measure_dcm, &flown.nav.position[i], low[i],
-                              high[i]);
-            failures += accepts("measure_dcm: position", measure_dcm, measure_dcm_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("measure_quaternion: position", measure_quaternion,
-                              &flown.nav.position[i], low[i], high[i]);
-            failures += accepts("measure_quaternion: position", measure_quaternion,
-                                measure_quaternion_by_hand, &flown.nav.position[i], end[0][i],
-                                end[1][i]);
-            failures += spoil("measure_euler: position", measure_euler, &flown.nav.position[i],
+            failures += spoil("set_nav: lat_lon_height", set_nav, &given_nav.lat_lon_height[i],
                               low[i], high[i]);
-            failures += accepts("measure_euler: position", measure_euler, measure_euler_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("measure_velocity: position", measure_velocity,
-                              &flown.nav.position[i], low[i], high[i]);
-            failures += accepts("measure_velocity: position", measure_velocity,
-                                measure_velocity_by_hand, &flown.nav.position[i], end[0][i],
+            failures += spoil("propagate: lat_lon_height", propagate, &flown.nav.lat_lon_height[i],
+                              low[i], high[i]);
+            failures += accepts("propagate: lat_lon_height", propagate, propagate_by_hand,
+                                &flown.nav.lat_lon_height[i], end[0][i], end[1][i]);
+            failures += spoil("strapdown: lat_lon_height", strapdown, &flown.nav.lat_lon_height[i],
+                              low[i], high[i]);
+            failures += accepts("strapdown: lat_lon_height", strapdown, strapdown_by_hand,
+                                &flown.nav.lat_lon_height[i], end[0][i], end[1][i]);
+            failures += spoil("correct: lat_lon_height", correct, &flown.nav.lat_lon_height[i],
+                              low[i], high[i]);
+            failures += accepts("correct: lat_lon_height", correct, correct_by_hand,
+                                &flown.nav.lat_lon_height[i], end[0][i], end[1][i]);
+            failures += spoil("measure_dcm: lat_lon_height", measure_dcm,
+                              &flown.nav.lat_lon_height[i], low[i], high[i]);
+            failures += accepts("measure_dcm: lat_lon_height", measure_dcm, measure_dcm_by_hand,
+                                &flown.nav.lat_lon_height[i], end[0][i], end[1][i]);
+            failures += spoil("measure_quaternion: lat_lon_height", measure_quaternion,
+                              &flown.nav.lat_lon_height[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: lat_lon_height", measure_quaternion,
+                                measure_quaternion_by_hand, &flown.nav.lat_lon_height[i], end[0][i],
+                                end[1][i]);
+            failures += spoil("measure_euler: lat_lon_height", measure_euler,
+                              &flown.nav.lat_lon_height[i], low[i], high[i]);
+            failures += accepts("measure_euler: lat_lon_height", measure_euler,
+                                measure_euler_by_hand, &flown.nav.lat_lon_height[i], end[0][i],
+                                end[1][i]);
+            failures += spoil("measure_velocity: lat_lon_height", measure_velocity,
+                              &flown.nav.lat_lon_height[i], low[i], high[i]);
+            failures += accepts("measure_velocity: lat_lon_height", measure_velocity,
+                                measure_velocity_by_hand, &flown.nav.lat_lon_height[i], end[0][i],
                                 end[1][i]);
         }
     }
@@ -2138,9 +2159,10 @@ static int guards(void)
         static const bs_real end[2][3] = { { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) },
                                            { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) } };
         for (int i = 0; i < 3; ++i) {
-            failures += spoil("propagate: f_b", propagate, &given_imu.f_b[i], low[i], high[i]);
-            failures += accepts("propagate: f_b", propagate, propagate_by_hand, &given_imu.f_b[i],
-                                end[0][i], end[1][i]);
+            failures += spoil("propagate: f_b", propagate, &given_corrected_imu.f_b[i], low[i],
+                              high[i]);
+            failures += accepts("propagate: f_b", propagate, propagate_by_hand,
+                                &given_corrected_imu.f_b[i], end[0][i], end[1][i]);
         }
     }
     {
@@ -2149,24 +2171,24 @@ static int guards(void)
         static const bs_real end[2][3] = { { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) },
                                            { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) } };
         for (int i = 0; i < 3; ++i) {
-            failures += spoil("measure_dcm: omega_ib_b", measure_dcm, &given_imu.omega_ib_b[i],
-                              low[i], high[i]);
+            failures += spoil("measure_dcm: omega_ib_b", measure_dcm,
+                              &given_corrected_imu.omega_ib_b[i], low[i], high[i]);
             failures += accepts("measure_dcm: omega_ib_b", measure_dcm, measure_dcm_by_hand,
-                                &given_imu.omega_ib_b[i], end[0][i], end[1][i]);
+                                &given_corrected_imu.omega_ib_b[i], end[0][i], end[1][i]);
             failures += spoil("measure_quaternion: omega_ib_b", measure_quaternion,
-                              &given_imu.omega_ib_b[i], low[i], high[i]);
+                              &given_corrected_imu.omega_ib_b[i], low[i], high[i]);
             failures += accepts("measure_quaternion: omega_ib_b", measure_quaternion,
-                                measure_quaternion_by_hand, &given_imu.omega_ib_b[i], end[0][i],
-                                end[1][i]);
-            failures += spoil("measure_euler: omega_ib_b", measure_euler, &given_imu.omega_ib_b[i],
-                              low[i], high[i]);
+                                measure_quaternion_by_hand, &given_corrected_imu.omega_ib_b[i],
+                                end[0][i], end[1][i]);
+            failures += spoil("measure_euler: omega_ib_b", measure_euler,
+                              &given_corrected_imu.omega_ib_b[i], low[i], high[i]);
             failures += accepts("measure_euler: omega_ib_b", measure_euler, measure_euler_by_hand,
-                                &given_imu.omega_ib_b[i], end[0][i], end[1][i]);
+                                &given_corrected_imu.omega_ib_b[i], end[0][i], end[1][i]);
             failures += spoil("measure_velocity: omega_ib_b", measure_velocity,
-                              &given_imu.omega_ib_b[i], low[i], high[i]);
+                              &given_corrected_imu.omega_ib_b[i], low[i], high[i]);
             failures += accepts("measure_velocity: omega_ib_b", measure_velocity,
-                                measure_velocity_by_hand, &given_imu.omega_ib_b[i], end[0][i],
-                                end[1][i]);
+                                measure_velocity_by_hand, &given_corrected_imu.omega_ib_b[i],
+                                end[0][i], end[1][i]);
         }
     }
     {
@@ -2174,12 +2196,12 @@ static int guards(void)
         static const double high[1] = { 10.005 };
         static const bs_real end[2][1] = { { BS_REAL(1e-06) }, { BS_REAL(10.0) } };
         for (int i = 0; i < 1; ++i) {
-            failures += spoil("propagate: dt", propagate, &given_imu.dt, low[i], high[i]);
-            failures += accepts("propagate: dt", propagate, propagate_by_hand, &given_imu.dt,
-                                end[0][i], end[1][i]);
-            failures += spoil("strapdown: dt", strapdown, &given_imu.dt, low[i], high[i]);
-            failures += accepts("strapdown: dt", strapdown, strapdown_by_hand, &given_imu.dt,
-                                end[0][i], end[1][i]);
+            failures += spoil("propagate: dt", propagate, &given_corrected_imu.dt, low[i], high[i]);
+            failures += accepts("propagate: dt", propagate, propagate_by_hand,
+                                &given_corrected_imu.dt, end[0][i], end[1][i]);
+            failures += spoil("strapdown: dt", strapdown, &given_corrected_imu.dt, low[i], high[i]);
+            failures += accepts("strapdown: dt", strapdown, strapdown_by_hand,
+                                &given_corrected_imu.dt, end[0][i], end[1][i]);
         }
     }
     {
@@ -2444,20 +2466,20 @@ static int guards(void)
         /* is not looked at */
         const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
         failures += expect("measure_dcm: a null pointer",
-                           val_filter_measure_dcm(0, &given_imu, &given_master, R, &gates,
+                           val_filter_measure_dcm(0, &given_corrected_imu, &given_master, R, &gates,
                                                   &said) == BS_NULL_POINTER);
         failures += expect("measure_dcm: a null pointer",
                            val_filter_measure_dcm(&flown, 0, &given_master, R, &gates,
                                                   &said) == BS_NULL_POINTER);
         failures += expect("measure_dcm: a null pointer",
-                           val_filter_measure_dcm(&flown, &given_imu, 0, R, &gates,
+                           val_filter_measure_dcm(&flown, &given_corrected_imu, 0, R, &gates,
                                                   &said) == BS_NULL_POINTER);
         failures += expect("measure_dcm: a null pointer",
-                           val_filter_measure_dcm(&flown, &given_imu, &given_master, 0, &gates,
-                                                  &said) == BS_NULL_POINTER);
+                           val_filter_measure_dcm(&flown, &given_corrected_imu, &given_master, 0,
+                                                  &gates, &said) == BS_NULL_POINTER);
         failures += expect("measure_dcm: a null pointer",
-                           val_filter_measure_dcm(&flown, &given_imu, &given_master, R, &gates,
-                                                  0) == BS_NULL_POINTER);
+                           val_filter_measure_dcm(&flown, &given_corrected_imu, &given_master, R,
+                                                  &gates, 0) == BS_NULL_POINTER);
     }
     failures += spoil("measure_quaternion: gate", measure_quaternion, &gate, -1e-30, 1e+30 *
                       1.0005);
@@ -2484,20 +2506,22 @@ static int guards(void)
         /* is not looked at */
         const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
         failures += expect("measure_quaternion: a null pointer",
-                           val_filter_measure_quaternion(0, &given_imu, &given_master, R, &gates,
-                                                         &said) == BS_NULL_POINTER);
+                           val_filter_measure_quaternion(0, &given_corrected_imu, &given_master, R,
+                                                         &gates, &said) == BS_NULL_POINTER);
         failures += expect("measure_quaternion: a null pointer",
                            val_filter_measure_quaternion(&flown, 0, &given_master, R, &gates,
                                                          &said) == BS_NULL_POINTER);
         failures += expect("measure_quaternion: a null pointer",
-                           val_filter_measure_quaternion(&flown, &given_imu, 0, R, &gates,
+                           val_filter_measure_quaternion(&flown, &given_corrected_imu, 0, R, &gates,
                                                          &said) == BS_NULL_POINTER);
         failures += expect("measure_quaternion: a null pointer",
-                           val_filter_measure_quaternion(&flown, &given_imu, &given_master, 0,
-                                                         &gates, &said) == BS_NULL_POINTER);
+                           val_filter_measure_quaternion(&flown, &given_corrected_imu,
+                                                         &given_master, 0, &gates,
+                                                         &said) == BS_NULL_POINTER);
         failures += expect("measure_quaternion: a null pointer",
-                           val_filter_measure_quaternion(&flown, &given_imu, &given_master, R,
-                                                         &gates, 0) == BS_NULL_POINTER);
+                           val_filter_measure_quaternion(&flown, &given_corrected_imu,
+                                                         &given_master, R, &gates,
+                                                         0) == BS_NULL_POINTER);
     }
     failures += spoil("measure_euler: gate", measure_euler, &gate, -1e-30, 1e+30 * 1.0005);
     for (int i = 0; i < 3; ++i) {
@@ -2517,20 +2541,20 @@ static int guards(void)
         /* is not looked at */
         const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
         failures += expect("measure_euler: a null pointer",
-                           val_filter_measure_euler(0, &given_imu, &given_master, R, &gates,
-                                                    &said) == BS_NULL_POINTER);
+                           val_filter_measure_euler(0, &given_corrected_imu, &given_master, R,
+                                                    &gates, &said) == BS_NULL_POINTER);
         failures += expect("measure_euler: a null pointer",
                            val_filter_measure_euler(&flown, 0, &given_master, R, &gates,
                                                     &said) == BS_NULL_POINTER);
         failures += expect("measure_euler: a null pointer",
-                           val_filter_measure_euler(&flown, &given_imu, 0, R, &gates,
+                           val_filter_measure_euler(&flown, &given_corrected_imu, 0, R, &gates,
                                                     &said) == BS_NULL_POINTER);
         failures += expect("measure_euler: a null pointer",
-                           val_filter_measure_euler(&flown, &given_imu, &given_master, 0, &gates,
-                                                    &said) == BS_NULL_POINTER);
+                           val_filter_measure_euler(&flown, &given_corrected_imu, &given_master, 0,
+                                                    &gates, &said) == BS_NULL_POINTER);
         failures += expect("measure_euler: a null pointer",
-                           val_filter_measure_euler(&flown, &given_imu, &given_master, R, &gates,
-                                                    0) == BS_NULL_POINTER);
+                           val_filter_measure_euler(&flown, &given_corrected_imu, &given_master, R,
+                                                    &gates, 0) == BS_NULL_POINTER);
     }
     failures += spoil("measure_velocity: gate", measure_velocity, &gate, -1e-30, 1e+30 * 1.0005);
     for (int i = 0; i < 3; ++i) {
@@ -2552,20 +2576,20 @@ static int guards(void)
         /* is not looked at */
         const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
         failures += expect("measure_velocity: a null pointer",
-                           val_filter_measure_velocity(0, &given_imu, &given_master, R, &gates,
-                                                       &said) == BS_NULL_POINTER);
+                           val_filter_measure_velocity(0, &given_corrected_imu, &given_master, R,
+                                                       &gates, &said) == BS_NULL_POINTER);
         failures += expect("measure_velocity: a null pointer",
                            val_filter_measure_velocity(&flown, 0, &given_master, R, &gates,
                                                        &said) == BS_NULL_POINTER);
         failures += expect("measure_velocity: a null pointer",
-                           val_filter_measure_velocity(&flown, &given_imu, 0, R, &gates,
+                           val_filter_measure_velocity(&flown, &given_corrected_imu, 0, R, &gates,
                                                        &said) == BS_NULL_POINTER);
         failures += expect("measure_velocity: a null pointer",
-                           val_filter_measure_velocity(&flown, &given_imu, &given_master, 0, &gates,
-                                                       &said) == BS_NULL_POINTER);
+                           val_filter_measure_velocity(&flown, &given_corrected_imu, &given_master,
+                                                       0, &gates, &said) == BS_NULL_POINTER);
         failures += expect("measure_velocity: a null pointer",
-                           val_filter_measure_velocity(&flown, &given_imu, &given_master, R, &gates,
-                                                       0) == BS_NULL_POINTER);
+                           val_filter_measure_velocity(&flown, &given_corrected_imu, &given_master,
+                                                       R, &gates, 0) == BS_NULL_POINTER);
     }
     for (int i = 0; i < N; ++i) {
         const bs_real good = P0[i * (N + 1)];
@@ -2584,17 +2608,19 @@ static int guards(void)
     failures += expect("init: a null pointer",
                        val_filter_init(&flown, &given_nav, &given_mounting, 0) == BS_NULL_POINTER);
     failures += expect("propagate: a null pointer",
-                       val_filter_propagate(0, &given_imu, &given_noise) == BS_NULL_POINTER);
+                       val_filter_propagate(0, &given_corrected_imu,
+                                            &given_noise) == BS_NULL_POINTER);
     failures += expect("propagate: a null pointer",
                        val_filter_propagate(&flown, 0, &given_noise) == BS_NULL_POINTER);
     failures += expect("propagate: a null pointer",
-                       val_filter_propagate(&flown, &given_imu, 0) == BS_NULL_POINTER);
+                       val_filter_propagate(&flown, &given_corrected_imu, 0) == BS_NULL_POINTER);
     failures += expect("strapdown: a null pointer",
-                       val_filter_strapdown(0, &given_imu, &given_increments) == BS_NULL_POINTER);
+                       val_filter_strapdown(0, &given_corrected_imu,
+                                            &given_increments) == BS_NULL_POINTER);
     failures += expect("strapdown: a null pointer",
                        val_filter_strapdown(&flown, 0, &given_increments) == BS_NULL_POINTER);
     failures += expect("strapdown: a null pointer",
-                       val_filter_strapdown(&flown, &given_imu, 0) == BS_NULL_POINTER);
+                       val_filter_strapdown(&flown, &given_corrected_imu, 0) == BS_NULL_POINTER);
     failures += expect("correct: a null pointer", val_filter_correct(0) == BS_NULL_POINTER);
     failures += expect("init_sigmas: a null pointer",
                        val_filter_init_sigmas(0, &given_nav, &given_mounting,

@@ -21,7 +21,7 @@ static const float in_x[N_VECTORS][19] = {
     { -0x1.a6bba00000000p-2, 0x1.bdf47c0000000p-3, -0x1.c6fa960000000p-2, 0x1.281d360000000p+1, 0x1.2b957c0000000p+5, -0x1.60e6720000000p+4, -0x1.1390160000000p-6, -0x1.5aa7140000000p-8, -0x1.05c5ba0000000p-6, -0x1.9974020000000p-1, -0x1.947b180000000p-5, -0x1.9ba3c20000000p-1, -0x1.4490560000000p-2, 0x1.95c70c0000000p-2, -0x1.9494720000000p-4, -0x1.c11faa0000000p-5, -0x1.22ad280000000p+6, 0x1.47cd160000000p+6, 0x1.771fc60000000p+6 },
     { -0x1.5840860000000p-3, -0x1.5dc1980000000p-3, -0x1.0635780000000p-4, -0x1.7423b00000000p-7, -0x1.a10c560000000p-7, -0x1.564e200000000p+5, -0x1.19e4740000000p-21, 0x1.159cb80000000p-6, 0x1.3b7b540000000p-7, -0x1.f546780000000p-14, -0x1.6f1cc60000000p-3, -0x1.ee15be0000000p-2, -0x1.e6056a0000000p-14, 0x1.530f560000000p-15, 0x1.7dca960000000p-3, 0x1.a6b3bc0000000p-17, -0x1.6d14880000000p+5, -0x1.6d4a1e0000000p-7, -0x1.8565660000000p+6 }
 };
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { 0x1.3b13240000000p-6, -0x1.19a6100000000p+2, 0x1.e7581e0000000p+13 },
     { -0x1.36c7fc0000000p+0, 0x1.4b17e40000000p+2, 0x1.917fb40000000p+14 },
@@ -151,14 +151,14 @@ static const unsigned short at_H[30] = { 0, 1, 2, 6, 7, 8, 12, 13, 14, 15, 19, 2
 static void set_point(int v,
                       bs_real x[VAL_N_STATES],
                       val_nav *nav,
-                      val_imu *imu,
+                      val_corrected_imu *corrected_imu,
                       val_master *master)
 {
     for (int i = 0; i < 19; ++i) {
         x[i] = (bs_real)in_x[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -170,7 +170,7 @@ static void set_point(int v,
         nav->q_b2m_wxyz[i] = (bs_real)in_q_b2m_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
+        corrected_imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
     }
     for (int i = 0; i < 4; ++i) {
         master->q_m2n_wxyz[i] = (bs_real)in_q_m2n_wxyz[v][i];
@@ -185,12 +185,12 @@ int test_val_quaternion_H(void)
     int failures = 0;
     bs_real x[VAL_N_STATES] = {0};
     val_nav nav = {0};
-    val_imu imu = {0};
+    val_corrected_imu corrected_imu = {0};
     val_master master = {0};
     bs_real H[57];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, x, &nav, &imu, &master);
-        if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
+        set_point(v, x, &nav, &corrected_imu, &master);
+        if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
             ++failures;
             continue;
         }
@@ -211,11 +211,11 @@ int test_val_quaternion_H(void)
                                                 100.05 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
-            if (val_quaternion_H(x, &nav, &imu, &master, H) != expected) {
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
                 selftest_print("val_quaternion_H: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -238,28 +238,29 @@ int test_val_quaternion_H(void)
                                               BS_REAL(1.0), BS_REAL(1.0), BS_REAL(0.5),
                                               BS_REAL(0.5), BS_REAL(0.5), BS_REAL(1.0),
                                               BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
                 selftest_print("val_quaternion_H: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, x, &nav, &corrected_imu, &master);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
-            if (val_quaternion_H(x, &nav, &imu, &master, H) != expected) {
-                selftest_print("val_quaternion_H: position[%d] bad value %d not refused\n", i, bad);
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
+                selftest_print("val_quaternion_H: lat_lon_height[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_H H", H, 57);
@@ -269,10 +270,10 @@ int test_val_quaternion_H(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, x, &nav, &imu, &master);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
-                selftest_print("val_quaternion_H: position[%d] end %d refused\n", i, end);
+            set_point(0, x, &nav, &corrected_imu, &master);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
+                selftest_print("val_quaternion_H: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -283,11 +284,11 @@ int test_val_quaternion_H(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
-            if (val_quaternion_H(x, &nav, &imu, &master, H) != expected) {
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
                 selftest_print("val_quaternion_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -296,9 +297,9 @@ int test_val_quaternion_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
                 selftest_print("val_quaternion_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -311,12 +312,12 @@ int test_val_quaternion_H(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
-            if (val_quaternion_H(x, &nav, &imu, &master, H) != expected) {
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
                 selftest_print("val_quaternion_H: q_b2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -332,11 +333,11 @@ int test_val_quaternion_H(void)
             if (base[(4 * i) + end] < 0) {
                 continue;
             }
-            set_point(base[(4 * i) + end], x, &nav, &imu, &master);
+            set_point(base[(4 * i) + end], x, &nav, &corrected_imu, &master);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
                 selftest_print("val_quaternion_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -345,11 +346,11 @@ int test_val_quaternion_H(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, x, &nav, &imu, &master);
+        set_point(0, x, &nav, &corrected_imu, &master);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OUT_OF_RANGE) {
+        if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OUT_OF_RANGE) {
             selftest_print("val_quaternion_H: q_b2n_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -362,12 +363,12 @@ int test_val_quaternion_H(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
-            if (val_quaternion_H(x, &nav, &imu, &master, H) != expected) {
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
                 selftest_print("val_quaternion_H: q_b2m_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -383,11 +384,11 @@ int test_val_quaternion_H(void)
             if (base[(4 * i) + end] < 0) {
                 continue;
             }
-            set_point(base[(4 * i) + end], x, &nav, &imu, &master);
+            set_point(base[(4 * i) + end], x, &nav, &corrected_imu, &master);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
                 selftest_print("val_quaternion_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -396,11 +397,11 @@ int test_val_quaternion_H(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, x, &nav, &imu, &master);
+        set_point(0, x, &nav, &corrected_imu, &master);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OUT_OF_RANGE) {
+        if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OUT_OF_RANGE) {
             selftest_print("val_quaternion_H: q_b2m_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -413,12 +414,12 @@ int test_val_quaternion_H(void)
         static const double beyond_high[3] = { 20.01, 20.01, 20.01 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
-            imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                          : (bad == 1) ? selftest_infinity()
-                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, x, &nav, &corrected_imu, &master);
+            corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                                    : (bad == 1) ? selftest_infinity()
+                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
-            if (val_quaternion_H(x, &nav, &imu, &master, H) != expected) {
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
                 selftest_print("val_quaternion_H: omega_ib_b[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -428,9 +429,9 @@ int test_val_quaternion_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
-            set_point(0, x, &nav, &imu, &master);
-            imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
+            set_point(0, x, &nav, &corrected_imu, &master);
+            corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
                 selftest_print("val_quaternion_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -443,12 +444,12 @@ int test_val_quaternion_H(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             master.q_m2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
-            if (val_quaternion_H(x, &nav, &imu, &master, H) != expected) {
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
                 selftest_print("val_quaternion_H: q_m2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -459,11 +460,11 @@ int test_val_quaternion_H(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             for (int j = 0; j < 4; ++j) {
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
                 selftest_print("val_quaternion_H: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -472,11 +473,11 @@ int test_val_quaternion_H(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, x, &nav, &imu, &master);
+        set_point(0, x, &nav, &corrected_imu, &master);
         for (int i = 0; i < 4; ++i) {
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OUT_OF_RANGE) {
+        if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OUT_OF_RANGE) {
             selftest_print("val_quaternion_H: q_m2n_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -488,11 +489,11 @@ int test_val_quaternion_H(void)
         static const double beyond_high[1] = { 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             master.lag = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 57);
-            if (val_quaternion_H(x, &nav, &imu, &master, H) != expected) {
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
                 selftest_print("val_quaternion_H: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -501,24 +502,24 @@ int test_val_quaternion_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
             static const bs_real high[1] = { BS_REAL(1.0) };
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             master.lag = (end == 0) ? low[i] : high[i];
-            if (val_quaternion_H(x, &nav, &imu, &master, H) != BS_OK) {
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
                 selftest_print("val_quaternion_H: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, x, &nav, &imu, &master);
-    failures += (val_quaternion_H(0, &nav, &imu, &master, H) != BS_NULL_POINTER);
-    failures += (val_quaternion_H(x, 0, &imu, &master, H) != BS_NULL_POINTER);
+    set_point(0, x, &nav, &corrected_imu, &master);
+    failures += (val_quaternion_H(0, &nav, &corrected_imu, &master, H) != BS_NULL_POINTER);
+    failures += (val_quaternion_H(x, 0, &corrected_imu, &master, H) != BS_NULL_POINTER);
     failures += (val_quaternion_H(x, &nav, 0, &master, H) != BS_NULL_POINTER);
-    failures += (val_quaternion_H(x, &nav, &imu, 0, H) != BS_NULL_POINTER);
-    failures += (val_quaternion_H(x, &nav, &imu, &master, 0) != BS_NULL_POINTER);
-    failures += (val_quaternion_H_nz(0, &nav, &imu, &master, H) != BS_NULL_POINTER);
-    failures += (val_quaternion_H_nz(x, 0, &imu, &master, H) != BS_NULL_POINTER);
+    failures += (val_quaternion_H(x, &nav, &corrected_imu, 0, H) != BS_NULL_POINTER);
+    failures += (val_quaternion_H(x, &nav, &corrected_imu, &master, 0) != BS_NULL_POINTER);
+    failures += (val_quaternion_H_nz(0, &nav, &corrected_imu, &master, H) != BS_NULL_POINTER);
+    failures += (val_quaternion_H_nz(x, 0, &corrected_imu, &master, H) != BS_NULL_POINTER);
     failures += (val_quaternion_H_nz(x, &nav, 0, &master, H) != BS_NULL_POINTER);
-    failures += (val_quaternion_H_nz(x, &nav, &imu, 0, H) != BS_NULL_POINTER);
-    failures += (val_quaternion_H_nz(x, &nav, &imu, &master, 0) != BS_NULL_POINTER);
+    failures += (val_quaternion_H_nz(x, &nav, &corrected_imu, 0, H) != BS_NULL_POINTER);
+    failures += (val_quaternion_H_nz(x, &nav, &corrected_imu, &master, 0) != BS_NULL_POINTER);
     return failures;
 }

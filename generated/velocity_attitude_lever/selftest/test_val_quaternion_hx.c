@@ -16,7 +16,7 @@ static const float in_x[N_VECTORS][19] = {
     { 0x1.b42dbe0000000p-5, 0x1.afd6a80000000p-3, -0x1.678c1a0000000p-3, 0x1.1f64220000000p+2, -0x1.59ffac0000000p+6, -0x1.aea9ee0000000p+5, 0x1.7d58b00000000p-7, 0x1.ba3ae80000000p-7, 0x1.9e724e0000000p-8, -0x1.180dbc0000000p-2, -0x1.a9bfec0000000p-2, 0x1.d57bd20000000p-1, 0x1.c045940000000p-3, 0x1.725ca80000000p-3, -0x1.630b3c0000000p-2, -0x1.74afca0000000p-1, -0x1.33a6a80000000p+5, -0x1.7d10ea0000000p+5, -0x1.5e1b140000000p+6 },
     { 0x1.a93b6e0000000p-15, 0x1.2c27e80000000p-3, -0x1.10ed600000000p-16, 0x1.38d8840000000p-7, -0x1.ecd92a0000000p+5, 0x1.81fe6a0000000p-6, 0x1.16d4840000000p-19, -0x1.b6cca80000000p-21, 0x1.10fa5e0000000p-6, -0x1.ec00820000000p-4, 0x1.469a7c0000000p-16, 0x1.cb62200000000p-1, -0x1.e26a920000000p-15, 0x1.00522c0000000p-3, 0x1.f791640000000p-14, 0x1.ca739a0000000p-13, 0x1.809d620000000p+6, -0x1.f4d0980000000p+3, -0x1.afe7300000000p+3 }
 };
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { -0x1.210d1e0000000p-5, 0x1.3122100000000p+1, 0x1.9590120000000p+13 },
     { 0x1.1949ea0000000p+0, -0x1.810ffe0000000p+2, 0x1.126ad40000000p+14 },
@@ -95,14 +95,14 @@ static const unsigned short at_h[3] = { 0, 1, 2 };
 static void set_point(int v,
                       bs_real x[VAL_N_STATES],
                       val_nav *nav,
-                      val_imu *imu,
+                      val_corrected_imu *corrected_imu,
                       val_master *master)
 {
     for (int i = 0; i < 19; ++i) {
         x[i] = (bs_real)in_x[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -114,7 +114,7 @@ static void set_point(int v,
         nav->q_b2m_wxyz[i] = (bs_real)in_q_b2m_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
+        corrected_imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
     }
     for (int i = 0; i < 4; ++i) {
         master->q_m2n_wxyz[i] = (bs_real)in_q_m2n_wxyz[v][i];
@@ -129,12 +129,12 @@ int test_val_quaternion_h(void)
     int failures = 0;
     bs_real x[VAL_N_STATES] = {0};
     val_nav nav = {0};
-    val_imu imu = {0};
+    val_corrected_imu corrected_imu = {0};
     val_master master = {0};
     bs_real h[3];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, x, &nav, &imu, &master);
-        if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
+        set_point(v, x, &nav, &corrected_imu, &master);
+        if (val_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
             ++failures;
             continue;
         }
@@ -154,11 +154,11 @@ int test_val_quaternion_h(void)
                                                 100.05 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (val_quaternion_h(x, &nav, &imu, &master, h) != expected) {
+            if (val_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
                 selftest_print("val_quaternion_h: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -181,28 +181,29 @@ int test_val_quaternion_h(void)
                                               BS_REAL(1.0), BS_REAL(1.0), BS_REAL(0.5),
                                               BS_REAL(0.5), BS_REAL(0.5), BS_REAL(1.0),
                                               BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
+            if (val_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
                 selftest_print("val_quaternion_h: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, x, &nav, &corrected_imu, &master);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (val_quaternion_h(x, &nav, &imu, &master, h) != expected) {
-                selftest_print("val_quaternion_h: position[%d] bad value %d not refused\n", i, bad);
+            if (val_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
+                selftest_print("val_quaternion_h: lat_lon_height[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("val_quaternion_h h", h, 3);
@@ -212,10 +213,10 @@ int test_val_quaternion_h(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, x, &nav, &imu, &master);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
-                selftest_print("val_quaternion_h: position[%d] end %d refused\n", i, end);
+            set_point(0, x, &nav, &corrected_imu, &master);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (val_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
+                selftest_print("val_quaternion_h: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -226,11 +227,11 @@ int test_val_quaternion_h(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (val_quaternion_h(x, &nav, &imu, &master, h) != expected) {
+            if (val_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
                 selftest_print("val_quaternion_h: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -239,9 +240,9 @@ int test_val_quaternion_h(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
+            if (val_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
                 selftest_print("val_quaternion_h: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -254,12 +255,12 @@ int test_val_quaternion_h(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (val_quaternion_h(x, &nav, &imu, &master, h) != expected) {
+            if (val_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
                 selftest_print("val_quaternion_h: q_b2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -270,11 +271,11 @@ int test_val_quaternion_h(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
+            if (val_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
                 selftest_print("val_quaternion_h: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -283,11 +284,11 @@ int test_val_quaternion_h(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, x, &nav, &imu, &master);
+        set_point(0, x, &nav, &corrected_imu, &master);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OUT_OF_RANGE) {
+        if (val_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OUT_OF_RANGE) {
             selftest_print("val_quaternion_h: q_b2n_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -300,12 +301,12 @@ int test_val_quaternion_h(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (val_quaternion_h(x, &nav, &imu, &master, h) != expected) {
+            if (val_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
                 selftest_print("val_quaternion_h: q_b2m_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -321,11 +322,11 @@ int test_val_quaternion_h(void)
             if (base[(4 * i) + end] < 0) {
                 continue;
             }
-            set_point(base[(4 * i) + end], x, &nav, &imu, &master);
+            set_point(base[(4 * i) + end], x, &nav, &corrected_imu, &master);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
+            if (val_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
                 selftest_print("val_quaternion_h: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -334,11 +335,11 @@ int test_val_quaternion_h(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, x, &nav, &imu, &master);
+        set_point(0, x, &nav, &corrected_imu, &master);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OUT_OF_RANGE) {
+        if (val_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OUT_OF_RANGE) {
             selftest_print("val_quaternion_h: q_b2m_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -351,12 +352,12 @@ int test_val_quaternion_h(void)
         static const double beyond_high[3] = { 20.01, 20.01, 20.01 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
-            imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                          : (bad == 1) ? selftest_infinity()
-                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, x, &nav, &corrected_imu, &master);
+            corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                                    : (bad == 1) ? selftest_infinity()
+                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (val_quaternion_h(x, &nav, &imu, &master, h) != expected) {
+            if (val_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
                 selftest_print("val_quaternion_h: omega_ib_b[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -366,9 +367,9 @@ int test_val_quaternion_h(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
-            set_point(0, x, &nav, &imu, &master);
-            imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
+            set_point(0, x, &nav, &corrected_imu, &master);
+            corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
+            if (val_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
                 selftest_print("val_quaternion_h: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -381,12 +382,12 @@ int test_val_quaternion_h(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             master.q_m2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (val_quaternion_h(x, &nav, &imu, &master, h) != expected) {
+            if (val_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
                 selftest_print("val_quaternion_h: q_m2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -402,11 +403,11 @@ int test_val_quaternion_h(void)
             if (base[(4 * i) + end] < 0) {
                 continue;
             }
-            set_point(base[(4 * i) + end], x, &nav, &imu, &master);
+            set_point(base[(4 * i) + end], x, &nav, &corrected_imu, &master);
             for (int j = 0; j < 4; ++j) {
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
+            if (val_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
                 selftest_print("val_quaternion_h: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -415,11 +416,11 @@ int test_val_quaternion_h(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, x, &nav, &imu, &master);
+        set_point(0, x, &nav, &corrected_imu, &master);
         for (int i = 0; i < 4; ++i) {
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OUT_OF_RANGE) {
+        if (val_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OUT_OF_RANGE) {
             selftest_print("val_quaternion_h: q_m2n_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -431,11 +432,11 @@ int test_val_quaternion_h(void)
         static const double beyond_high[1] = { 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             master.lag = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (val_quaternion_h(x, &nav, &imu, &master, h) != expected) {
+            if (val_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
                 selftest_print("val_quaternion_h: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -444,19 +445,19 @@ int test_val_quaternion_h(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
             static const bs_real high[1] = { BS_REAL(1.0) };
-            set_point(0, x, &nav, &imu, &master);
+            set_point(0, x, &nav, &corrected_imu, &master);
             master.lag = (end == 0) ? low[i] : high[i];
-            if (val_quaternion_h(x, &nav, &imu, &master, h) != BS_OK) {
+            if (val_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
                 selftest_print("val_quaternion_h: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, x, &nav, &imu, &master);
-    failures += (val_quaternion_h(0, &nav, &imu, &master, h) != BS_NULL_POINTER);
-    failures += (val_quaternion_h(x, 0, &imu, &master, h) != BS_NULL_POINTER);
+    set_point(0, x, &nav, &corrected_imu, &master);
+    failures += (val_quaternion_h(0, &nav, &corrected_imu, &master, h) != BS_NULL_POINTER);
+    failures += (val_quaternion_h(x, 0, &corrected_imu, &master, h) != BS_NULL_POINTER);
     failures += (val_quaternion_h(x, &nav, 0, &master, h) != BS_NULL_POINTER);
-    failures += (val_quaternion_h(x, &nav, &imu, 0, h) != BS_NULL_POINTER);
-    failures += (val_quaternion_h(x, &nav, &imu, &master, 0) != BS_NULL_POINTER);
+    failures += (val_quaternion_h(x, &nav, &corrected_imu, 0, h) != BS_NULL_POINTER);
+    failures += (val_quaternion_h(x, &nav, &corrected_imu, &master, 0) != BS_NULL_POINTER);
     return failures;
 }

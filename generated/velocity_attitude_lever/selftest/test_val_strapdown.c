@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { -0x1.54e6a60000000p+0, -0x1.51e4680000000p+2, 0x1.0fe3fe0000000p+12 }
 };
@@ -49,22 +49,22 @@ static const float in_dv_before[N_VECTORS][3] = {
     { -0x1.0a08aa0000000p+5, -0x1.036e8a0000000p+6, -0x1.1362f00000000p+3 }
 };
 
-static const double out_position[N_VECTORS][3] = {
+static const double out_lat_lon_height[N_VECTORS][3] = {
     { 0x1.7c330a1746b17p+0, 0x1.9103459365a99p+2, 0x1.26a90a1424c57p+14 },
     { -0x1.54f0aa6f3c617p+0, -0x1.51fb77a7b5a06p+2, 0x1.1a051b2d42174p+11 }
 };
 #ifdef BORESIGHT_FLOAT
-static const float tol_position[N_VECTORS][3] = {
+static const float tol_lat_lon_height[N_VECTORS][3] = {
     { 9.14e-08F, 4.18e-07F, 6.94e-03F },
     { 8.04e-08F, 3.20e-07F, 1.10e-03F }
 };
 #else
-static const float tol_position[N_VECTORS][3] = {
+static const float tol_lat_lon_height[N_VECTORS][3] = {
     { 3.37e-16F, 1.48e-15F, 1.50e-11F },
     { 2.99e-16F, 1.19e-15F, 2.31e-12F }
 };
 #endif
-static const unsigned short at_position[3] = { 0, 1, 2 };
+static const unsigned short at_lat_lon_height[3] = { 0, 1, 2 };
 
 static const double out_v_n[N_VECTORS][3] = {
     { 0x1.0e09ea8b3bf4fp+10, -0x1.cf68aa156be2cp+9, 0x1.34af1b94d6c34p+10 },
@@ -100,10 +100,13 @@ static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };
 
-static void set_point(int v, val_nav *nav, val_imu *imu, val_increments *increments)
+static void set_point(int v,
+                      val_nav *nav,
+                      val_corrected_imu *corrected_imu,
+                      val_increments *increments)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -118,7 +121,7 @@ static void set_point(int v, val_nav *nav, val_imu *imu, val_increments *increme
         nav->accel_bias[i] = (bs_real)in_accel_bias[v][i];
     }
     for (int i = 0; i < 1; ++i) {
-        imu->dt = (bs_real)in_dt[v][i];
+        corrected_imu->dt = (bs_real)in_dt[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         increments->dtheta_ib_b[i] = (bs_real)in_dtheta_ib_b[v][i];
@@ -138,43 +141,47 @@ int test_val_strapdown(void)
 {
     int failures = 0;
     val_nav nav = {0};
-    val_imu imu = {0};
+    val_corrected_imu corrected_imu = {0};
     val_increments increments = {0};
-    bs_real position[3];
+    bs_real lat_lon_height[3];
     bs_real v_n[3];
     bs_real q_b2n_wxyz[4];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu, &increments);
-        if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
+        set_point(v, &nav, &corrected_imu, &increments);
+        if (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, v_n,
+                          q_b2n_wxyz) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("val_strapdown position", v, position, 3, out_position[v],
-                                     tol_position[v], at_position, 3, 0);
+        failures += selftest_compare("val_strapdown lat_lon_height", v, lat_lon_height, 3,
+                                     out_lat_lon_height[v], tol_lat_lon_height[v],
+                                     at_lat_lon_height, 3, 0);
         failures += selftest_compare("val_strapdown v_n", v, v_n, 3, out_v_n[v], tol_v_n[v], at_v_n,
                                      3, 0);
         failures += selftest_compare("val_strapdown q_b2n_wxyz", v, q_b2n_wxyz, 4,
                                      out_q_b2n_wxyz[v], tol_q_b2n_wxyz[v], at_q_b2n_wxyz, 4, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            set_point(0, &nav, &corrected_imu, &increments);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
-                selftest_print("val_strapdown: position[%d] bad value %d not refused\n", i, bad);
+            if (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, v_n,
+                              q_b2n_wxyz) != expected) {
+                selftest_print("val_strapdown: lat_lon_height[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
-            failures += selftest_painted("val_strapdown position", position, 3);
+            failures += selftest_painted("val_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("val_strapdown v_n", v_n, 3);
             failures += selftest_painted("val_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
         }
@@ -183,10 +190,11 @@ int test_val_strapdown(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu, &increments);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
-                selftest_print("val_strapdown: position[%d] end %d refused\n", i, end);
+            set_point(0, &nav, &corrected_imu, &increments);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, v_n,
+                              q_b2n_wxyz) != BS_OK) {
+                selftest_print("val_strapdown: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -197,26 +205,28 @@ int test_val_strapdown(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
+            if (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, v_n,
+                              q_b2n_wxyz) != expected) {
                 selftest_print("val_strapdown: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_strapdown position", position, 3);
+            failures += selftest_painted("val_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("val_strapdown v_n", v_n, 3);
             failures += selftest_painted("val_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
+            if (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, v_n,
+                              q_b2n_wxyz) != BS_OK) {
                 selftest_print("val_strapdown: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -229,18 +239,19 @@ int test_val_strapdown(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
+            if (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, v_n,
+                              q_b2n_wxyz) != expected) {
                 selftest_print("val_strapdown: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_strapdown position", position, 3);
+            failures += selftest_painted("val_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("val_strapdown v_n", v_n, 3);
             failures += selftest_painted("val_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
         }
@@ -248,11 +259,12 @@ int test_val_strapdown(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
+            if (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, v_n,
+                              q_b2n_wxyz) != BS_OK) {
                 selftest_print("val_strapdown: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -261,11 +273,12 @@ int test_val_strapdown(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &increments);
+        set_point(0, &nav, &corrected_imu, &increments);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OUT_OF_RANGE) {
+        if (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, v_n,
+                          q_b2n_wxyz) != BS_OUT_OF_RANGE) {
             selftest_print("val_strapdown: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -280,18 +293,19 @@ int test_val_strapdown(void)
                                                0.01746201916620327 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             nav.gyro_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
+            if (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, v_n,
+                              q_b2n_wxyz) != expected) {
                 selftest_print("val_strapdown: gyro_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_strapdown position", position, 3);
+            failures += selftest_painted("val_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("val_strapdown v_n", v_n, 3);
             failures += selftest_painted("val_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
         }
@@ -302,9 +316,10 @@ int test_val_strapdown(void)
             static const bs_real high[3] = { BS_REAL(0.017453292519943295),
                                              BS_REAL(0.017453292519943295),
                                              BS_REAL(0.017453292519943295) };
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             nav.gyro_bias[i] = (end == 0) ? low[i] : high[i];
-            if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
+            if (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, v_n,
+                              q_b2n_wxyz) != BS_OK) {
                 selftest_print("val_strapdown: gyro_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -317,27 +332,29 @@ int test_val_strapdown(void)
         static const double beyond_high[3] = { 1.0005, 1.0005, 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             nav.accel_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
+            if (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, v_n,
+                              q_b2n_wxyz) != expected) {
                 selftest_print("val_strapdown: accel_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_strapdown position", position, 3);
+            failures += selftest_painted("val_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("val_strapdown v_n", v_n, 3);
             failures += selftest_painted("val_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             nav.accel_bias[i] = (end == 0) ? low[i] : high[i];
-            if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
+            if (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, v_n,
+                              q_b2n_wxyz) != BS_OK) {
                 selftest_print("val_strapdown: accel_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -349,26 +366,29 @@ int test_val_strapdown(void)
         static const double beyond_high[1] = { 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments);
-            imu.dt = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
-                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            set_point(0, &nav, &corrected_imu, &increments);
+            corrected_imu.dt = (bs_real)((bad == 0) ? selftest_nan()
+                                         : (bad == 1) ? selftest_infinity()
+                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
+            if (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, v_n,
+                              q_b2n_wxyz) != expected) {
                 selftest_print("val_strapdown: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_strapdown position", position, 3);
+            failures += selftest_painted("val_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("val_strapdown v_n", v_n, 3);
             failures += selftest_painted("val_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
-            set_point(0, &nav, &imu, &increments);
-            imu.dt = (end == 0) ? low[i] : high[i];
-            if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
+            set_point(0, &nav, &corrected_imu, &increments);
+            corrected_imu.dt = (end == 0) ? low[i] : high[i];
+            if (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, v_n,
+                              q_b2n_wxyz) != BS_OK) {
                 selftest_print("val_strapdown: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -381,27 +401,29 @@ int test_val_strapdown(void)
         static const double beyond_high[3] = { 0.50025, 0.50025, 0.50025 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             increments.dtheta_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                   : (bad == 1) ? selftest_infinity()
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
+            if (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, v_n,
+                              q_b2n_wxyz) != expected) {
                 selftest_print("val_strapdown: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_strapdown position", position, 3);
+            failures += selftest_painted("val_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("val_strapdown v_n", v_n, 3);
             failures += selftest_painted("val_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             increments.dtheta_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
+            if (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, v_n,
+                              q_b2n_wxyz) != BS_OK) {
                 selftest_print("val_strapdown: dtheta_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -413,27 +435,29 @@ int test_val_strapdown(void)
         static const double beyond_high[3] = { 100.05, 100.05, 100.05 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             increments.dv_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
+            if (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, v_n,
+                              q_b2n_wxyz) != expected) {
                 selftest_print("val_strapdown: dv_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_strapdown position", position, 3);
+            failures += selftest_painted("val_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("val_strapdown v_n", v_n, 3);
             failures += selftest_painted("val_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             increments.dv_b[i] = (end == 0) ? low[i] : high[i];
-            if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
+            if (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, v_n,
+                              q_b2n_wxyz) != BS_OK) {
                 selftest_print("val_strapdown: dv_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -446,28 +470,30 @@ int test_val_strapdown(void)
         static const double beyond_high[3] = { 0.50025, 0.50025, 0.50025 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             increments.dtheta_before[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
+            if (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, v_n,
+                              q_b2n_wxyz) != expected) {
                 selftest_print("val_strapdown: dtheta_before[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("val_strapdown position", position, 3);
+            failures += selftest_painted("val_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("val_strapdown v_n", v_n, 3);
             failures += selftest_painted("val_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             increments.dtheta_before[i] = (end == 0) ? low[i] : high[i];
-            if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
+            if (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, v_n,
+                              q_b2n_wxyz) != BS_OK) {
                 selftest_print("val_strapdown: dtheta_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -480,39 +506,46 @@ int test_val_strapdown(void)
         static const double beyond_high[3] = { 100.05, 100.05, 100.05 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             increments.dv_before[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
-            if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != expected) {
+            if (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, v_n,
+                              q_b2n_wxyz) != expected) {
                 selftest_print("val_strapdown: dv_before[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_strapdown position", position, 3);
+            failures += selftest_painted("val_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("val_strapdown v_n", v_n, 3);
             failures += selftest_painted("val_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
-            set_point(0, &nav, &imu, &increments);
+            set_point(0, &nav, &corrected_imu, &increments);
             increments.dv_before[i] = (end == 0) ? low[i] : high[i];
-            if (val_strapdown(&nav, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_OK) {
+            if (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, v_n,
+                              q_b2n_wxyz) != BS_OK) {
                 selftest_print("val_strapdown: dv_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu, &increments);
-    failures += (val_strapdown(0, &imu, &increments, position, v_n, q_b2n_wxyz) != BS_NULL_POINTER);
-    failures += (val_strapdown(&nav, 0, &increments, position, v_n, q_b2n_wxyz) != BS_NULL_POINTER);
-    failures += (val_strapdown(&nav, &imu, 0, position, v_n, q_b2n_wxyz) != BS_NULL_POINTER);
-    failures += (val_strapdown(&nav, &imu, &increments, 0, v_n, q_b2n_wxyz) != BS_NULL_POINTER);
-    failures += (val_strapdown(&nav, &imu, &increments, position, 0,
+    set_point(0, &nav, &corrected_imu, &increments);
+    failures += (val_strapdown(0, &corrected_imu, &increments, lat_lon_height, v_n,
                                q_b2n_wxyz) != BS_NULL_POINTER);
-    failures += (val_strapdown(&nav, &imu, &increments, position, v_n, 0) != BS_NULL_POINTER);
+    failures += (val_strapdown(&nav, 0, &increments, lat_lon_height, v_n,
+                               q_b2n_wxyz) != BS_NULL_POINTER);
+    failures += (val_strapdown(&nav, &corrected_imu, 0, lat_lon_height, v_n,
+                               q_b2n_wxyz) != BS_NULL_POINTER);
+    failures += (val_strapdown(&nav, &corrected_imu, &increments, 0, v_n,
+                               q_b2n_wxyz) != BS_NULL_POINTER);
+    failures += (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, 0,
+                               q_b2n_wxyz) != BS_NULL_POINTER);
+    failures += (val_strapdown(&nav, &corrected_imu, &increments, lat_lon_height, v_n,
+                               0) != BS_NULL_POINTER);
     return failures;
 }

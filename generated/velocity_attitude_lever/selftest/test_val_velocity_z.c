@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { 0x1.056e4c0000000p-2, 0x1.1322340000000p+2, 0x1.0d808a0000000p+14 }
 };
@@ -58,10 +58,14 @@ static const float tol_z[N_VECTORS][3] = {
 #endif
 static const unsigned short at_z[3] = { 0, 1, 2 };
 
-static void set_point(int v, val_nav *nav, val_imu *imu, val_mounting *mounting, val_master *master)
+static void set_point(int v,
+                      val_nav *nav,
+                      val_corrected_imu *corrected_imu,
+                      val_mounting *mounting,
+                      val_master *master)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -70,7 +74,7 @@ static void set_point(int v, val_nav *nav, val_imu *imu, val_mounting *mounting,
         nav->q_b2n_wxyz[i] = (bs_real)in_q_b2n_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
+        corrected_imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         mounting->lever_b[i] = (bs_real)in_lever_b[v][i];
@@ -90,32 +94,33 @@ int test_val_velocity_z(void)
 {
     int failures = 0;
     val_nav nav = {0};
-    val_imu imu = {0};
+    val_corrected_imu corrected_imu = {0};
     val_mounting mounting = {0};
     val_master master = {0};
     bs_real z[3];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu, &mounting, &master);
-        if (val_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
+        set_point(v, &nav, &corrected_imu, &mounting, &master);
+        if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != BS_OK) {
             ++failures;
             continue;
         }
         failures += selftest_compare("val_velocity_z z", v, z, 3, out_z[v], tol_z[v], at_z, 3, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (val_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
-                selftest_print("val_velocity_z: position[%d] bad value %d not refused\n", i, bad);
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != expected) {
+                selftest_print("val_velocity_z: lat_lon_height[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("val_velocity_z z", z, 3);
@@ -125,10 +130,10 @@ int test_val_velocity_z(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu, &mounting, &master);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (val_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
-                selftest_print("val_velocity_z: position[%d] end %d refused\n", i, end);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != BS_OK) {
+                selftest_print("val_velocity_z: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -139,11 +144,11 @@ int test_val_velocity_z(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (val_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != expected) {
                 selftest_print("val_velocity_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -152,9 +157,9 @@ int test_val_velocity_z(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu, &mounting, &master);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (val_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != BS_OK) {
                 selftest_print("val_velocity_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -167,12 +172,12 @@ int test_val_velocity_z(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (val_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != expected) {
                 selftest_print("val_velocity_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -182,11 +187,11 @@ int test_val_velocity_z(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &mounting, &master);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != BS_OK) {
                 selftest_print("val_velocity_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -195,11 +200,11 @@ int test_val_velocity_z(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &mounting, &master);
+        set_point(0, &nav, &corrected_imu, &mounting, &master);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OUT_OF_RANGE) {
+        if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != BS_OUT_OF_RANGE) {
             selftest_print("val_velocity_z: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -212,12 +217,12 @@ int test_val_velocity_z(void)
         static const double beyond_high[3] = { 20.01, 20.01, 20.01 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master);
-            imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                          : (bad == 1) ? selftest_infinity()
-                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
+            corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                                    : (bad == 1) ? selftest_infinity()
+                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (val_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != expected) {
                 selftest_print("val_velocity_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -226,9 +231,9 @@ int test_val_velocity_z(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
-            set_point(0, &nav, &imu, &mounting, &master);
-            imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (val_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
+            corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != BS_OK) {
                 selftest_print("val_velocity_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -241,12 +246,12 @@ int test_val_velocity_z(void)
         static const double beyond_high[3] = { 100.05, 100.05, 100.05 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
             mounting.lever_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (val_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != expected) {
                 selftest_print("val_velocity_z: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -255,9 +260,9 @@ int test_val_velocity_z(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
-            set_point(0, &nav, &imu, &mounting, &master);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
             mounting.lever_b[i] = (end == 0) ? low[i] : high[i];
-            if (val_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != BS_OK) {
                 selftest_print("val_velocity_z: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -270,12 +275,12 @@ int test_val_velocity_z(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
             master.v_m_n[i] = (bs_real)((bad == 0) ? selftest_nan()
                                         : (bad == 1) ? selftest_infinity()
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (val_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != expected) {
                 selftest_print("val_velocity_z: v_m_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -284,9 +289,9 @@ int test_val_velocity_z(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu, &mounting, &master);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
             master.v_m_n[i] = (end == 0) ? low[i] : high[i];
-            if (val_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != BS_OK) {
                 selftest_print("val_velocity_z: v_m_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -298,11 +303,11 @@ int test_val_velocity_z(void)
         static const double beyond_high[3] = { 500.25, 500.25, 500.25 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
             master.a_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                       : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (val_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != expected) {
                 selftest_print("val_velocity_z: a_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -311,9 +316,9 @@ int test_val_velocity_z(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
-            set_point(0, &nav, &imu, &mounting, &master);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
             master.a_n[i] = (end == 0) ? low[i] : high[i];
-            if (val_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != BS_OK) {
                 selftest_print("val_velocity_z: a_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -325,11 +330,11 @@ int test_val_velocity_z(void)
         static const double beyond_high[1] = { 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
             master.lag = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (val_velocity_z(&nav, &imu, &mounting, &master, z) != expected) {
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != expected) {
                 selftest_print("val_velocity_z: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -338,19 +343,19 @@ int test_val_velocity_z(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
             static const bs_real high[1] = { BS_REAL(1.0) };
-            set_point(0, &nav, &imu, &mounting, &master);
+            set_point(0, &nav, &corrected_imu, &mounting, &master);
             master.lag = (end == 0) ? low[i] : high[i];
-            if (val_velocity_z(&nav, &imu, &mounting, &master, z) != BS_OK) {
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != BS_OK) {
                 selftest_print("val_velocity_z: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu, &mounting, &master);
-    failures += (val_velocity_z(0, &imu, &mounting, &master, z) != BS_NULL_POINTER);
+    set_point(0, &nav, &corrected_imu, &mounting, &master);
+    failures += (val_velocity_z(0, &corrected_imu, &mounting, &master, z) != BS_NULL_POINTER);
     failures += (val_velocity_z(&nav, 0, &mounting, &master, z) != BS_NULL_POINTER);
-    failures += (val_velocity_z(&nav, &imu, 0, &master, z) != BS_NULL_POINTER);
-    failures += (val_velocity_z(&nav, &imu, &mounting, 0, z) != BS_NULL_POINTER);
-    failures += (val_velocity_z(&nav, &imu, &mounting, &master, 0) != BS_NULL_POINTER);
+    failures += (val_velocity_z(&nav, &corrected_imu, 0, &master, z) != BS_NULL_POINTER);
+    failures += (val_velocity_z(&nav, &corrected_imu, &mounting, 0, z) != BS_NULL_POINTER);
+    failures += (val_velocity_z(&nav, &corrected_imu, &mounting, &master, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -2,6 +2,8 @@
  * 120 operations, list e8655ea7d14e28c0. */
 #include "velocity_attitude_lever.h"
 
+BS_EXACT_BEGIN
+
 #include "val_Qc_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */

@@ -3,6 +3,8 @@
  * 125 operations, list fb18bc4ae2b9015d. */
 #include "velocity_attitude_lever.h"
 
+BS_EXACT_BEGIN
+
 #include "val_feedback_kernel.h"
 
 bs_status val_feedback(const bs_real x[VAL_N_STATES],

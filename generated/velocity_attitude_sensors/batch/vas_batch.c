@@ -11,8 +11,8 @@
 size_t vas_F_batch(size_t n,
                    const vas_nav *nav,
                    size_t nav_stride,
-                   const vas_imu *imu,
-                   size_t imu_stride,
+                   const vas_corrected_imu *corrected_imu,
+                   size_t corrected_imu_stride,
                    const vas_bending *bending,
                    size_t bending_stride,
                    const vas_triads *triads,
@@ -25,8 +25,8 @@ int vas_F_bound(void *const *at);
 size_t vas_Phi_batch(size_t n,
                      const vas_nav *nav,
                      size_t nav_stride,
-                     const vas_imu *imu,
-                     size_t imu_stride,
+                     const vas_corrected_imu *corrected_imu,
+                     size_t corrected_imu_stride,
                      const vas_bending *bending,
                      size_t bending_stride,
                      const vas_triads *triads,
@@ -51,8 +51,8 @@ int vas_Qc_bound(void *const *at);
 size_t vas_Q_batch(size_t n,
                    const vas_nav *nav,
                    size_t nav_stride,
-                   const vas_imu *imu,
-                   size_t imu_stride,
+                   const vas_corrected_imu *corrected_imu,
+                   size_t corrected_imu_stride,
                    const vas_noise *noise,
                    size_t noise_stride,
                    const vas_bending *bending,
@@ -67,8 +67,8 @@ int vas_Q_bound(void *const *at);
 size_t vas_dcm_z_batch(size_t n,
                        const vas_nav *nav,
                        size_t nav_stride,
-                       const vas_imu *imu,
-                       size_t imu_stride,
+                       const vas_corrected_imu *corrected_imu,
+                       size_t corrected_imu_stride,
                        const vas_master *master,
                        size_t master_stride,
                        const vas_bending *bending,
@@ -81,8 +81,8 @@ int vas_dcm_z_bound(void *const *at);
 size_t vas_dcm_H_batch(size_t n,
                        const vas_nav *nav,
                        size_t nav_stride,
-                       const vas_imu *imu,
-                       size_t imu_stride,
+                       const vas_corrected_imu *corrected_imu,
+                       size_t corrected_imu_stride,
                        const vas_bending *bending,
                        size_t bending_stride,
                        const vas_triads *triads,
@@ -93,8 +93,8 @@ int vas_dcm_H_bound(void *const *at);
 size_t vas_quaternion_z_batch(size_t n,
                               const vas_nav *nav,
                               size_t nav_stride,
-                              const vas_imu *imu,
-                              size_t imu_stride,
+                              const vas_corrected_imu *corrected_imu,
+                              size_t corrected_imu_stride,
                               const vas_master *master,
                               size_t master_stride,
                               const vas_bending *bending,
@@ -109,8 +109,8 @@ size_t vas_quaternion_h_batch(size_t n,
                               size_t x_stride,
                               const vas_nav *nav,
                               size_t nav_stride,
-                              const vas_imu *imu,
-                              size_t imu_stride,
+                              const vas_corrected_imu *corrected_imu,
+                              size_t corrected_imu_stride,
                               const vas_master *master,
                               size_t master_stride,
                               const vas_bending *bending,
@@ -125,8 +125,8 @@ size_t vas_quaternion_H_batch(size_t n,
                               size_t x_stride,
                               const vas_nav *nav,
                               size_t nav_stride,
-                              const vas_imu *imu,
-                              size_t imu_stride,
+                              const vas_corrected_imu *corrected_imu,
+                              size_t corrected_imu_stride,
                               const vas_master *master,
                               size_t master_stride,
                               const vas_bending *bending,
@@ -139,8 +139,8 @@ int vas_quaternion_H_bound(void *const *at);
 size_t vas_euler_z_batch(size_t n,
                          const vas_nav *nav,
                          size_t nav_stride,
-                         const vas_imu *imu,
-                         size_t imu_stride,
+                         const vas_corrected_imu *corrected_imu,
+                         size_t corrected_imu_stride,
                          const vas_master *master,
                          size_t master_stride,
                          const vas_bending *bending,
@@ -153,8 +153,8 @@ int vas_euler_z_bound(void *const *at);
 size_t vas_euler_H_batch(size_t n,
                          const vas_nav *nav,
                          size_t nav_stride,
-                         const vas_imu *imu,
-                         size_t imu_stride,
+                         const vas_corrected_imu *corrected_imu,
+                         size_t corrected_imu_stride,
                          const vas_master *master,
                          size_t master_stride,
                          const vas_bending *bending,
@@ -167,8 +167,8 @@ int vas_euler_H_bound(void *const *at);
 size_t vas_velocity_z_batch(size_t n,
                             const vas_nav *nav,
                             size_t nav_stride,
-                            const vas_imu *imu,
-                            size_t imu_stride,
+                            const vas_corrected_imu *corrected_imu,
+                            size_t corrected_imu_stride,
                             const vas_mounting *mounting,
                             size_t mounting_stride,
                             const vas_master *master,
@@ -183,8 +183,8 @@ int vas_velocity_z_bound(void *const *at);
 size_t vas_velocity_H_batch(size_t n,
                             const vas_nav *nav,
                             size_t nav_stride,
-                            const vas_imu *imu,
-                            size_t imu_stride,
+                            const vas_corrected_imu *corrected_imu,
+                            size_t corrected_imu_stride,
                             const vas_mounting *mounting,
                             size_t mounting_stride,
                             const vas_master *master,
@@ -199,8 +199,8 @@ int vas_velocity_H_bound(void *const *at);
 size_t vas_expected_batch(size_t n,
                           const vas_nav *nav,
                           size_t nav_stride,
-                          const vas_imu *imu,
-                          size_t imu_stride,
+                          const vas_corrected_imu *corrected_imu,
+                          size_t corrected_imu_stride,
                           const vas_mounting *mounting,
                           size_t mounting_stride,
                           const vas_bending *bending,
@@ -215,8 +215,8 @@ int vas_expected_bound(void *const *at);
 size_t vas_strapdown_batch(size_t n,
                            const vas_nav *nav,
                            size_t nav_stride,
-                           const vas_imu *imu,
-                           size_t imu_stride,
+                           const vas_corrected_imu *corrected_imu,
+                           size_t corrected_imu_stride,
                            const vas_increments *increments,
                            size_t increments_stride,
                            const vas_bending *bending,
@@ -225,7 +225,7 @@ size_t vas_strapdown_batch(size_t n,
                            size_t triads_stride,
                            const vas_biases *biases,
                            size_t biases_stride,
-                           bs_real *position,
+                           bs_real *lat_lon_height,
                            bs_real *v_n,
                            bs_real *q_b2n_wxyz,
                            bs_real *flexure,
@@ -268,8 +268,8 @@ int vas_feedback_bound(void *const *at);
 size_t vas_F_batch(size_t n,
                    const vas_nav *nav,
                    size_t nav_stride,
-                   const vas_imu *imu,
-                   size_t imu_stride,
+                   const vas_corrected_imu *corrected_imu,
+                   size_t corrected_imu_stride,
                    const vas_bending *bending,
                    size_t bending_stride,
                    const vas_triads *triads,
@@ -281,7 +281,8 @@ size_t vas_F_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vas_F(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)vas_F(&nav[i * nav_stride],
+                                         &corrected_imu[i * corrected_imu_stride],
                                          &bending[i * bending_stride], &triads[i * triads_stride],
                                          &biases[i * biases_stride], &F[i * 2116U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
@@ -291,15 +292,16 @@ size_t vas_F_batch(size_t n,
 
 int vas_F_bound(void *const *at)
 {
-    return (int)vas_F((const vas_nav *)at[0], (const vas_imu *)at[1], (const vas_bending *)at[2],
-                      (const vas_triads *)at[3], (const vas_biases *)at[4], (bs_real *)at[5]);
+    return (int)vas_F((const vas_nav *)at[0], (const vas_corrected_imu *)at[1],
+                      (const vas_bending *)at[2], (const vas_triads *)at[3],
+                      (const vas_biases *)at[4], (bs_real *)at[5]);
 }
 
 size_t vas_Phi_batch(size_t n,
                      const vas_nav *nav,
                      size_t nav_stride,
-                     const vas_imu *imu,
-                     size_t imu_stride,
+                     const vas_corrected_imu *corrected_imu,
+                     size_t corrected_imu_stride,
                      const vas_bending *bending,
                      size_t bending_stride,
                      const vas_triads *triads,
@@ -311,7 +313,8 @@ size_t vas_Phi_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vas_Phi(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)vas_Phi(&nav[i * nav_stride],
+                                           &corrected_imu[i * corrected_imu_stride],
                                            &bending[i * bending_stride], &triads[i * triads_stride],
                                            &biases[i * biases_stride], &Phi[i * 2116U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
@@ -321,8 +324,9 @@ size_t vas_Phi_batch(size_t n,
 
 int vas_Phi_bound(void *const *at)
 {
-    return (int)vas_Phi((const vas_nav *)at[0], (const vas_imu *)at[1], (const vas_bending *)at[2],
-                        (const vas_triads *)at[3], (const vas_biases *)at[4], (bs_real *)at[5]);
+    return (int)vas_Phi((const vas_nav *)at[0], (const vas_corrected_imu *)at[1],
+                        (const vas_bending *)at[2], (const vas_triads *)at[3],
+                        (const vas_biases *)at[4], (bs_real *)at[5]);
 }
 
 size_t vas_Qc_batch(size_t n,
@@ -356,8 +360,8 @@ int vas_Qc_bound(void *const *at)
 size_t vas_Q_batch(size_t n,
                    const vas_nav *nav,
                    size_t nav_stride,
-                   const vas_imu *imu,
-                   size_t imu_stride,
+                   const vas_corrected_imu *corrected_imu,
+                   size_t corrected_imu_stride,
                    const vas_noise *noise,
                    size_t noise_stride,
                    const vas_bending *bending,
@@ -371,7 +375,8 @@ size_t vas_Q_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vas_Q(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)vas_Q(&nav[i * nav_stride],
+                                         &corrected_imu[i * corrected_imu_stride],
                                          &noise[i * noise_stride], &bending[i * bending_stride],
                                          &triads[i * triads_stride], &biases[i * biases_stride],
                                          &Q[i * 2116U]);
@@ -382,16 +387,16 @@ size_t vas_Q_batch(size_t n,
 
 int vas_Q_bound(void *const *at)
 {
-    return (int)vas_Q((const vas_nav *)at[0], (const vas_imu *)at[1], (const vas_noise *)at[2],
-                      (const vas_bending *)at[3], (const vas_triads *)at[4],
-                      (const vas_biases *)at[5], (bs_real *)at[6]);
+    return (int)vas_Q((const vas_nav *)at[0], (const vas_corrected_imu *)at[1],
+                      (const vas_noise *)at[2], (const vas_bending *)at[3],
+                      (const vas_triads *)at[4], (const vas_biases *)at[5], (bs_real *)at[6]);
 }
 
 size_t vas_dcm_z_batch(size_t n,
                        const vas_nav *nav,
                        size_t nav_stride,
-                       const vas_imu *imu,
-                       size_t imu_stride,
+                       const vas_corrected_imu *corrected_imu,
+                       size_t corrected_imu_stride,
                        const vas_master *master,
                        size_t master_stride,
                        const vas_bending *bending,
@@ -403,7 +408,8 @@ size_t vas_dcm_z_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vas_dcm_z(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)vas_dcm_z(&nav[i * nav_stride],
+                                             &corrected_imu[i * corrected_imu_stride],
                                              &master[i * master_stride],
                                              &bending[i * bending_stride],
                                              &triads[i * triads_stride], &z[i * 3U]);
@@ -414,15 +420,16 @@ size_t vas_dcm_z_batch(size_t n,
 
 int vas_dcm_z_bound(void *const *at)
 {
-    return (int)vas_dcm_z((const vas_nav *)at[0], (const vas_imu *)at[1], (const vas_master *)at[2],
-                          (const vas_bending *)at[3], (const vas_triads *)at[4], (bs_real *)at[5]);
+    return (int)vas_dcm_z((const vas_nav *)at[0], (const vas_corrected_imu *)at[1],
+                          (const vas_master *)at[2], (const vas_bending *)at[3],
+                          (const vas_triads *)at[4], (bs_real *)at[5]);
 }
 
 size_t vas_dcm_H_batch(size_t n,
                        const vas_nav *nav,
                        size_t nav_stride,
-                       const vas_imu *imu,
-                       size_t imu_stride,
+                       const vas_corrected_imu *corrected_imu,
+                       size_t corrected_imu_stride,
                        const vas_bending *bending,
                        size_t bending_stride,
                        const vas_triads *triads,
@@ -432,7 +439,8 @@ size_t vas_dcm_H_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vas_dcm_H(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)vas_dcm_H(&nav[i * nav_stride],
+                                             &corrected_imu[i * corrected_imu_stride],
                                              &bending[i * bending_stride],
                                              &triads[i * triads_stride], &H[i * 138U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
@@ -442,15 +450,15 @@ size_t vas_dcm_H_batch(size_t n,
 
 int vas_dcm_H_bound(void *const *at)
 {
-    return (int)vas_dcm_H((const vas_nav *)at[0], (const vas_imu *)at[1],
+    return (int)vas_dcm_H((const vas_nav *)at[0], (const vas_corrected_imu *)at[1],
                           (const vas_bending *)at[2], (const vas_triads *)at[3], (bs_real *)at[4]);
 }
 
 size_t vas_quaternion_z_batch(size_t n,
                               const vas_nav *nav,
                               size_t nav_stride,
-                              const vas_imu *imu,
-                              size_t imu_stride,
+                              const vas_corrected_imu *corrected_imu,
+                              size_t corrected_imu_stride,
                               const vas_master *master,
                               size_t master_stride,
                               const vas_bending *bending,
@@ -462,7 +470,8 @@ size_t vas_quaternion_z_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vas_quaternion_z(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)vas_quaternion_z(&nav[i * nav_stride],
+                                                    &corrected_imu[i * corrected_imu_stride],
                                                     &master[i * master_stride],
                                                     &bending[i * bending_stride],
                                                     &triads[i * triads_stride], &z[i * 3U]);
@@ -473,7 +482,7 @@ size_t vas_quaternion_z_batch(size_t n,
 
 int vas_quaternion_z_bound(void *const *at)
 {
-    return (int)vas_quaternion_z((const vas_nav *)at[0], (const vas_imu *)at[1],
+    return (int)vas_quaternion_z((const vas_nav *)at[0], (const vas_corrected_imu *)at[1],
                                  (const vas_master *)at[2], (const vas_bending *)at[3],
                                  (const vas_triads *)at[4], (bs_real *)at[5]);
 }
@@ -483,8 +492,8 @@ size_t vas_quaternion_h_batch(size_t n,
                               size_t x_stride,
                               const vas_nav *nav,
                               size_t nav_stride,
-                              const vas_imu *imu,
-                              size_t imu_stride,
+                              const vas_corrected_imu *corrected_imu,
+                              size_t corrected_imu_stride,
                               const vas_master *master,
                               size_t master_stride,
                               const vas_bending *bending,
@@ -497,7 +506,7 @@ size_t vas_quaternion_h_batch(size_t n,
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
         status[i] = (unsigned char)vas_quaternion_h(&x[i * x_stride], &nav[i * nav_stride],
-                                                    &imu[i * imu_stride],
+                                                    &corrected_imu[i * corrected_imu_stride],
                                                     &master[i * master_stride],
                                                     &bending[i * bending_stride],
                                                     &triads[i * triads_stride], &h[i * 3U]);
@@ -509,7 +518,7 @@ size_t vas_quaternion_h_batch(size_t n,
 int vas_quaternion_h_bound(void *const *at)
 {
     return (int)vas_quaternion_h((const bs_real *)at[0], (const vas_nav *)at[1],
-                                 (const vas_imu *)at[2], (const vas_master *)at[3],
+                                 (const vas_corrected_imu *)at[2], (const vas_master *)at[3],
                                  (const vas_bending *)at[4], (const vas_triads *)at[5],
                                  (bs_real *)at[6]);
 }
@@ -519,8 +528,8 @@ size_t vas_quaternion_H_batch(size_t n,
                               size_t x_stride,
                               const vas_nav *nav,
                               size_t nav_stride,
-                              const vas_imu *imu,
-                              size_t imu_stride,
+                              const vas_corrected_imu *corrected_imu,
+                              size_t corrected_imu_stride,
                               const vas_master *master,
                               size_t master_stride,
                               const vas_bending *bending,
@@ -533,7 +542,7 @@ size_t vas_quaternion_H_batch(size_t n,
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
         status[i] = (unsigned char)vas_quaternion_H(&x[i * x_stride], &nav[i * nav_stride],
-                                                    &imu[i * imu_stride],
+                                                    &corrected_imu[i * corrected_imu_stride],
                                                     &master[i * master_stride],
                                                     &bending[i * bending_stride],
                                                     &triads[i * triads_stride], &H[i * 138U]);
@@ -545,7 +554,7 @@ size_t vas_quaternion_H_batch(size_t n,
 int vas_quaternion_H_bound(void *const *at)
 {
     return (int)vas_quaternion_H((const bs_real *)at[0], (const vas_nav *)at[1],
-                                 (const vas_imu *)at[2], (const vas_master *)at[3],
+                                 (const vas_corrected_imu *)at[2], (const vas_master *)at[3],
                                  (const vas_bending *)at[4], (const vas_triads *)at[5],
                                  (bs_real *)at[6]);
 }
@@ -553,8 +562,8 @@ int vas_quaternion_H_bound(void *const *at)
 size_t vas_euler_z_batch(size_t n,
                          const vas_nav *nav,
                          size_t nav_stride,
-                         const vas_imu *imu,
-                         size_t imu_stride,
+                         const vas_corrected_imu *corrected_imu,
+                         size_t corrected_imu_stride,
                          const vas_master *master,
                          size_t master_stride,
                          const vas_bending *bending,
@@ -566,7 +575,8 @@ size_t vas_euler_z_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vas_euler_z(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)vas_euler_z(&nav[i * nav_stride],
+                                               &corrected_imu[i * corrected_imu_stride],
                                                &master[i * master_stride],
                                                &bending[i * bending_stride],
                                                &triads[i * triads_stride], &z[i * 3U]);
@@ -577,7 +587,7 @@ size_t vas_euler_z_batch(size_t n,
 
 int vas_euler_z_bound(void *const *at)
 {
-    return (int)vas_euler_z((const vas_nav *)at[0], (const vas_imu *)at[1],
+    return (int)vas_euler_z((const vas_nav *)at[0], (const vas_corrected_imu *)at[1],
                             (const vas_master *)at[2], (const vas_bending *)at[3],
                             (const vas_triads *)at[4], (bs_real *)at[5]);
 }
@@ -585,8 +595,8 @@ int vas_euler_z_bound(void *const *at)
 size_t vas_euler_H_batch(size_t n,
                          const vas_nav *nav,
                          size_t nav_stride,
-                         const vas_imu *imu,
-                         size_t imu_stride,
+                         const vas_corrected_imu *corrected_imu,
+                         size_t corrected_imu_stride,
                          const vas_master *master,
                          size_t master_stride,
                          const vas_bending *bending,
@@ -598,7 +608,8 @@ size_t vas_euler_H_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vas_euler_H(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)vas_euler_H(&nav[i * nav_stride],
+                                               &corrected_imu[i * corrected_imu_stride],
                                                &master[i * master_stride],
                                                &bending[i * bending_stride],
                                                &triads[i * triads_stride], &H[i * 138U]);
@@ -609,7 +620,7 @@ size_t vas_euler_H_batch(size_t n,
 
 int vas_euler_H_bound(void *const *at)
 {
-    return (int)vas_euler_H((const vas_nav *)at[0], (const vas_imu *)at[1],
+    return (int)vas_euler_H((const vas_nav *)at[0], (const vas_corrected_imu *)at[1],
                             (const vas_master *)at[2], (const vas_bending *)at[3],
                             (const vas_triads *)at[4], (bs_real *)at[5]);
 }
@@ -617,8 +628,8 @@ int vas_euler_H_bound(void *const *at)
 size_t vas_velocity_z_batch(size_t n,
                             const vas_nav *nav,
                             size_t nav_stride,
-                            const vas_imu *imu,
-                            size_t imu_stride,
+                            const vas_corrected_imu *corrected_imu,
+                            size_t corrected_imu_stride,
                             const vas_mounting *mounting,
                             size_t mounting_stride,
                             const vas_master *master,
@@ -632,7 +643,8 @@ size_t vas_velocity_z_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vas_velocity_z(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)vas_velocity_z(&nav[i * nav_stride],
+                                                  &corrected_imu[i * corrected_imu_stride],
                                                   &mounting[i * mounting_stride],
                                                   &master[i * master_stride],
                                                   &bending[i * bending_stride],
@@ -644,7 +656,7 @@ size_t vas_velocity_z_batch(size_t n,
 
 int vas_velocity_z_bound(void *const *at)
 {
-    return (int)vas_velocity_z((const vas_nav *)at[0], (const vas_imu *)at[1],
+    return (int)vas_velocity_z((const vas_nav *)at[0], (const vas_corrected_imu *)at[1],
                                (const vas_mounting *)at[2], (const vas_master *)at[3],
                                (const vas_bending *)at[4], (const vas_triads *)at[5],
                                (bs_real *)at[6]);
@@ -653,8 +665,8 @@ int vas_velocity_z_bound(void *const *at)
 size_t vas_velocity_H_batch(size_t n,
                             const vas_nav *nav,
                             size_t nav_stride,
-                            const vas_imu *imu,
-                            size_t imu_stride,
+                            const vas_corrected_imu *corrected_imu,
+                            size_t corrected_imu_stride,
                             const vas_mounting *mounting,
                             size_t mounting_stride,
                             const vas_master *master,
@@ -668,7 +680,8 @@ size_t vas_velocity_H_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vas_velocity_H(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)vas_velocity_H(&nav[i * nav_stride],
+                                                  &corrected_imu[i * corrected_imu_stride],
                                                   &mounting[i * mounting_stride],
                                                   &master[i * master_stride],
                                                   &bending[i * bending_stride],
@@ -680,7 +693,7 @@ size_t vas_velocity_H_batch(size_t n,
 
 int vas_velocity_H_bound(void *const *at)
 {
-    return (int)vas_velocity_H((const vas_nav *)at[0], (const vas_imu *)at[1],
+    return (int)vas_velocity_H((const vas_nav *)at[0], (const vas_corrected_imu *)at[1],
                                (const vas_mounting *)at[2], (const vas_master *)at[3],
                                (const vas_bending *)at[4], (const vas_triads *)at[5],
                                (bs_real *)at[6]);
@@ -689,8 +702,8 @@ int vas_velocity_H_bound(void *const *at)
 size_t vas_expected_batch(size_t n,
                           const vas_nav *nav,
                           size_t nav_stride,
-                          const vas_imu *imu,
-                          size_t imu_stride,
+                          const vas_corrected_imu *corrected_imu,
+                          size_t corrected_imu_stride,
                           const vas_mounting *mounting,
                           size_t mounting_stride,
                           const vas_bending *bending,
@@ -704,7 +717,8 @@ size_t vas_expected_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vas_expected(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)vas_expected(&nav[i * nav_stride],
+                                                &corrected_imu[i * corrected_imu_stride],
                                                 &mounting[i * mounting_stride],
                                                 &bending[i * bending_stride],
                                                 &triads[i * triads_stride], &v_m_n[i * 3U],
@@ -716,7 +730,7 @@ size_t vas_expected_batch(size_t n,
 
 int vas_expected_bound(void *const *at)
 {
-    return (int)vas_expected((const vas_nav *)at[0], (const vas_imu *)at[1],
+    return (int)vas_expected((const vas_nav *)at[0], (const vas_corrected_imu *)at[1],
                              (const vas_mounting *)at[2], (const vas_bending *)at[3],
                              (const vas_triads *)at[4], (bs_real *)at[5], (bs_real *)at[6],
                              (bs_real *)at[7]);
@@ -725,8 +739,8 @@ int vas_expected_bound(void *const *at)
 size_t vas_strapdown_batch(size_t n,
                            const vas_nav *nav,
                            size_t nav_stride,
-                           const vas_imu *imu,
-                           size_t imu_stride,
+                           const vas_corrected_imu *corrected_imu,
+                           size_t corrected_imu_stride,
                            const vas_increments *increments,
                            size_t increments_stride,
                            const vas_bending *bending,
@@ -735,7 +749,7 @@ size_t vas_strapdown_batch(size_t n,
                            size_t triads_stride,
                            const vas_biases *biases,
                            size_t biases_stride,
-                           bs_real *position,
+                           bs_real *lat_lon_height,
                            bs_real *v_n,
                            bs_real *q_b2n_wxyz,
                            bs_real *flexure,
@@ -746,14 +760,16 @@ size_t vas_strapdown_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vas_strapdown(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)vas_strapdown(&nav[i * nav_stride],
+                                                 &corrected_imu[i * corrected_imu_stride],
                                                  &increments[i * increments_stride],
                                                  &bending[i * bending_stride],
                                                  &triads[i * triads_stride],
-                                                 &biases[i * biases_stride], &position[i * 3U],
-                                                 &v_n[i * 3U], &q_b2n_wxyz[i * 4U],
-                                                 &flexure[i * 3U], &flexure_rate[i * 3U],
-                                                 &gyro_bias[i * 3U], &accel_bias[i * 3U]);
+                                                 &biases[i * biases_stride],
+                                                 &lat_lon_height[i * 3U], &v_n[i * 3U],
+                                                 &q_b2n_wxyz[i * 4U], &flexure[i * 3U],
+                                                 &flexure_rate[i * 3U], &gyro_bias[i * 3U],
+                                                 &accel_bias[i * 3U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
     return failed;
@@ -761,7 +777,7 @@ size_t vas_strapdown_batch(size_t n,
 
 int vas_strapdown_bound(void *const *at)
 {
-    return (int)vas_strapdown((const vas_nav *)at[0], (const vas_imu *)at[1],
+    return (int)vas_strapdown((const vas_nav *)at[0], (const vas_corrected_imu *)at[1],
                               (const vas_increments *)at[2], (const vas_bending *)at[3],
                               (const vas_triads *)at[4], (const vas_biases *)at[5],
                               (bs_real *)at[6], (bs_real *)at[7], (bs_real *)at[8],

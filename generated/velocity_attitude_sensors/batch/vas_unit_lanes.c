@@ -115,12 +115,12 @@ size_t vas_F_lanes(size_t n, const bs_given *given, double *const *out, unsigned
                 status[run] = (unsigned char)BS_OK;
             } else {
                 vas_nav nav = {0};
-                vas_imu imu = {0};
+                vas_corrected_imu corrected_imu = {0};
                 vas_bending bending = {0};
                 vas_triads triads = {0};
                 vas_biases biases = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -129,10 +129,10 @@ size_t vas_F_lanes(size_t n, const bs_given *given, double *const *out, unsigned
                     nav.q_b2n_wxyz[i] = in[6 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.f_b[i] = in[10 + i][l];
+                    corrected_imu.f_b[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[13 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[13 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     bending.flexure_omega[i] = in[16 + i][l];
@@ -158,7 +158,7 @@ size_t vas_F_lanes(size_t n, const bs_given *given, double *const *out, unsigned
                 for (int i = 0; i < 3; ++i) {
                     biases.accel_bias_beta[i] = in[40 + i][l];
                 }
-                status[run] = (unsigned char)vas_F(&nav, &imu, &bending, &triads, &biases,
+                status[run] = (unsigned char)vas_F(&nav, &corrected_imu, &bending, &triads, &biases,
                                                    &out[0][run * 2116U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
@@ -239,12 +239,12 @@ size_t vas_Phi_lanes(size_t n, const bs_given *given, double *const *out, unsign
                 status[run] = (unsigned char)BS_OK;
             } else {
                 vas_nav nav = {0};
-                vas_imu imu = {0};
+                vas_corrected_imu corrected_imu = {0};
                 vas_bending bending = {0};
                 vas_triads triads = {0};
                 vas_biases biases = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -253,12 +253,12 @@ size_t vas_Phi_lanes(size_t n, const bs_given *given, double *const *out, unsign
                     nav.q_b2n_wxyz[i] = in[6 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.f_b[i] = in[10 + i][l];
+                    corrected_imu.f_b[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[13 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[13 + i][l];
                 }
-                imu.dt = in[16][l];
+                corrected_imu.dt = in[16][l];
                 for (int i = 0; i < 3; ++i) {
                     bending.flexure_omega[i] = in[17 + i][l];
                 }
@@ -283,8 +283,8 @@ size_t vas_Phi_lanes(size_t n, const bs_given *given, double *const *out, unsign
                 for (int i = 0; i < 3; ++i) {
                     biases.accel_bias_beta[i] = in[41 + i][l];
                 }
-                status[run] = (unsigned char)vas_Phi(&nav, &imu, &bending, &triads, &biases,
-                                                     &out[0][run * 2116U]);
+                status[run] = (unsigned char)vas_Phi(&nav, &corrected_imu, &bending, &triads,
+                                                     &biases, &out[0][run * 2116U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -455,13 +455,13 @@ size_t vas_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned
                 status[run] = (unsigned char)BS_OK;
             } else {
                 vas_nav nav = {0};
-                vas_imu imu = {0};
+                vas_corrected_imu corrected_imu = {0};
                 vas_noise noise = {0};
                 vas_bending bending = {0};
                 vas_triads triads = {0};
                 vas_biases biases = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -470,9 +470,9 @@ size_t vas_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned
                     nav.q_b2n_wxyz[i] = in[6 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.f_b[i] = in[10 + i][l];
+                    corrected_imu.f_b[i] = in[10 + i][l];
                 }
-                imu.dt = in[13][l];
+                corrected_imu.dt = in[13][l];
                 for (int i = 0; i < 3; ++i) {
                     noise.gyro_noise[i] = in[14 + i][l];
                 }
@@ -516,8 +516,8 @@ size_t vas_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned
                 for (int i = 0; i < 3; ++i) {
                     biases.accel_bias_beta[i] = in[57 + i][l];
                 }
-                status[run] = (unsigned char)vas_Q(&nav, &imu, &noise, &bending, &triads, &biases,
-                                                   &out[0][run * 2116U]);
+                status[run] = (unsigned char)vas_Q(&nav, &corrected_imu, &noise, &bending, &triads,
+                                                   &biases, &out[0][run * 2116U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -572,12 +572,12 @@ size_t vas_dcm_z_lanes(size_t n, const bs_given *given, double *const *out, unsi
                 status[run] = (unsigned char)BS_OK;
             } else {
                 vas_nav nav = {0};
-                vas_imu imu = {0};
+                vas_corrected_imu corrected_imu = {0};
                 vas_master master = {0};
                 vas_bending bending = {0};
                 vas_triads triads = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -589,7 +589,7 @@ size_t vas_dcm_z_lanes(size_t n, const bs_given *given, double *const *out, unsi
                     nav.q_b2m_wxyz[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[14 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[14 + i][l];
                 }
                 for (int i = 0; i < 4; ++i) {
                     master.q_m2n_wxyz[i] = in[17 + i][l];
@@ -607,8 +607,8 @@ size_t vas_dcm_z_lanes(size_t n, const bs_given *given, double *const *out, unsi
                 for (int i = 0; i < 6; ++i) {
                     triads.gyro_axes[i] = in[31 + i][l];
                 }
-                status[run] = (unsigned char)vas_dcm_z(&nav, &imu, &master, &bending, &triads,
-                                                       &out[0][run * 3U]);
+                status[run] = (unsigned char)vas_dcm_z(&nav, &corrected_imu, &master, &bending,
+                                                       &triads, &out[0][run * 3U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -660,11 +660,11 @@ size_t vas_dcm_H_lanes(size_t n, const bs_given *given, double *const *out, unsi
                 status[run] = (unsigned char)BS_OK;
             } else {
                 vas_nav nav = {0};
-                vas_imu imu = {0};
+                vas_corrected_imu corrected_imu = {0};
                 vas_bending bending = {0};
                 vas_triads triads = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -676,7 +676,7 @@ size_t vas_dcm_H_lanes(size_t n, const bs_given *given, double *const *out, unsi
                     nav.q_b2m_wxyz[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[14 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[14 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     bending.flexure[i] = in[17 + i][l];
@@ -690,7 +690,7 @@ size_t vas_dcm_H_lanes(size_t n, const bs_given *given, double *const *out, unsi
                 for (int i = 0; i < 6; ++i) {
                     triads.gyro_axes[i] = in[26 + i][l];
                 }
-                status[run] = (unsigned char)vas_dcm_H(&nav, &imu, &bending, &triads,
+                status[run] = (unsigned char)vas_dcm_H(&nav, &corrected_imu, &bending, &triads,
                                                        &out[0][run * 138U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
@@ -752,12 +752,12 @@ size_t vas_quaternion_z_lanes(size_t n,
                 status[run] = (unsigned char)BS_OK;
             } else {
                 vas_nav nav = {0};
-                vas_imu imu = {0};
+                vas_corrected_imu corrected_imu = {0};
                 vas_master master = {0};
                 vas_bending bending = {0};
                 vas_triads triads = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -769,7 +769,7 @@ size_t vas_quaternion_z_lanes(size_t n,
                     nav.q_b2m_wxyz[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[14 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[14 + i][l];
                 }
                 for (int i = 0; i < 4; ++i) {
                     master.q_m2n_wxyz[i] = in[17 + i][l];
@@ -787,8 +787,8 @@ size_t vas_quaternion_z_lanes(size_t n,
                 for (int i = 0; i < 6; ++i) {
                     triads.gyro_axes[i] = in[31 + i][l];
                 }
-                status[run] = (unsigned char)vas_quaternion_z(&nav, &imu, &master, &bending,
-                                                              &triads, &out[0][run * 3U]);
+                status[run] = (unsigned char)vas_quaternion_z(&nav, &corrected_imu, &master,
+                                                              &bending, &triads, &out[0][run * 3U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -867,7 +867,7 @@ size_t vas_quaternion_h_lanes(size_t n,
             } else {
                 bs_real x[VAS_N_STATES] = {0};
                 vas_nav nav = {0};
-                vas_imu imu = {0};
+                vas_corrected_imu corrected_imu = {0};
                 vas_master master = {0};
                 vas_bending bending = {0};
                 vas_triads triads = {0};
@@ -875,7 +875,7 @@ size_t vas_quaternion_h_lanes(size_t n,
                     x[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[46 + i][l];
+                    nav.lat_lon_height[i] = in[46 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[49 + i][l];
@@ -887,7 +887,7 @@ size_t vas_quaternion_h_lanes(size_t n,
                     nav.q_b2m_wxyz[i] = in[56 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[60 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[60 + i][l];
                 }
                 for (int i = 0; i < 4; ++i) {
                     master.q_m2n_wxyz[i] = in[63 + i][l];
@@ -905,8 +905,8 @@ size_t vas_quaternion_h_lanes(size_t n,
                 for (int i = 0; i < 6; ++i) {
                     triads.gyro_axes[i] = in[77 + i][l];
                 }
-                status[run] = (unsigned char)vas_quaternion_h(x, &nav, &imu, &master, &bending,
-                                                              &triads, &out[0][run * 3U]);
+                status[run] = (unsigned char)vas_quaternion_h(x, &nav, &corrected_imu, &master,
+                                                              &bending, &triads, &out[0][run * 3U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -992,7 +992,7 @@ size_t vas_quaternion_H_lanes(size_t n,
             } else {
                 bs_real x[VAS_N_STATES] = {0};
                 vas_nav nav = {0};
-                vas_imu imu = {0};
+                vas_corrected_imu corrected_imu = {0};
                 vas_master master = {0};
                 vas_bending bending = {0};
                 vas_triads triads = {0};
@@ -1000,7 +1000,7 @@ size_t vas_quaternion_H_lanes(size_t n,
                     x[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[46 + i][l];
+                    nav.lat_lon_height[i] = in[46 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[49 + i][l];
@@ -1012,7 +1012,7 @@ size_t vas_quaternion_H_lanes(size_t n,
                     nav.q_b2m_wxyz[i] = in[56 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[60 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[60 + i][l];
                 }
                 for (int i = 0; i < 4; ++i) {
                     master.q_m2n_wxyz[i] = in[63 + i][l];
@@ -1030,8 +1030,9 @@ size_t vas_quaternion_H_lanes(size_t n,
                 for (int i = 0; i < 6; ++i) {
                     triads.gyro_axes[i] = in[77 + i][l];
                 }
-                status[run] = (unsigned char)vas_quaternion_H(x, &nav, &imu, &master, &bending,
-                                                              &triads, &out[0][run * 138U]);
+                status[run] = (unsigned char)vas_quaternion_H(x, &nav, &corrected_imu, &master,
+                                                              &bending, &triads,
+                                                              &out[0][run * 138U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -1088,12 +1089,12 @@ size_t vas_euler_z_lanes(size_t n, const bs_given *given, double *const *out, un
                 status[run] = (unsigned char)BS_OK;
             } else {
                 vas_nav nav = {0};
-                vas_imu imu = {0};
+                vas_corrected_imu corrected_imu = {0};
                 vas_master master = {0};
                 vas_bending bending = {0};
                 vas_triads triads = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -1105,7 +1106,7 @@ size_t vas_euler_z_lanes(size_t n, const bs_given *given, double *const *out, un
                     nav.q_b2m_wxyz[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[14 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[14 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     master.euler_m[i] = in[17 + i][l];
@@ -1123,8 +1124,8 @@ size_t vas_euler_z_lanes(size_t n, const bs_given *given, double *const *out, un
                 for (int i = 0; i < 6; ++i) {
                     triads.gyro_axes[i] = in[30 + i][l];
                 }
-                status[run] = (unsigned char)vas_euler_z(&nav, &imu, &master, &bending, &triads,
-                                                         &out[0][run * 3U]);
+                status[run] = (unsigned char)vas_euler_z(&nav, &corrected_imu, &master, &bending,
+                                                         &triads, &out[0][run * 3U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -1180,12 +1181,12 @@ size_t vas_euler_H_lanes(size_t n, const bs_given *given, double *const *out, un
                 status[run] = (unsigned char)BS_OK;
             } else {
                 vas_nav nav = {0};
-                vas_imu imu = {0};
+                vas_corrected_imu corrected_imu = {0};
                 vas_master master = {0};
                 vas_bending bending = {0};
                 vas_triads triads = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -1197,7 +1198,7 @@ size_t vas_euler_H_lanes(size_t n, const bs_given *given, double *const *out, un
                     nav.q_b2m_wxyz[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[14 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[14 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     master.euler_m[i] = in[17 + i][l];
@@ -1211,8 +1212,8 @@ size_t vas_euler_H_lanes(size_t n, const bs_given *given, double *const *out, un
                 for (int i = 0; i < 6; ++i) {
                     triads.gyro_axes[i] = in[26 + i][l];
                 }
-                status[run] = (unsigned char)vas_euler_H(&nav, &imu, &master, &bending, &triads,
-                                                         &out[0][run * 138U]);
+                status[run] = (unsigned char)vas_euler_H(&nav, &corrected_imu, &master, &bending,
+                                                         &triads, &out[0][run * 138U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -1273,13 +1274,13 @@ size_t vas_velocity_z_lanes(size_t n,
                 status[run] = (unsigned char)BS_OK;
             } else {
                 vas_nav nav = {0};
-                vas_imu imu = {0};
+                vas_corrected_imu corrected_imu = {0};
                 vas_mounting mounting = {0};
                 vas_master master = {0};
                 vas_bending bending = {0};
                 vas_triads triads = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -1291,7 +1292,7 @@ size_t vas_velocity_z_lanes(size_t n,
                     nav.q_b2m_wxyz[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[14 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[14 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     mounting.lever_b[i] = in[17 + i][l];
@@ -1312,8 +1313,9 @@ size_t vas_velocity_z_lanes(size_t n,
                 for (int i = 0; i < 6; ++i) {
                     triads.gyro_axes[i] = in[33 + i][l];
                 }
-                status[run] = (unsigned char)vas_velocity_z(&nav, &imu, &mounting, &master,
-                                                            &bending, &triads, &out[0][run * 3U]);
+                status[run] = (unsigned char)vas_velocity_z(&nav, &corrected_imu, &mounting,
+                                                            &master, &bending, &triads,
+                                                            &out[0][run * 3U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -1378,13 +1380,13 @@ size_t vas_velocity_H_lanes(size_t n,
                 status[run] = (unsigned char)BS_OK;
             } else {
                 vas_nav nav = {0};
-                vas_imu imu = {0};
+                vas_corrected_imu corrected_imu = {0};
                 vas_mounting mounting = {0};
                 vas_master master = {0};
                 vas_bending bending = {0};
                 vas_triads triads = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -1396,7 +1398,7 @@ size_t vas_velocity_H_lanes(size_t n,
                     nav.q_b2m_wxyz[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[14 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[14 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     mounting.lever_b[i] = in[17 + i][l];
@@ -1413,8 +1415,9 @@ size_t vas_velocity_H_lanes(size_t n,
                 for (int i = 0; i < 6; ++i) {
                     triads.gyro_axes[i] = in[29 + i][l];
                 }
-                status[run] = (unsigned char)vas_velocity_H(&nav, &imu, &mounting, &master,
-                                                            &bending, &triads, &out[0][run * 138U]);
+                status[run] = (unsigned char)vas_velocity_H(&nav, &corrected_imu, &mounting,
+                                                            &master, &bending, &triads,
+                                                            &out[0][run * 138U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -1476,12 +1479,12 @@ size_t vas_expected_lanes(size_t n,
                 status[run] = (unsigned char)BS_OK;
             } else {
                 vas_nav nav = {0};
-                vas_imu imu = {0};
+                vas_corrected_imu corrected_imu = {0};
                 vas_mounting mounting = {0};
                 vas_bending bending = {0};
                 vas_triads triads = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -1493,7 +1496,7 @@ size_t vas_expected_lanes(size_t n,
                     nav.q_b2m_wxyz[i] = in[10 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.omega_ib_b[i] = in[14 + i][l];
+                    corrected_imu.omega_ib_b[i] = in[14 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     mounting.lever_b[i] = in[17 + i][l];
@@ -1510,9 +1513,9 @@ size_t vas_expected_lanes(size_t n,
                 for (int i = 0; i < 6; ++i) {
                     triads.gyro_axes[i] = in[29 + i][l];
                 }
-                status[run] = (unsigned char)vas_expected(&nav, &imu, &mounting, &bending, &triads,
-                                                          &out[0][run * 3U], &out[1][run * 4U],
-                                                          &out[2][run * 3U]);
+                status[run] = (unsigned char)vas_expected(&nav, &corrected_imu, &mounting, &bending,
+                                                          &triads, &out[0][run * 3U],
+                                                          &out[1][run * 4U], &out[2][run * 3U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -1556,7 +1559,7 @@ size_t vas_strapdown_lanes(size_t n,
     size_t failed = 0U;
     for (size_t first = 0U; first < n; first += BORESIGHT_LANES) {
         bs_lanes in[68];
-        bs_lanes position_nz[3];
+        bs_lanes lat_lon_height_nz[3];
         bs_lanes v_n_nz[3];
         bs_lanes q_b2n_wxyz_nz[4];
         bs_lanes flexure_nz[3];
@@ -1591,14 +1594,14 @@ size_t vas_strapdown_lanes(size_t n,
         bs_unusual = (bs_bits)bs_all_of(0.0);
         vas_strapdown_kernel(&in[0], &in[3], &in[6], &in[10], &in[13], &in[16], &in[17], &in[20],
                              &in[23], &in[26], &in[29], &in[32], &in[35], &in[38], &in[41], &in[44],
-                             &in[47], &in[53], &in[56], &in[59], &in[62], &in[65], position_nz,
-                             v_n_nz, q_b2n_wxyz_nz, flexure_nz, flexure_rate_nz, gyro_bias_nz,
-                             accel_bias_nz);
+                             &in[47], &in[53], &in[56], &in[59], &in[62], &in[65],
+                             lat_lon_height_nz, v_n_nz, q_b2n_wxyz_nz, flexure_nz, flexure_rate_nz,
+                             gyro_bias_nz, accel_bias_nz);
         good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
-                bs_write(&out[0][run * 3U], 3, position_nz, NULL, 3, l);
+                bs_write(&out[0][run * 3U], 3, lat_lon_height_nz, NULL, 3, l);
                 bs_write(&out[1][run * 3U], 3, v_n_nz, NULL, 3, l);
                 bs_write(&out[2][run * 4U], 4, q_b2n_wxyz_nz, NULL, 4, l);
                 bs_write(&out[3][run * 3U], 3, flexure_nz, NULL, 3, l);
@@ -1608,13 +1611,13 @@ size_t vas_strapdown_lanes(size_t n,
                 status[run] = (unsigned char)BS_OK;
             } else {
                 vas_nav nav = {0};
-                vas_imu imu = {0};
+                vas_corrected_imu corrected_imu = {0};
                 vas_increments increments = {0};
                 vas_bending bending = {0};
                 vas_triads triads = {0};
                 vas_biases biases = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lat_lon_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -1628,7 +1631,7 @@ size_t vas_strapdown_lanes(size_t n,
                 for (int i = 0; i < 3; ++i) {
                     nav.accel_bias[i] = in[13 + i][l];
                 }
-                imu.dt = in[16][l];
+                corrected_imu.dt = in[16][l];
                 for (int i = 0; i < 3; ++i) {
                     increments.dtheta_ib_b[i] = in[17 + i][l];
                 }
@@ -1677,11 +1680,12 @@ size_t vas_strapdown_lanes(size_t n,
                 for (int i = 0; i < 3; ++i) {
                     biases.accel_bias_beta[i] = in[65 + i][l];
                 }
-                status[run] = (unsigned char)vas_strapdown(&nav, &imu, &increments, &bending,
-                                                           &triads, &biases, &out[0][run * 3U],
-                                                           &out[1][run * 3U], &out[2][run * 4U],
-                                                           &out[3][run * 3U], &out[4][run * 3U],
-                                                           &out[5][run * 3U], &out[6][run * 3U]);
+                status[run] = (unsigned char)vas_strapdown(&nav, &corrected_imu, &increments,
+                                                           &bending, &triads, &biases,
+                                                           &out[0][run * 3U], &out[1][run * 3U],
+                                                           &out[2][run * 4U], &out[3][run * 3U],
+                                                           &out[4][run * 3U], &out[5][run * 3U],
+                                                           &out[6][run * 3U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }

@@ -58,7 +58,7 @@ static const casadi_int casadi_s2[3] = {1, 1, 1};
 static const casadi_int casadi_s3[3] = {6, 1, 1};
 static const casadi_int casadi_s4[3] = {232, 1, 1};
 
-/* vas_Phi_casadi:(position[3],v_n[3],q_b2n_wxyz[4],f_b[3],omega_ib_b[3],dt,flexure_omega[3],flexure_damping[3],gyro_scale[3],accel_scale[3],gyro_axes[6],accel_axes[3],gyro_bias_beta[3],accel_bias_beta[3])->(out_Phi[232]) */
+/* vas_Phi_casadi:(lat_lon_height[3],v_n[3],q_b2n_wxyz[4],f_b[3],omega_ib_b[3],dt,flexure_omega[3],flexure_damping[3],gyro_scale[3],accel_scale[3],gyro_axes[6],accel_axes[3],gyro_bias_beta[3],accel_bias_beta[3])->(out_Phi[232]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
@@ -1595,7 +1595,7 @@ CASADI_SYMBOL_EXPORT casadi_real vas_Phi_casadi_default_in(casadi_int i) {
 
 CASADI_SYMBOL_EXPORT const char* vas_Phi_casadi_name_in(casadi_int i) {
   switch (i) {
-    case 0: return "position";
+    case 0: return "lat_lon_height";
     case 1: return "v_n";
     case 2: return "q_b2n_wxyz";
     case 3: return "f_b";

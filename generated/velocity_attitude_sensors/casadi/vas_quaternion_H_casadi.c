@@ -60,7 +60,7 @@ static const casadi_int casadi_s3[3] = {1, 1, 1};
 static const casadi_int casadi_s4[3] = {6, 1, 1};
 static const casadi_int casadi_s5[3] = {75, 1, 1};
 
-/* vas_quaternion_H_casadi:(x[46],position[3],v_n[3],q_b2n_wxyz[4],q_b2m_wxyz[4],omega_ib_b[3],q_m2n_wxyz[4],lag,flexure[3],flexure_rate[3],gyro_scale[3],gyro_axes[6])->(out_H[75]) */
+/* vas_quaternion_H_casadi:(x[46],lat_lon_height[3],v_n[3],q_b2n_wxyz[4],q_b2m_wxyz[4],omega_ib_b[3],q_m2n_wxyz[4],lag,flexure[3],flexure_rate[3],gyro_scale[3],gyro_axes[6])->(out_H[75]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a000, a001, a002, a003, a004, a005, a006, a007, a008, a009, a010, a011;
   casadi_real a012, a013, a014, a015, a016, a017, a018, a019, a020, a021, a022, a023;
@@ -1886,7 +1886,7 @@ CASADI_SYMBOL_EXPORT casadi_real vas_quaternion_H_casadi_default_in(casadi_int i
 CASADI_SYMBOL_EXPORT const char* vas_quaternion_H_casadi_name_in(casadi_int i) {
   switch (i) {
     case 0: return "x";
-    case 1: return "position";
+    case 1: return "lat_lon_height";
     case 2: return "v_n";
     case 3: return "q_b2n_wxyz";
     case 4: return "q_b2m_wxyz";

@@ -10,7 +10,7 @@
 int vas_quaternion_H_casadi(const double **arg, double **res, int *iw, double *w, int mem);
 
 static void vas_quaternion_H_kernel(const bs_real x[46],
-                                    const bs_real position[3],
+                                    const bs_real lat_lon_height[3],
                                     const bs_real v_n[3],
                                     const bs_real q_b2n_wxyz[4],
                                     const bs_real q_b2m_wxyz[4],
@@ -28,7 +28,7 @@ static void vas_quaternion_H_kernel(const bs_real x[46],
     int iw[1] = {0};
     double w[166] = {0};
     arg[0] = x;
-    arg[1] = position;
+    arg[1] = lat_lon_height;
     arg[2] = v_n;
     arg[3] = q_b2n_wxyz;
     arg[4] = q_b2m_wxyz;

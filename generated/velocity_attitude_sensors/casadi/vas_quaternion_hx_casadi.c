@@ -58,7 +58,7 @@ static const casadi_int casadi_s2[3] = {4, 1, 1};
 static const casadi_int casadi_s3[3] = {1, 1, 1};
 static const casadi_int casadi_s4[3] = {6, 1, 1};
 
-/* vas_quaternion_h_casadi:(x[46],position[3],v_n[3],q_b2n_wxyz[4],q_b2m_wxyz[4],omega_ib_b[3],q_m2n_wxyz[4],lag,flexure[3],flexure_rate[3],gyro_scale[3],gyro_axes[6])->(out_h[3]) */
+/* vas_quaternion_h_casadi:(x[46],lat_lon_height[3],v_n[3],q_b2n_wxyz[4],q_b2m_wxyz[4],omega_ib_b[3],q_m2n_wxyz[4],lag,flexure[3],flexure_rate[3],gyro_scale[3],gyro_axes[6])->(out_h[3]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
@@ -781,7 +781,7 @@ CASADI_SYMBOL_EXPORT casadi_real vas_quaternion_h_casadi_default_in(casadi_int i
 CASADI_SYMBOL_EXPORT const char* vas_quaternion_h_casadi_name_in(casadi_int i) {
   switch (i) {
     case 0: return "x";
-    case 1: return "position";
+    case 1: return "lat_lon_height";
     case 2: return "v_n";
     case 3: return "q_b2n_wxyz";
     case 4: return "q_b2m_wxyz";

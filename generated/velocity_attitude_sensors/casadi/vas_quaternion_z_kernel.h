@@ -9,7 +9,7 @@
 
 int vas_quaternion_z_casadi(const double **arg, double **res, int *iw, double *w, int mem);
 
-static void vas_quaternion_z_kernel(const bs_real position[3],
+static void vas_quaternion_z_kernel(const bs_real lat_lon_height[3],
                                     const bs_real v_n[3],
                                     const bs_real q_b2n_wxyz[4],
                                     const bs_real q_b2m_wxyz[4],
@@ -26,7 +26,7 @@ static void vas_quaternion_z_kernel(const bs_real position[3],
     double *res[1] = {0};
     int iw[1] = {0};
     double w[40] = {0};
-    arg[0] = position;
+    arg[0] = lat_lon_height;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;
     arg[3] = q_b2m_wxyz;

@@ -56,7 +56,7 @@ static const casadi_int casadi_s1[3] = {4, 1, 1};
 static const casadi_int casadi_s2[3] = {1, 1, 1};
 static const casadi_int casadi_s3[3] = {6, 1, 1};
 
-/* vas_strapdown_casadi:(position[3],v_n[3],q_b2n_wxyz[4],gyro_bias[3],accel_bias[3],dt,dtheta_ib_b[3],dv_b[3],dtheta_before[3],dv_before[3],flexure[3],flexure_rate[3],flexure_omega[3],flexure_damping[3],gyro_scale[3],accel_scale[3],gyro_axes[6],accel_axes[3],gyro_turn_on[3],accel_turn_on[3],gyro_bias_beta[3],accel_bias_beta[3])->(out_position[3],out_v_n[3],out_q_b2n_wxyz[4],out_flexure[3],out_flexure_rate[3],out_gyro_bias[3],out_accel_bias[3]) */
+/* vas_strapdown_casadi:(lat_lon_height[3],v_n[3],q_b2n_wxyz[4],gyro_bias[3],accel_bias[3],dt,dtheta_ib_b[3],dv_b[3],dtheta_before[3],dv_before[3],flexure[3],flexure_rate[3],flexure_omega[3],flexure_damping[3],gyro_scale[3],accel_scale[3],gyro_axes[6],accel_axes[3],gyro_turn_on[3],accel_turn_on[3],gyro_bias_beta[3],accel_bias_beta[3])->(out_lat_lon_height[3],out_v_n[3],out_q_b2n_wxyz[4],out_flexure[3],out_flexure_rate[3],out_gyro_bias[3],out_accel_bias[3]) */
 static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw, casadi_real* w, int mem) {
   casadi_real a00, a01, a02, a03, a04, a05, a06, a07, a08, a09, a10, a11;
   casadi_real a12, a13, a14, a15, a16, a17, a18, a19, a20, a21, a22, a23;
@@ -858,7 +858,7 @@ CASADI_SYMBOL_EXPORT casadi_real vas_strapdown_casadi_default_in(casadi_int i) {
 
 CASADI_SYMBOL_EXPORT const char* vas_strapdown_casadi_name_in(casadi_int i) {
   switch (i) {
-    case 0: return "position";
+    case 0: return "lat_lon_height";
     case 1: return "v_n";
     case 2: return "q_b2n_wxyz";
     case 3: return "gyro_bias";
@@ -886,7 +886,7 @@ CASADI_SYMBOL_EXPORT const char* vas_strapdown_casadi_name_in(casadi_int i) {
 
 CASADI_SYMBOL_EXPORT const char* vas_strapdown_casadi_name_out(casadi_int i) {
   switch (i) {
-    case 0: return "out_position";
+    case 0: return "out_lat_lon_height";
     case 1: return "out_v_n";
     case 2: return "out_q_b2n_wxyz";
     case 3: return "out_flexure";

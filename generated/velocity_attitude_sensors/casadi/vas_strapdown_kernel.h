@@ -9,7 +9,7 @@
 
 int vas_strapdown_casadi(const double **arg, double **res, int *iw, double *w, int mem);
 
-static void vas_strapdown_kernel(const bs_real position[3],
+static void vas_strapdown_kernel(const bs_real lat_lon_height[3],
                                  const bs_real v_n[3],
                                  const bs_real q_b2n_wxyz[4],
                                  const bs_real gyro_bias[3],
@@ -31,7 +31,7 @@ static void vas_strapdown_kernel(const bs_real position[3],
                                  const bs_real accel_turn_on[3],
                                  const bs_real gyro_bias_beta[3],
                                  const bs_real accel_bias_beta[3],
-                                 bs_real position_nz[3],
+                                 bs_real lat_lon_height_nz[3],
                                  bs_real v_n_nz[3],
                                  bs_real q_b2n_wxyz_nz[4],
                                  bs_real flexure_nz[3],
@@ -43,7 +43,7 @@ static void vas_strapdown_kernel(const bs_real position[3],
     double *res[7] = {0};
     int iw[1] = {0};
     double w[88] = {0};
-    arg[0] = position;
+    arg[0] = lat_lon_height;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;
     arg[3] = gyro_bias;
@@ -65,7 +65,7 @@ static void vas_strapdown_kernel(const bs_real position[3],
     arg[19] = accel_turn_on;
     arg[20] = gyro_bias_beta;
     arg[21] = accel_bias_beta;
-    res[0] = position_nz;
+    res[0] = lat_lon_height_nz;
     res[1] = v_n_nz;
     res[2] = q_b2n_wxyz_nz;
     res[3] = flexure_nz;

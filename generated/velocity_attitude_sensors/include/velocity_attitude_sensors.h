@@ -89,26 +89,26 @@ extern "C" {
 
 /* What the slave carries and the filter corrects. */
 typedef struct {
-    bs_real position[3];   /* geodetic latitude, longitude, not wrapped, height above the ellipsoid
-                            * (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
-                            * -500 to 30000 */
-    bs_real v_n[3];        /* velocity over the ground (m/s, NED); -1000 to 1000 */
-    bs_real q_b2n_wxyz[4]; /* attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001 */
-    bs_real gyro_bias[3];  /* estimated gyro bias, measured - true (rad/s, body);
-                            * -0.0174533 to 0.0174533 */
-    bs_real accel_bias[3]; /* estimated accelerometer bias, measured - true (m/s^2, body);
-                            * -1 to 1 */
-    bs_real q_b2m_wxyz[4]; /* estimated mounting of the slave (1, slave body to master body);
-                            * -1.001 to 1.001, norm 0.999 to 1.001 */
-    bs_real tau;           /* estimated age of the master's data (s); -1 to 1 */
+    bs_real lat_lon_height[3]; /* geodetic latitude, longitude, not wrapped, height above the
+                                * ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+                                * -6.28319 to 6.28319, -500 to 30000 */
+    bs_real v_n[3];            /* velocity over the ground (m/s, NED); -1000 to 1000 */
+    bs_real q_b2n_wxyz[4];     /* attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001 */
+    bs_real gyro_bias[3];      /* estimated gyro bias, measured - true (rad/s, body);
+                                * -0.0174533 to 0.0174533 */
+    bs_real accel_bias[3];     /* estimated accelerometer bias, measured - true (m/s^2, body);
+                                * -1 to 1 */
+    bs_real q_b2m_wxyz[4];     /* estimated mounting of the slave (1, slave body to master body);
+                                * -1.001 to 1.001, norm 0.999 to 1.001 */
+    bs_real tau;               /* estimated age of the master's data (s); -1 to 1 */
 } vas_nav;
 
-/* Inertial data over one step. */
+/* Inertial data over one step, estimated biases removed. */
 typedef struct {
     bs_real f_b[3];        /* specific force, estimated bias removed (m/s^2, body); -500 to 500 */
     bs_real omega_ib_b[3]; /* angular rate, estimated bias removed (rad/s, body); -20 to 20 */
     bs_real dt;            /* length of the step (s); 1e-06 to 10 */
-} vas_imu;
+} vas_corrected_imu;
 
 /* What the sensors deliver over one step, and over the step before. */
 typedef struct {
@@ -190,77 +190,79 @@ typedef struct {
 } vas_biases;
 
 /* System matrix, x' = F x + G w.
- * in   nav->position             geodetic latitude, longitude, not wrapped, height above the
- *                                ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
- *                                -6.28319 to 6.28319, -500 to 30000
- * in   nav->v_n                  velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz           attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->f_b                  specific force, estimated bias removed (m/s^2, body); -500 to 500
- * in   imu->omega_ib_b           angular rate, estimated bias removed (rad/s, body); -20 to 20
- * in   bending->flexure_omega    natural frequency of the bending (rad/s, master body); 0.01 to 100
- * in   bending->flexure_damping  its damping, of the critical one (1, master body); 0 to 10
- * in   triads->gyro_scale        estimated scale factor error of the gyros (1, body); -0.1 to 0.1
- * in   triads->accel_scale       estimated scale factor error of the accelerometers (1, body);
- *                                -0.1 to 0.1
- * in   triads->gyro_axes         estimated share of another axis' rate in a gyro, as xy: y in x
- *                                (rad, body); -0.1 to 0.1
- * in   triads->accel_axes        estimated share of another axis' force in an accelerometer
- *                                (rad, body); -0.1 to 0.1
- * in   biases->gyro_bias_beta    one over the correlation time of the gyro biases (1/s, body);
- *                                0 to 10
- * in   biases->accel_bias_beta   one over the correlation time of the accelerometer biases
- *                                (1/s, body); 0 to 10
- * out  F                         system matrix (1/s and mixed); 46 x 46, row-major; 107 of 2116 are
- *                                not zero
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
+ *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+ *                                 -6.28319 to 6.28319, -500 to 30000
+ * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz            attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->f_b         specific force, estimated bias removed (m/s^2, body); -500 to 500
+ * in   corrected_imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
+ * in   bending->flexure_omega     natural frequency of the bending (rad/s, master body);
+ *                                 0.01 to 100
+ * in   bending->flexure_damping   its damping, of the critical one (1, master body); 0 to 10
+ * in   triads->gyro_scale         estimated scale factor error of the gyros (1, body); -0.1 to 0.1
+ * in   triads->accel_scale        estimated scale factor error of the accelerometers (1, body);
+ *                                 -0.1 to 0.1
+ * in   triads->gyro_axes          estimated share of another axis' rate in a gyro, as xy: y in x
+ *                                 (rad, body); -0.1 to 0.1
+ * in   triads->accel_axes         estimated share of another axis' force in an accelerometer
+ *                                 (rad, body); -0.1 to 0.1
+ * in   biases->gyro_bias_beta     one over the correlation time of the gyro biases (1/s, body);
+ *                                 0 to 10
+ * in   biases->accel_bias_beta    one over the correlation time of the accelerometer biases
+ *                                 (1/s, body); 0 to 10
+ * out  F                          system matrix (1/s and mixed); 46 x 46, row-major; 107 of 2116
+ *                                 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vas_F(const vas_nav *nav,
-                const vas_imu *imu,
+                const vas_corrected_imu *corrected_imu,
                 const vas_bending *bending,
                 const vas_triads *triads,
                 const vas_biases *biases,
                 bs_real F[46 * VAS_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
 bs_status vas_F_nz(const vas_nav *nav,
-                   const vas_imu *imu,
+                   const vas_corrected_imu *corrected_imu,
                    const vas_bending *bending,
                    const vas_triads *triads,
                    const vas_biases *biases,
                    bs_real F_nz[107]);
 
 /* Transition matrix over dt, I + F dt + (F dt)^2 / 2, with F as it is at the start.
- * in   nav->position             geodetic latitude, longitude, not wrapped, height above the
- *                                ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
- *                                -6.28319 to 6.28319, -500 to 30000
- * in   nav->v_n                  velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz           attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->f_b                  specific force, estimated bias removed (m/s^2, body); -500 to 500
- * in   imu->omega_ib_b           angular rate, estimated bias removed (rad/s, body); -20 to 20
- * in   imu->dt                   length of the step (s); 1e-06 to 10
- * in   bending->flexure_omega    natural frequency of the bending (rad/s, master body); 0.01 to 100
- * in   bending->flexure_damping  its damping, of the critical one (1, master body); 0 to 10
- * in   triads->gyro_scale        estimated scale factor error of the gyros (1, body); -0.1 to 0.1
- * in   triads->accel_scale       estimated scale factor error of the accelerometers (1, body);
- *                                -0.1 to 0.1
- * in   triads->gyro_axes         estimated share of another axis' rate in a gyro, as xy: y in x
- *                                (rad, body); -0.1 to 0.1
- * in   triads->accel_axes        estimated share of another axis' force in an accelerometer
- *                                (rad, body); -0.1 to 0.1
- * in   biases->gyro_bias_beta    one over the correlation time of the gyro biases (1/s, body);
- *                                0 to 10
- * in   biases->accel_bias_beta   one over the correlation time of the accelerometer biases
- *                                (1/s, body); 0 to 10
- * out  Phi                       transition matrix (mixed); 46 x 46, row-major; 232 of 2116 are not
- *                                zero
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
+ *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+ *                                 -6.28319 to 6.28319, -500 to 30000
+ * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz            attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->f_b         specific force, estimated bias removed (m/s^2, body); -500 to 500
+ * in   corrected_imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
+ * in   corrected_imu->dt          length of the step (s); 1e-06 to 10
+ * in   bending->flexure_omega     natural frequency of the bending (rad/s, master body);
+ *                                 0.01 to 100
+ * in   bending->flexure_damping   its damping, of the critical one (1, master body); 0 to 10
+ * in   triads->gyro_scale         estimated scale factor error of the gyros (1, body); -0.1 to 0.1
+ * in   triads->accel_scale        estimated scale factor error of the accelerometers (1, body);
+ *                                 -0.1 to 0.1
+ * in   triads->gyro_axes          estimated share of another axis' rate in a gyro, as xy: y in x
+ *                                 (rad, body); -0.1 to 0.1
+ * in   triads->accel_axes         estimated share of another axis' force in an accelerometer
+ *                                 (rad, body); -0.1 to 0.1
+ * in   biases->gyro_bias_beta     one over the correlation time of the gyro biases (1/s, body);
+ *                                 0 to 10
+ * in   biases->accel_bias_beta    one over the correlation time of the accelerometer biases
+ *                                 (1/s, body); 0 to 10
+ * out  Phi                        transition matrix (mixed); 46 x 46, row-major; 232 of 2116 are
+ *                                 not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vas_Phi(const vas_nav *nav,
-                  const vas_imu *imu,
+                  const vas_corrected_imu *corrected_imu,
                   const vas_bending *bending,
                   const vas_triads *triads,
                   const vas_biases *biases,
                   bs_real Phi[46 * VAS_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
 bs_status vas_Phi_nz(const vas_nav *nav,
-                     const vas_imu *imu,
+                     const vas_corrected_imu *corrected_imu,
                      const vas_bending *bending,
                      const vas_triads *triads,
                      const vas_biases *biases,
@@ -304,13 +306,13 @@ bs_status vas_Qc_nz(const vas_nav *nav,
                     bs_real Qc_nz[31]);
 
 /* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
- * in   nav->position             geodetic latitude, longitude, not wrapped, height above the
+ * in   nav->lat_lon_height       geodetic latitude, longitude, not wrapped, height above the
  *                                ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                -6.28319 to 6.28319, -500 to 30000
  * in   nav->v_n                  velocity over the ground (m/s, NED); -1000 to 1000
  * in   nav->q_b2n_wxyz           attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->f_b                  specific force, estimated bias removed (m/s^2, body); -500 to 500
- * in   imu->dt                   length of the step (s); 1e-06 to 10
+ * in   corrected_imu->f_b        specific force, estimated bias removed (m/s^2, body); -500 to 500
+ * in   corrected_imu->dt         length of the step (s); 1e-06 to 10
  * in   noise->gyro_noise         noise density of the gyros (angle random walk, ARW)
  *                                (rad/sqrt(s), body); 0 to 0.1
  * in   noise->accel_noise        noise density of the accelerometers (velocity random walk, VRW)
@@ -341,7 +343,7 @@ bs_status vas_Qc_nz(const vas_nav *nav,
  *                                are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vas_Q(const vas_nav *nav,
-                const vas_imu *imu,
+                const vas_corrected_imu *corrected_imu,
                 const vas_noise *noise,
                 const vas_bending *bending,
                 const vas_triads *triads,
@@ -349,7 +351,7 @@ bs_status vas_Q(const vas_nav *nav,
                 bs_real Q[46 * VAS_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
 bs_status vas_Q_nz(const vas_nav *nav,
-                   const vas_imu *imu,
+                   const vas_corrected_imu *corrected_imu,
                    const vas_noise *noise,
                    const vas_bending *bending,
                    const vas_triads *triads,
@@ -359,27 +361,28 @@ bs_status vas_Q_nz(const vas_nav *nav,
 /* Attitude of the master: z = -e, e the turn from the computed to the measured one;
  * z = H x + noise; rows n, e, d.
  * Equations: kang-2025 (4), kang-2025 (5).
- * in   nav->position          geodetic latitude, longitude, not wrapped, height above the ellipsoid
- *                             (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
- *                             -500 to 30000
- * in   nav->v_n               velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz        attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   nav->q_b2m_wxyz        estimated mounting of the slave (1, slave body to master body);
- *                             -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b        angular rate, estimated bias removed (rad/s, body); -20 to 20
- * in   master->q_m2n_wxyz     attitude that the master reports (1, master body to NED);
- *                             -1.001 to 1.001, norm 0.999 to 1.001
- * in   master->lag            how much older the master's data is believed to be than the slave's
- *                             state given (s); -1 to 1
- * in   bending->flexure       estimated bending of the slave's seat (rad, master body); -0.1 to 0.1
- * in   bending->flexure_rate  its estimated rate (rad/s, master body); -1 to 1
- * in   triads->gyro_scale     estimated scale factor error of the gyros (1, body); -0.1 to 0.1
- * in   triads->gyro_axes      estimated share of another axis' rate in a gyro, as xy: y in x
- *                             (rad, body); -0.1 to 0.1
- * out  z                      n, e, d (rad); 3
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
+ *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+ *                                 -6.28319 to 6.28319, -500 to 30000
+ * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz            attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   nav->q_b2m_wxyz            estimated mounting of the slave (1, slave body to master body);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
+ * in   master->q_m2n_wxyz         attitude that the master reports (1, master body to NED);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   master->lag                how much older the master's data is believed to be than the
+ *                                 slave's state given (s); -1 to 1
+ * in   bending->flexure           estimated bending of the slave's seat (rad, master body);
+ *                                 -0.1 to 0.1
+ * in   bending->flexure_rate      its estimated rate (rad/s, master body); -1 to 1
+ * in   triads->gyro_scale         estimated scale factor error of the gyros (1, body); -0.1 to 0.1
+ * in   triads->gyro_axes          estimated share of another axis' rate in a gyro, as xy: y in x
+ *                                 (rad, body); -0.1 to 0.1
+ * out  z                          n, e, d (rad); 3
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vas_dcm_z(const vas_nav *nav,
-                    const vas_imu *imu,
+                    const vas_corrected_imu *corrected_imu,
                     const vas_master *master,
                     const vas_bending *bending,
                     const vas_triads *triads,
@@ -388,57 +391,59 @@ bs_status vas_dcm_z(const vas_nav *nav,
 /* Attitude of the master: z = -e, e the turn from the computed to the measured one; measurement
  * matrix H = d z / d x; rows n, e, d.
  * Equations: kang-2025 (4), kang-2025 (5).
- * in   nav->position          geodetic latitude, longitude, not wrapped, height above the ellipsoid
- *                             (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
- *                             -500 to 30000
- * in   nav->v_n               velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz        attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   nav->q_b2m_wxyz        estimated mounting of the slave (1, slave body to master body);
- *                             -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b        angular rate, estimated bias removed (rad/s, body); -20 to 20
- * in   bending->flexure       estimated bending of the slave's seat (rad, master body); -0.1 to 0.1
- * in   bending->flexure_rate  its estimated rate (rad/s, master body); -1 to 1
- * in   triads->gyro_scale     estimated scale factor error of the gyros (1, body); -0.1 to 0.1
- * in   triads->gyro_axes      estimated share of another axis' rate in a gyro, as xy: y in x
- *                             (rad, body); -0.1 to 0.1
- * out  H                      rows n, e, d (rad per unit of state); 3 x 46, row-major; 24 of 138
- *                             are not zero
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
+ *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+ *                                 -6.28319 to 6.28319, -500 to 30000
+ * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz            attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   nav->q_b2m_wxyz            estimated mounting of the slave (1, slave body to master body);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
+ * in   bending->flexure           estimated bending of the slave's seat (rad, master body);
+ *                                 -0.1 to 0.1
+ * in   bending->flexure_rate      its estimated rate (rad/s, master body); -1 to 1
+ * in   triads->gyro_scale         estimated scale factor error of the gyros (1, body); -0.1 to 0.1
+ * in   triads->gyro_axes          estimated share of another axis' rate in a gyro, as xy: y in x
+ *                                 (rad, body); -0.1 to 0.1
+ * out  H                          rows n, e, d (rad per unit of state); 3 x 46, row-major; 24 of
+ *                                 138 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vas_dcm_H(const vas_nav *nav,
-                    const vas_imu *imu,
+                    const vas_corrected_imu *corrected_imu,
                     const vas_bending *bending,
                     const vas_triads *triads,
                     bs_real H[3 * VAS_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
 bs_status vas_dcm_H_nz(const vas_nav *nav,
-                       const vas_imu *imu,
+                       const vas_corrected_imu *corrected_imu,
                        const vas_bending *bending,
                        const vas_triads *triads,
                        bs_real H_nz[24]);
 
 /* Attitude of the master, twice the vector part of a quaternion: z = -e, e the turn from the
  * computed to the measured one; z = h(x) + noise; rows n, e, d.
- * in   nav->position          geodetic latitude, longitude, not wrapped, height above the ellipsoid
- *                             (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
- *                             -500 to 30000
- * in   nav->v_n               velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz        attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   nav->q_b2m_wxyz        estimated mounting of the slave (1, slave body to master body);
- *                             -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b        angular rate, estimated bias removed (rad/s, body); -20 to 20
- * in   master->q_m2n_wxyz     attitude that the master reports (1, master body to NED);
- *                             -1.001 to 1.001, norm 0.999 to 1.001
- * in   master->lag            how much older the master's data is believed to be than the slave's
- *                             state given (s); -1 to 1
- * in   bending->flexure       estimated bending of the slave's seat (rad, master body); -0.1 to 0.1
- * in   bending->flexure_rate  its estimated rate (rad/s, master body); -1 to 1
- * in   triads->gyro_scale     estimated scale factor error of the gyros (1, body); -0.1 to 0.1
- * in   triads->gyro_axes      estimated share of another axis' rate in a gyro, as xy: y in x
- *                             (rad, body); -0.1 to 0.1
- * out  z                      n, e, d (rad); 3
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
+ *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+ *                                 -6.28319 to 6.28319, -500 to 30000
+ * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz            attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   nav->q_b2m_wxyz            estimated mounting of the slave (1, slave body to master body);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
+ * in   master->q_m2n_wxyz         attitude that the master reports (1, master body to NED);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   master->lag                how much older the master's data is believed to be than the
+ *                                 slave's state given (s); -1 to 1
+ * in   bending->flexure           estimated bending of the slave's seat (rad, master body);
+ *                                 -0.1 to 0.1
+ * in   bending->flexure_rate      its estimated rate (rad/s, master body); -1 to 1
+ * in   triads->gyro_scale         estimated scale factor error of the gyros (1, body); -0.1 to 0.1
+ * in   triads->gyro_axes          estimated share of another axis' rate in a gyro, as xy: y in x
+ *                                 (rad, body); -0.1 to 0.1
+ * out  z                          n, e, d (rad); 3
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vas_quaternion_z(const vas_nav *nav,
-                           const vas_imu *imu,
+                           const vas_corrected_imu *corrected_imu,
                            const vas_master *master,
                            const vas_bending *bending,
                            const vas_triads *triads,
@@ -446,40 +451,41 @@ bs_status vas_quaternion_z(const vas_nav *nav,
 
 /* Attitude of the master, twice the vector part of a quaternion: z = -e, e the turn from the
  * computed to the measured one; h(x), the z of an error state x without noise; rows n, e, d.
- * in   x                      error state (rad, m/s, rad/s, m/s^2, rad, s, m, rad, rad/s, 1, 1,
- *                             rad, rad, rad/s, m/s^2); -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5,
- *                             -100 to 100, -100 to 100, -100 to 100, -0.0174533 to 0.0174533,
- *                             -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -1 to 1, -1 to 1,
- *                             -1 to 1, -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -1 to 1, -100 to 100,
- *                             -100 to 100, -100 to 100, -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1,
- *                             -1 to 1, -1 to 1, -1 to 1, -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1,
- *                             -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1,
- *                             -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1,
- *                             -0.1 to 0.1, -0.1 to 0.1, -0.0174533 to 0.0174533,
- *                             -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -1 to 1, -1 to 1,
- *                             -1 to 1
- * in   nav->position          geodetic latitude, longitude, not wrapped, height above the ellipsoid
- *                             (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
- *                             -500 to 30000
- * in   nav->v_n               velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz        attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   nav->q_b2m_wxyz        estimated mounting of the slave (1, slave body to master body);
- *                             -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b        angular rate, estimated bias removed (rad/s, body); -20 to 20
- * in   master->q_m2n_wxyz     attitude that the master reports (1, master body to NED);
- *                             -1.001 to 1.001, norm 0.999 to 1.001
- * in   master->lag            how much older the master's data is believed to be than the slave's
- *                             state given (s); -1 to 1
- * in   bending->flexure       estimated bending of the slave's seat (rad, master body); -0.1 to 0.1
- * in   bending->flexure_rate  its estimated rate (rad/s, master body); -1 to 1
- * in   triads->gyro_scale     estimated scale factor error of the gyros (1, body); -0.1 to 0.1
- * in   triads->gyro_axes      estimated share of another axis' rate in a gyro, as xy: y in x
- *                             (rad, body); -0.1 to 0.1
- * out  h                      n, e, d (rad); 3
+ * in   x                          error state (rad, m/s, rad/s, m/s^2, rad, s, m, rad, rad/s, 1, 1,
+ *                                 rad, rad, rad/s, m/s^2); -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5,
+ *                                 -100 to 100, -100 to 100, -100 to 100, -0.0174533 to 0.0174533,
+ *                                 -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -1 to 1,
+ *                                 -1 to 1, -1 to 1, -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -1 to 1,
+ *                                 -100 to 100, -100 to 100, -100 to 100, -0.1 to 0.1, -0.1 to 0.1,
+ *                                 -0.1 to 0.1, -1 to 1, -1 to 1, -1 to 1, -0.1 to 0.1, -0.1 to 0.1,
+ *                                 -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1,
+ *                                 -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1,
+ *                                 -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1, -0.0174533 to 0.0174533,
+ *                                 -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -1 to 1,
+ *                                 -1 to 1, -1 to 1
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
+ *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+ *                                 -6.28319 to 6.28319, -500 to 30000
+ * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz            attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   nav->q_b2m_wxyz            estimated mounting of the slave (1, slave body to master body);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
+ * in   master->q_m2n_wxyz         attitude that the master reports (1, master body to NED);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   master->lag                how much older the master's data is believed to be than the
+ *                                 slave's state given (s); -1 to 1
+ * in   bending->flexure           estimated bending of the slave's seat (rad, master body);
+ *                                 -0.1 to 0.1
+ * in   bending->flexure_rate      its estimated rate (rad/s, master body); -1 to 1
+ * in   triads->gyro_scale         estimated scale factor error of the gyros (1, body); -0.1 to 0.1
+ * in   triads->gyro_axes          estimated share of another axis' rate in a gyro, as xy: y in x
+ *                                 (rad, body); -0.1 to 0.1
+ * out  h                          n, e, d (rad); 3
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vas_quaternion_h(const bs_real x[VAS_N_STATES],
                            const vas_nav *nav,
-                           const vas_imu *imu,
+                           const vas_corrected_imu *corrected_imu,
                            const vas_master *master,
                            const vas_bending *bending,
                            const vas_triads *triads,
@@ -487,41 +493,42 @@ bs_status vas_quaternion_h(const bs_real x[VAS_N_STATES],
 
 /* Attitude of the master, twice the vector part of a quaternion: z = -e, e the turn from the
  * computed to the measured one; measurement matrix H = d h / d x at x; rows n, e, d.
- * in   x                      error state (rad, m/s, rad/s, m/s^2, rad, s, m, rad, rad/s, 1, 1,
- *                             rad, rad, rad/s, m/s^2); -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5,
- *                             -100 to 100, -100 to 100, -100 to 100, -0.0174533 to 0.0174533,
- *                             -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -1 to 1, -1 to 1,
- *                             -1 to 1, -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -1 to 1, -100 to 100,
- *                             -100 to 100, -100 to 100, -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1,
- *                             -1 to 1, -1 to 1, -1 to 1, -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1,
- *                             -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1,
- *                             -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1,
- *                             -0.1 to 0.1, -0.1 to 0.1, -0.0174533 to 0.0174533,
- *                             -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -1 to 1, -1 to 1,
- *                             -1 to 1
- * in   nav->position          geodetic latitude, longitude, not wrapped, height above the ellipsoid
- *                             (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
- *                             -500 to 30000
- * in   nav->v_n               velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz        attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   nav->q_b2m_wxyz        estimated mounting of the slave (1, slave body to master body);
- *                             -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b        angular rate, estimated bias removed (rad/s, body); -20 to 20
- * in   master->q_m2n_wxyz     attitude that the master reports (1, master body to NED);
- *                             -1.001 to 1.001, norm 0.999 to 1.001
- * in   master->lag            how much older the master's data is believed to be than the slave's
- *                             state given (s); -1 to 1
- * in   bending->flexure       estimated bending of the slave's seat (rad, master body); -0.1 to 0.1
- * in   bending->flexure_rate  its estimated rate (rad/s, master body); -1 to 1
- * in   triads->gyro_scale     estimated scale factor error of the gyros (1, body); -0.1 to 0.1
- * in   triads->gyro_axes      estimated share of another axis' rate in a gyro, as xy: y in x
- *                             (rad, body); -0.1 to 0.1
- * out  H                      rows n, e, d (rad per unit of state); 3 x 46, row-major; 75 of 138
- *                             are not zero
+ * in   x                          error state (rad, m/s, rad/s, m/s^2, rad, s, m, rad, rad/s, 1, 1,
+ *                                 rad, rad, rad/s, m/s^2); -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5,
+ *                                 -100 to 100, -100 to 100, -100 to 100, -0.0174533 to 0.0174533,
+ *                                 -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -1 to 1,
+ *                                 -1 to 1, -1 to 1, -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -1 to 1,
+ *                                 -100 to 100, -100 to 100, -100 to 100, -0.1 to 0.1, -0.1 to 0.1,
+ *                                 -0.1 to 0.1, -1 to 1, -1 to 1, -1 to 1, -0.1 to 0.1, -0.1 to 0.1,
+ *                                 -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1,
+ *                                 -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1,
+ *                                 -0.1 to 0.1, -0.1 to 0.1, -0.1 to 0.1, -0.0174533 to 0.0174533,
+ *                                 -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -1 to 1,
+ *                                 -1 to 1, -1 to 1
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
+ *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+ *                                 -6.28319 to 6.28319, -500 to 30000
+ * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz            attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   nav->q_b2m_wxyz            estimated mounting of the slave (1, slave body to master body);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
+ * in   master->q_m2n_wxyz         attitude that the master reports (1, master body to NED);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   master->lag                how much older the master's data is believed to be than the
+ *                                 slave's state given (s); -1 to 1
+ * in   bending->flexure           estimated bending of the slave's seat (rad, master body);
+ *                                 -0.1 to 0.1
+ * in   bending->flexure_rate      its estimated rate (rad/s, master body); -1 to 1
+ * in   triads->gyro_scale         estimated scale factor error of the gyros (1, body); -0.1 to 0.1
+ * in   triads->gyro_axes          estimated share of another axis' rate in a gyro, as xy: y in x
+ *                                 (rad, body); -0.1 to 0.1
+ * out  H                          rows n, e, d (rad per unit of state); 3 x 46, row-major; 75 of
+ *                                 138 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vas_quaternion_H(const bs_real x[VAS_N_STATES],
                            const vas_nav *nav,
-                           const vas_imu *imu,
+                           const vas_corrected_imu *corrected_imu,
                            const vas_master *master,
                            const vas_bending *bending,
                            const vas_triads *triads,
@@ -529,7 +536,7 @@ bs_status vas_quaternion_H(const bs_real x[VAS_N_STATES],
 /* The same, the non-zeros alone, row after row. */
 bs_status vas_quaternion_H_nz(const bs_real x[VAS_N_STATES],
                               const vas_nav *nav,
-                              const vas_imu *imu,
+                              const vas_corrected_imu *corrected_imu,
                               const vas_master *master,
                               const vas_bending *bending,
                               const vas_triads *triads,
@@ -537,28 +544,29 @@ bs_status vas_quaternion_H_nz(const bs_real x[VAS_N_STATES],
 
 /* Euler angles of the master: z = computed - measured; z = H x + noise; rows roll, pitch, yaw.
  * Equations: song-lee-2001 (13).
- * in   nav->position          geodetic latitude, longitude, not wrapped, height above the ellipsoid
- *                             (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
- *                             -500 to 30000
- * in   nav->v_n               velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz        attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   nav->q_b2m_wxyz        estimated mounting of the slave (1, slave body to master body);
- *                             -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b        angular rate, estimated bias removed (rad/s, body); -20 to 20
- * in   master->euler_m        roll, pitch, yaw that the master reports; where one is not measured,
- *                             the expected one (rad, NED to master body); -3.14159 to 3.14159,
- *                             -1.39626 to 1.39626, -3.14159 to 3.14159
- * in   master->lag            how much older the master's data is believed to be than the slave's
- *                             state given (s); -1 to 1
- * in   bending->flexure       estimated bending of the slave's seat (rad, master body); -0.1 to 0.1
- * in   bending->flexure_rate  its estimated rate (rad/s, master body); -1 to 1
- * in   triads->gyro_scale     estimated scale factor error of the gyros (1, body); -0.1 to 0.1
- * in   triads->gyro_axes      estimated share of another axis' rate in a gyro, as xy: y in x
- *                             (rad, body); -0.1 to 0.1
- * out  z                      roll, pitch, yaw (rad); 3, wrapped to [-pi, pi]
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
+ *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+ *                                 -6.28319 to 6.28319, -500 to 30000
+ * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz            attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   nav->q_b2m_wxyz            estimated mounting of the slave (1, slave body to master body);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
+ * in   master->euler_m            roll, pitch, yaw that the master reports; where one is not
+ *                                 measured, the expected one (rad, NED to master body);
+ *                                 -3.14159 to 3.14159, -1.39626 to 1.39626, -3.14159 to 3.14159
+ * in   master->lag                how much older the master's data is believed to be than the
+ *                                 slave's state given (s); -1 to 1
+ * in   bending->flexure           estimated bending of the slave's seat (rad, master body);
+ *                                 -0.1 to 0.1
+ * in   bending->flexure_rate      its estimated rate (rad/s, master body); -1 to 1
+ * in   triads->gyro_scale         estimated scale factor error of the gyros (1, body); -0.1 to 0.1
+ * in   triads->gyro_axes          estimated share of another axis' rate in a gyro, as xy: y in x
+ *                                 (rad, body); -0.1 to 0.1
+ * out  z                          roll, pitch, yaw (rad); 3, wrapped to [-pi, pi]
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vas_euler_z(const vas_nav *nav,
-                      const vas_imu *imu,
+                      const vas_corrected_imu *corrected_imu,
                       const vas_master *master,
                       const vas_bending *bending,
                       const vas_triads *triads,
@@ -567,33 +575,33 @@ bs_status vas_euler_z(const vas_nav *nav,
 /* Euler angles of the master: z = computed - measured; measurement matrix H = d z / d x; rows roll,
  * pitch, yaw.
  * Equations: song-lee-2001 (13).
- * in   nav->position          geodetic latitude, longitude, not wrapped, height above the ellipsoid
- *                             (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
- *                             -500 to 30000
- * in   nav->v_n               velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz        attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   nav->q_b2m_wxyz        estimated mounting of the slave (1, slave body to master body);
- *                             -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b        angular rate, estimated bias removed (rad/s, body); -20 to 20
- * in   master->euler_m        roll, pitch, yaw that the master reports; where one is not measured,
- *                             the expected one (rad, NED to master body); -3.14159 to 3.14159,
- *                             -1.39626 to 1.39626, -3.14159 to 3.14159
- * in   bending->flexure_rate  its estimated rate (rad/s, master body); -1 to 1
- * in   triads->gyro_scale     estimated scale factor error of the gyros (1, body); -0.1 to 0.1
- * in   triads->gyro_axes      estimated share of another axis' rate in a gyro, as xy: y in x
- *                             (rad, body); -0.1 to 0.1
- * out  H                      rows roll, pitch, yaw (rad per unit of state); 3 x 46, row-major; 24
- *                             of 138 are not zero
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
+ *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+ *                                 -6.28319 to 6.28319, -500 to 30000
+ * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz            attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   nav->q_b2m_wxyz            estimated mounting of the slave (1, slave body to master body);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
+ * in   master->euler_m            roll, pitch, yaw that the master reports; where one is not
+ *                                 measured, the expected one (rad, NED to master body);
+ *                                 -3.14159 to 3.14159, -1.39626 to 1.39626, -3.14159 to 3.14159
+ * in   bending->flexure_rate      its estimated rate (rad/s, master body); -1 to 1
+ * in   triads->gyro_scale         estimated scale factor error of the gyros (1, body); -0.1 to 0.1
+ * in   triads->gyro_axes          estimated share of another axis' rate in a gyro, as xy: y in x
+ *                                 (rad, body); -0.1 to 0.1
+ * out  H                          rows roll, pitch, yaw (rad per unit of state); 3 x 46, row-major;
+ *                                 24 of 138 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vas_euler_H(const vas_nav *nav,
-                      const vas_imu *imu,
+                      const vas_corrected_imu *corrected_imu,
                       const vas_master *master,
                       const vas_bending *bending,
                       const vas_triads *triads,
                       bs_real H[3 * VAS_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
 bs_status vas_euler_H_nz(const vas_nav *nav,
-                         const vas_imu *imu,
+                         const vas_corrected_imu *corrected_imu,
                          const vas_master *master,
                          const vas_bending *bending,
                          const vas_triads *triads,
@@ -601,28 +609,28 @@ bs_status vas_euler_H_nz(const vas_nav *nav,
 
 /* Velocity of the master: z = computed - measured; z = H x + noise; rows n, e, d.
  * Equations: kang-2025 (1), kang-2025 (3).
- * in   nav->position          geodetic latitude, longitude, not wrapped, height above the ellipsoid
- *                             (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
- *                             -500 to 30000
- * in   nav->v_n               velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz        attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   nav->q_b2m_wxyz        estimated mounting of the slave (1, slave body to master body);
- *                             -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b        angular rate, estimated bias removed (rad/s, body); -20 to 20
- * in   mounting->lever_b      lever arm, from the master to the slave (m, body); -100 to 100
- * in   master->v_m_n          velocity that the master reports (m/s, NED); -1000 to 1000
- * in   master->a_n            rate of change of the velocity expected of the master (m/s^2, NED);
- *                             -500 to 500
- * in   master->lag            how much older the master's data is believed to be than the slave's
- *                             state given (s); -1 to 1
- * in   bending->flexure_rate  its estimated rate (rad/s, master body); -1 to 1
- * in   triads->gyro_scale     estimated scale factor error of the gyros (1, body); -0.1 to 0.1
- * in   triads->gyro_axes      estimated share of another axis' rate in a gyro, as xy: y in x
- *                             (rad, body); -0.1 to 0.1
- * out  z                      n, e, d (m/s); 3
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
+ *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+ *                                 -6.28319 to 6.28319, -500 to 30000
+ * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz            attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   nav->q_b2m_wxyz            estimated mounting of the slave (1, slave body to master body);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
+ * in   mounting->lever_b          lever arm, from the master to the slave (m, body); -100 to 100
+ * in   master->v_m_n              velocity that the master reports (m/s, NED); -1000 to 1000
+ * in   master->a_n                rate of change of the velocity expected of the master
+ *                                 (m/s^2, NED); -500 to 500
+ * in   master->lag                how much older the master's data is believed to be than the
+ *                                 slave's state given (s); -1 to 1
+ * in   bending->flexure_rate      its estimated rate (rad/s, master body); -1 to 1
+ * in   triads->gyro_scale         estimated scale factor error of the gyros (1, body); -0.1 to 0.1
+ * in   triads->gyro_axes          estimated share of another axis' rate in a gyro, as xy: y in x
+ *                                 (rad, body); -0.1 to 0.1
+ * out  z                          n, e, d (m/s); 3
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vas_velocity_z(const vas_nav *nav,
-                         const vas_imu *imu,
+                         const vas_corrected_imu *corrected_imu,
                          const vas_mounting *mounting,
                          const vas_master *master,
                          const vas_bending *bending,
@@ -631,26 +639,26 @@ bs_status vas_velocity_z(const vas_nav *nav,
 
 /* Velocity of the master: z = computed - measured; measurement matrix H = d z / d x; rows n, e, d.
  * Equations: kang-2025 (1), kang-2025 (3).
- * in   nav->position          geodetic latitude, longitude, not wrapped, height above the ellipsoid
- *                             (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
- *                             -500 to 30000
- * in   nav->v_n               velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz        attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   nav->q_b2m_wxyz        estimated mounting of the slave (1, slave body to master body);
- *                             -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b        angular rate, estimated bias removed (rad/s, body); -20 to 20
- * in   mounting->lever_b      lever arm, from the master to the slave (m, body); -100 to 100
- * in   master->a_n            rate of change of the velocity expected of the master (m/s^2, NED);
- *                             -500 to 500
- * in   bending->flexure_rate  its estimated rate (rad/s, master body); -1 to 1
- * in   triads->gyro_scale     estimated scale factor error of the gyros (1, body); -0.1 to 0.1
- * in   triads->gyro_axes      estimated share of another axis' rate in a gyro, as xy: y in x
- *                             (rad, body); -0.1 to 0.1
- * out  H                      rows n, e, d (m/s per unit of state); 3 x 46, row-major; 78 of 138
- *                             are not zero
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
+ *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+ *                                 -6.28319 to 6.28319, -500 to 30000
+ * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz            attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   nav->q_b2m_wxyz            estimated mounting of the slave (1, slave body to master body);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
+ * in   mounting->lever_b          lever arm, from the master to the slave (m, body); -100 to 100
+ * in   master->a_n                rate of change of the velocity expected of the master
+ *                                 (m/s^2, NED); -500 to 500
+ * in   bending->flexure_rate      its estimated rate (rad/s, master body); -1 to 1
+ * in   triads->gyro_scale         estimated scale factor error of the gyros (1, body); -0.1 to 0.1
+ * in   triads->gyro_axes          estimated share of another axis' rate in a gyro, as xy: y in x
+ *                                 (rad, body); -0.1 to 0.1
+ * out  H                          rows n, e, d (m/s per unit of state); 3 x 46, row-major; 78 of
+ *                                 138 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vas_velocity_H(const vas_nav *nav,
-                         const vas_imu *imu,
+                         const vas_corrected_imu *corrected_imu,
                          const vas_mounting *mounting,
                          const vas_master *master,
                          const vas_bending *bending,
@@ -658,7 +666,7 @@ bs_status vas_velocity_H(const vas_nav *nav,
                          bs_real H[3 * VAS_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
 bs_status vas_velocity_H_nz(const vas_nav *nav,
-                            const vas_imu *imu,
+                            const vas_corrected_imu *corrected_imu,
                             const vas_mounting *mounting,
                             const vas_master *master,
                             const vas_bending *bending,
@@ -667,26 +675,27 @@ bs_status vas_velocity_H_nz(const vas_nav *nav,
 
 /* What the master should report for this state of the slave.
  * Equations: kang-2025 (1).
- * in   nav->position          geodetic latitude, longitude, not wrapped, height above the ellipsoid
- *                             (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
- *                             -500 to 30000
- * in   nav->v_n               velocity over the ground (m/s, NED); -1000 to 1000
- * in   nav->q_b2n_wxyz        attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
- * in   nav->q_b2m_wxyz        estimated mounting of the slave (1, slave body to master body);
- *                             -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->omega_ib_b        angular rate, estimated bias removed (rad/s, body); -20 to 20
- * in   mounting->lever_b      lever arm, from the master to the slave (m, body); -100 to 100
- * in   bending->flexure       estimated bending of the slave's seat (rad, master body); -0.1 to 0.1
- * in   bending->flexure_rate  its estimated rate (rad/s, master body); -1 to 1
- * in   triads->gyro_scale     estimated scale factor error of the gyros (1, body); -0.1 to 0.1
- * in   triads->gyro_axes      estimated share of another axis' rate in a gyro, as xy: y in x
- *                             (rad, body); -0.1 to 0.1
- * out  v_m_n                  velocity at the master, NED (m/s); 3
- * out  q_m2n_wxyz             attitude of the master, master to NED (1); 4
- * out  omega_nb_n             rate of the body against the level, NED (rad/s); 3
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
+ *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
+ *                                 -6.28319 to 6.28319, -500 to 30000
+ * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
+ * in   nav->q_b2n_wxyz            attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   nav->q_b2m_wxyz            estimated mounting of the slave (1, slave body to master body);
+ *                                 -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->omega_ib_b  angular rate, estimated bias removed (rad/s, body); -20 to 20
+ * in   mounting->lever_b          lever arm, from the master to the slave (m, body); -100 to 100
+ * in   bending->flexure           estimated bending of the slave's seat (rad, master body);
+ *                                 -0.1 to 0.1
+ * in   bending->flexure_rate      its estimated rate (rad/s, master body); -1 to 1
+ * in   triads->gyro_scale         estimated scale factor error of the gyros (1, body); -0.1 to 0.1
+ * in   triads->gyro_axes          estimated share of another axis' rate in a gyro, as xy: y in x
+ *                                 (rad, body); -0.1 to 0.1
+ * out  v_m_n                      velocity at the master, NED (m/s); 3
+ * out  q_m2n_wxyz                 attitude of the master, master to NED (1); 4
+ * out  omega_nb_n                 rate of the body against the level, NED (rad/s); 3
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vas_expected(const vas_nav *nav,
-                       const vas_imu *imu,
+                       const vas_corrected_imu *corrected_imu,
                        const vas_mounting *mounting,
                        const vas_bending *bending,
                        const vas_triads *triads,
@@ -695,7 +704,7 @@ bs_status vas_expected(const vas_nav *nav,
                        bs_real omega_nb_n[3]);
 
 /* Position, velocity and attitude after one step of inertial increments, estimated biases removed.
- * in   nav->position              geodetic latitude, longitude, not wrapped, height above the
+ * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                 -6.28319 to 6.28319, -500 to 30000
  * in   nav->v_n                   velocity over the ground (m/s, NED); -1000 to 1000
@@ -704,7 +713,7 @@ bs_status vas_expected(const vas_nav *nav,
  *                                 -0.0174533 to 0.0174533
  * in   nav->accel_bias            estimated accelerometer bias, measured - true (m/s^2, body);
  *                                 -1 to 1
- * in   imu->dt                    length of the step (s); 1e-06 to 10
+ * in   corrected_imu->dt          length of the step (s); 1e-06 to 10
  * in   increments->dtheta_ib_b    integral of the measured angular rate over the step (rad, body);
  *                                 -0.5 to 0.5
  * in   increments->dv_b           integral of the measured specific force over the step
@@ -732,7 +741,7 @@ bs_status vas_expected(const vas_nav *nav,
  *                                 0 to 10
  * in   biases->accel_bias_beta    one over the correlation time of the accelerometer biases
  *                                 (1/s, body); 0 to 10
- * out  position                   lat, lon, height, WGS-84 (rad, rad, m); 3
+ * out  lat_lon_height             lat, lon, height, WGS-84 (rad, rad, m); 3
  * out  v_n                        velocity over the ground, NED (m/s); 3
  * out  q_b2n_wxyz                 attitude, of unit norm, body to NED (1); 4
  * out  flexure                    estimated bending of the slave's seat, after the step, master
@@ -744,12 +753,12 @@ bs_status vas_expected(const vas_nav *nav,
  *                                 body (m/s^2); 3
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vas_strapdown(const vas_nav *nav,
-                        const vas_imu *imu,
+                        const vas_corrected_imu *corrected_imu,
                         const vas_increments *increments,
                         const vas_bending *bending,
                         const vas_triads *triads,
                         const vas_biases *biases,
-                        bs_real position[3],
+                        bs_real lat_lon_height[3],
                         bs_real v_n[3],
                         bs_real q_b2n_wxyz[4],
                         bs_real flexure[3],

@@ -135,8 +135,7 @@ bs_status vas_filter_init_sigmas(vas_filter *filter,
 
 /* Set nav, mounting, bending, triads, biases from outside; P stays, and x becomes zero.  Where a
  * strapdown or a correction is refused for good, this is the way out.
- * in   clamp  0 to refuse a number outside its box; else it is put on the edge, and a vector that
- *             has a norm is scaled to it
+ * in   beyond  BS_REFUSE or BS_CLAMP
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE; BS_NOT_POSITIVE: P is none */
 bs_status vas_filter_set_nav(vas_filter *filter,
                              const vas_nav *nav,
@@ -144,19 +143,21 @@ bs_status vas_filter_set_nav(vas_filter *filter,
                              const vas_bending *bending,
                              const vas_triads *triads,
                              const vas_biases *biases,
-                             int clamp);
+                             bs_beyond beyond);
 
 /* Position, velocity and attitude after one step of inertial increments, estimated biases removed.
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE: an input, or the result, lies
  * outside its box */
 bs_status vas_filter_strapdown(vas_filter *filter,
-                               const vas_imu *imu,
+                               const vas_corrected_imu *corrected_imu,
                                const vas_increments *increments);
 
 /* Carry x and P over dt: x = Phi x, P = Phi P Phi' + Q.
  * returns BS_OK, BS_AT_CEILING, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE,
  * BS_NOT_POSITIVE */
-bs_status vas_filter_propagate(vas_filter *filter, const vas_imu *imu, const vas_noise *noise);
+bs_status vas_filter_propagate(vas_filter *filter,
+                               const vas_corrected_imu *corrected_imu,
+                               const vas_noise *noise);
 
 /* From now on no measurement corrects the states whose number is not 0 (a Schmidt filter): their
  * rows of the whole measurement's gain are zero.  They and their covariance among themselves stay,
@@ -178,7 +179,7 @@ bs_status vas_filter_consider(vas_filter *filter, const unsigned char considered
  * outside its box, or x would lie beyond its ceiling; or BS_NOT_POSITIVE: nu, S or nis is no finite
  * number, S is not above 0, or a variance would be negative */
 bs_status vas_filter_measure_dcm(vas_filter *filter,
-                                 const vas_imu *imu,
+                                 const vas_corrected_imu *corrected_imu,
                                  const vas_master *master,
                                  const bs_real R[3],
                                  const bs_gates *gates,
@@ -198,7 +199,7 @@ bs_status vas_filter_measure_dcm(vas_filter *filter,
  * outside its box, or x would lie beyond its ceiling; or BS_NOT_POSITIVE: nu, S or nis is no finite
  * number, S is not above 0, or a variance would be negative */
 bs_status vas_filter_measure_quaternion(vas_filter *filter,
-                                        const vas_imu *imu,
+                                        const vas_corrected_imu *corrected_imu,
                                         const vas_master *master,
                                         const bs_real R[3],
                                         const bs_gates *gates,
@@ -214,7 +215,7 @@ bs_status vas_filter_measure_quaternion(vas_filter *filter,
  * outside its box, or x would lie beyond its ceiling; or BS_NOT_POSITIVE: nu, S or nis is no finite
  * number, S is not above 0, or a variance would be negative */
 bs_status vas_filter_measure_euler(vas_filter *filter,
-                                   const vas_imu *imu,
+                                   const vas_corrected_imu *corrected_imu,
                                    const vas_master *master,
                                    const bs_real R[3],
                                    const bs_gates *gates,
@@ -230,7 +231,7 @@ bs_status vas_filter_measure_euler(vas_filter *filter,
  * outside its box, or x would lie beyond its ceiling; or BS_NOT_POSITIVE: nu, S or nis is no finite
  * number, S is not above 0, or a variance would be negative */
 bs_status vas_filter_measure_velocity(vas_filter *filter,
-                                      const vas_imu *imu,
+                                      const vas_corrected_imu *corrected_imu,
                                       const vas_master *master,
                                       const bs_real R[3],
                                       const bs_gates *gates,

@@ -20,7 +20,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "8f1ab9e331597c22f732b5372abc7b8342ade176eae36088f902decd420d4422"
+#define VAS_MODEL_HASH "f00d6b7ea95079631553cd3746bd36f9a95cc9ab95a6b20d2e31984f42c5a0c9"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1

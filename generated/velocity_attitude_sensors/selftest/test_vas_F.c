@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { -0x1.6bf5660000000p+0, -0x1.85ccc20000000p+0, 0x1.ddc4ae0000000p+11 }
 };
@@ -88,13 +88,13 @@ static const unsigned short at_F[107] = { 1, 2, 4, 6, 7, 8, 25, 26, 27, 31, 32, 
 
 static void set_point(int v,
                       vas_nav *nav,
-                      vas_imu *imu,
+                      vas_corrected_imu *corrected_imu,
                       vas_bending *bending,
                       vas_triads *triads,
                       vas_biases *biases)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -103,10 +103,10 @@ static void set_point(int v,
         nav->q_b2n_wxyz[i] = (bs_real)in_q_b2n_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->f_b[i] = (bs_real)in_f_b[v][i];
+        corrected_imu->f_b[i] = (bs_real)in_f_b[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
+        corrected_imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         bending->flexure_omega[i] = (bs_real)in_flexure_omega[v][i];
@@ -138,33 +138,33 @@ int test_vas_F(void)
 {
     int failures = 0;
     vas_nav nav = {0};
-    vas_imu imu = {0};
+    vas_corrected_imu corrected_imu = {0};
     vas_bending bending = {0};
     vas_triads triads = {0};
     vas_biases biases = {0};
     bs_real F[2116];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu, &bending, &triads, &biases);
-        if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
+        set_point(v, &nav, &corrected_imu, &bending, &triads, &biases);
+        if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
             ++failures;
             continue;
         }
         failures += selftest_compare("vas_F F", v, F, 2116, out_F[v], tol_F[v], at_F, 107, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
-                selftest_print("vas_F: position[%d] bad value %d not refused\n", i, bad);
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
+                selftest_print("vas_F: lat_lon_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_F F", F, 2116);
@@ -174,10 +174,10 @@ int test_vas_F(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
-                selftest_print("vas_F: position[%d] end %d refused\n", i, end);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
+                selftest_print("vas_F: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -188,11 +188,11 @@ int test_vas_F(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
                 selftest_print("vas_F: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -201,9 +201,9 @@ int test_vas_F(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
                 selftest_print("vas_F: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -216,12 +216,12 @@ int test_vas_F(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
                 selftest_print("vas_F: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -231,11 +231,11 @@ int test_vas_F(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
                 selftest_print("vas_F: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -244,11 +244,11 @@ int test_vas_F(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &bending, &triads, &biases);
+        set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OUT_OF_RANGE) {
+        if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OUT_OF_RANGE) {
             selftest_print("vas_F: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -259,11 +259,12 @@ int test_vas_F(void)
         static const double beyond_high[3] = { 500.25, 500.25, 500.25 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
-            imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
-                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
+            corrected_imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                             : (bad == 1) ? selftest_infinity()
+                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
                 selftest_print("vas_F: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -272,9 +273,9 @@ int test_vas_F(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
-            imu.f_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
+            corrected_imu.f_b[i] = (end == 0) ? low[i] : high[i];
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
                 selftest_print("vas_F: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -287,12 +288,12 @@ int test_vas_F(void)
         static const double beyond_high[3] = { 20.01, 20.01, 20.01 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
-            imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                          : (bad == 1) ? selftest_infinity()
-                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
+            corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                                    : (bad == 1) ? selftest_infinity()
+                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
                 selftest_print("vas_F: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -301,9 +302,9 @@ int test_vas_F(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
-            imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
+            corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
                 selftest_print("vas_F: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -316,12 +317,12 @@ int test_vas_F(void)
         static const double beyond_high[3] = { 100.05, 100.05, 100.05 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             bending.flexure_omega[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
                 selftest_print("vas_F: flexure_omega[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -330,9 +331,9 @@ int test_vas_F(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             bending.flexure_omega[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
                 selftest_print("vas_F: flexure_omega[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -345,12 +346,12 @@ int test_vas_F(void)
         static const double beyond_high[3] = { 10.005, 10.005, 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             bending.flexure_damping[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                    : (bad == 1) ? selftest_infinity()
                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
                 selftest_print("vas_F: flexure_damping[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -359,9 +360,9 @@ int test_vas_F(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             bending.flexure_damping[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
                 selftest_print("vas_F: flexure_damping[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -374,12 +375,12 @@ int test_vas_F(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
                 selftest_print("vas_F: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -388,9 +389,9 @@ int test_vas_F(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
                 selftest_print("vas_F: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -403,12 +404,12 @@ int test_vas_F(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.accel_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
                 selftest_print("vas_F: accel_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -417,9 +418,9 @@ int test_vas_F(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.accel_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
                 selftest_print("vas_F: accel_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -434,12 +435,12 @@ int test_vas_F(void)
                                                0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
                 selftest_print("vas_F: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -450,9 +451,9 @@ int test_vas_F(void)
                                             BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[6] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1),
                                              BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
                 selftest_print("vas_F: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -465,12 +466,12 @@ int test_vas_F(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.accel_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
                 selftest_print("vas_F: accel_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -479,9 +480,9 @@ int test_vas_F(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.accel_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
                 selftest_print("vas_F: accel_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -494,12 +495,12 @@ int test_vas_F(void)
         static const double beyond_high[3] = { 10.005, 10.005, 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             biases.gyro_bias_beta[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
                 selftest_print("vas_F: gyro_bias_beta[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -508,9 +509,9 @@ int test_vas_F(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             biases.gyro_bias_beta[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
                 selftest_print("vas_F: gyro_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -523,12 +524,12 @@ int test_vas_F(void)
         static const double beyond_high[3] = { 10.005, 10.005, 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             biases.accel_bias_beta[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                   : (bad == 1) ? selftest_infinity()
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 2116);
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != expected) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
                 selftest_print("vas_F: accel_bias_beta[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -537,26 +538,26 @@ int test_vas_F(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             biases.accel_bias_beta[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &imu, &bending, &triads, &biases, F) != BS_OK) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
                 selftest_print("vas_F: accel_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu, &bending, &triads, &biases);
-    failures += (vas_F(0, &imu, &bending, &triads, &biases, F) != BS_NULL_POINTER);
+    set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
+    failures += (vas_F(0, &corrected_imu, &bending, &triads, &biases, F) != BS_NULL_POINTER);
     failures += (vas_F(&nav, 0, &bending, &triads, &biases, F) != BS_NULL_POINTER);
-    failures += (vas_F(&nav, &imu, 0, &triads, &biases, F) != BS_NULL_POINTER);
-    failures += (vas_F(&nav, &imu, &bending, 0, &biases, F) != BS_NULL_POINTER);
-    failures += (vas_F(&nav, &imu, &bending, &triads, 0, F) != BS_NULL_POINTER);
-    failures += (vas_F(&nav, &imu, &bending, &triads, &biases, 0) != BS_NULL_POINTER);
-    failures += (vas_F_nz(0, &imu, &bending, &triads, &biases, F) != BS_NULL_POINTER);
+    failures += (vas_F(&nav, &corrected_imu, 0, &triads, &biases, F) != BS_NULL_POINTER);
+    failures += (vas_F(&nav, &corrected_imu, &bending, 0, &biases, F) != BS_NULL_POINTER);
+    failures += (vas_F(&nav, &corrected_imu, &bending, &triads, 0, F) != BS_NULL_POINTER);
+    failures += (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, 0) != BS_NULL_POINTER);
+    failures += (vas_F_nz(0, &corrected_imu, &bending, &triads, &biases, F) != BS_NULL_POINTER);
     failures += (vas_F_nz(&nav, 0, &bending, &triads, &biases, F) != BS_NULL_POINTER);
-    failures += (vas_F_nz(&nav, &imu, 0, &triads, &biases, F) != BS_NULL_POINTER);
-    failures += (vas_F_nz(&nav, &imu, &bending, 0, &biases, F) != BS_NULL_POINTER);
-    failures += (vas_F_nz(&nav, &imu, &bending, &triads, 0, F) != BS_NULL_POINTER);
-    failures += (vas_F_nz(&nav, &imu, &bending, &triads, &biases, 0) != BS_NULL_POINTER);
+    failures += (vas_F_nz(&nav, &corrected_imu, 0, &triads, &biases, F) != BS_NULL_POINTER);
+    failures += (vas_F_nz(&nav, &corrected_imu, &bending, 0, &biases, F) != BS_NULL_POINTER);
+    failures += (vas_F_nz(&nav, &corrected_imu, &bending, &triads, 0, F) != BS_NULL_POINTER);
+    failures += (vas_F_nz(&nav, &corrected_imu, &bending, &triads, &biases, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { 0x1.3d1c060000000p-3, 0x1.50e03e0000000p+1, 0x1.5cf5840000000p+12 }
 };
@@ -104,13 +104,13 @@ static const unsigned short at_Phi[232] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11
 
 static void set_point(int v,
                       vas_nav *nav,
-                      vas_imu *imu,
+                      vas_corrected_imu *corrected_imu,
                       vas_bending *bending,
                       vas_triads *triads,
                       vas_biases *biases)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -119,13 +119,13 @@ static void set_point(int v,
         nav->q_b2n_wxyz[i] = (bs_real)in_q_b2n_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->f_b[i] = (bs_real)in_f_b[v][i];
+        corrected_imu->f_b[i] = (bs_real)in_f_b[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
+        corrected_imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
     }
     for (int i = 0; i < 1; ++i) {
-        imu->dt = (bs_real)in_dt[v][i];
+        corrected_imu->dt = (bs_real)in_dt[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         bending->flexure_omega[i] = (bs_real)in_flexure_omega[v][i];
@@ -157,34 +157,34 @@ int test_vas_Phi(void)
 {
     int failures = 0;
     vas_nav nav = {0};
-    vas_imu imu = {0};
+    vas_corrected_imu corrected_imu = {0};
     vas_bending bending = {0};
     vas_triads triads = {0};
     vas_biases biases = {0};
     bs_real Phi[2116];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu, &bending, &triads, &biases);
-        if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
+        set_point(v, &nav, &corrected_imu, &bending, &triads, &biases);
+        if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
             ++failures;
             continue;
         }
         failures += selftest_compare("vas_Phi Phi", v, Phi, 2116, out_Phi[v], tol_Phi[v], at_Phi,
                                      232, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
-                selftest_print("vas_Phi: position[%d] bad value %d not refused\n", i, bad);
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
+                selftest_print("vas_Phi: lat_lon_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Phi Phi", Phi, 2116);
@@ -194,10 +194,10 @@ int test_vas_Phi(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
-                selftest_print("vas_Phi: position[%d] end %d refused\n", i, end);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
+                selftest_print("vas_Phi: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -208,11 +208,11 @@ int test_vas_Phi(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
                 selftest_print("vas_Phi: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -221,9 +221,9 @@ int test_vas_Phi(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
                 selftest_print("vas_Phi: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -236,12 +236,12 @@ int test_vas_Phi(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
                 selftest_print("vas_Phi: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -251,11 +251,11 @@ int test_vas_Phi(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
                 selftest_print("vas_Phi: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -264,11 +264,11 @@ int test_vas_Phi(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &bending, &triads, &biases);
+        set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OUT_OF_RANGE) {
+        if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OUT_OF_RANGE) {
             selftest_print("vas_Phi: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -279,11 +279,12 @@ int test_vas_Phi(void)
         static const double beyond_high[3] = { 500.25, 500.25, 500.25 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
-            imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
-                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
+            corrected_imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                             : (bad == 1) ? selftest_infinity()
+                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
                 selftest_print("vas_Phi: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -292,9 +293,9 @@ int test_vas_Phi(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
-            imu.f_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
+            corrected_imu.f_b[i] = (end == 0) ? low[i] : high[i];
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
                 selftest_print("vas_Phi: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -307,12 +308,12 @@ int test_vas_Phi(void)
         static const double beyond_high[3] = { 20.01, 20.01, 20.01 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
-            imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                          : (bad == 1) ? selftest_infinity()
-                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
+            corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                                    : (bad == 1) ? selftest_infinity()
+                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
                 selftest_print("vas_Phi: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -321,9 +322,9 @@ int test_vas_Phi(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
-            imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
+            corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
                 selftest_print("vas_Phi: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -335,11 +336,12 @@ int test_vas_Phi(void)
         static const double beyond_high[1] = { 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
-            imu.dt = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
-                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
+            corrected_imu.dt = (bs_real)((bad == 0) ? selftest_nan()
+                                         : (bad == 1) ? selftest_infinity()
+                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
                 selftest_print("vas_Phi: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -348,9 +350,9 @@ int test_vas_Phi(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
-            imu.dt = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
+            corrected_imu.dt = (end == 0) ? low[i] : high[i];
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
                 selftest_print("vas_Phi: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -363,12 +365,12 @@ int test_vas_Phi(void)
         static const double beyond_high[3] = { 100.05, 100.05, 100.05 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             bending.flexure_omega[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
                 selftest_print("vas_Phi: flexure_omega[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -377,9 +379,9 @@ int test_vas_Phi(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             bending.flexure_omega[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
                 selftest_print("vas_Phi: flexure_omega[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -392,12 +394,12 @@ int test_vas_Phi(void)
         static const double beyond_high[3] = { 10.005, 10.005, 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             bending.flexure_damping[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                    : (bad == 1) ? selftest_infinity()
                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
                 selftest_print("vas_Phi: flexure_damping[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -406,9 +408,9 @@ int test_vas_Phi(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             bending.flexure_damping[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
                 selftest_print("vas_Phi: flexure_damping[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -421,12 +423,12 @@ int test_vas_Phi(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
                 selftest_print("vas_Phi: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -435,9 +437,9 @@ int test_vas_Phi(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
                 selftest_print("vas_Phi: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -450,12 +452,12 @@ int test_vas_Phi(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.accel_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
                 selftest_print("vas_Phi: accel_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -464,9 +466,9 @@ int test_vas_Phi(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.accel_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
                 selftest_print("vas_Phi: accel_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -481,12 +483,12 @@ int test_vas_Phi(void)
                                                0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
                 selftest_print("vas_Phi: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -497,9 +499,9 @@ int test_vas_Phi(void)
                                             BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[6] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1),
                                              BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
                 selftest_print("vas_Phi: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -512,12 +514,12 @@ int test_vas_Phi(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.accel_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
                 selftest_print("vas_Phi: accel_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -526,9 +528,9 @@ int test_vas_Phi(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.accel_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
                 selftest_print("vas_Phi: accel_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -541,12 +543,12 @@ int test_vas_Phi(void)
         static const double beyond_high[3] = { 10.005, 10.005, 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             biases.gyro_bias_beta[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
                 selftest_print("vas_Phi: gyro_bias_beta[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -555,9 +557,9 @@ int test_vas_Phi(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             biases.gyro_bias_beta[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
                 selftest_print("vas_Phi: gyro_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -570,12 +572,12 @@ int test_vas_Phi(void)
         static const double beyond_high[3] = { 10.005, 10.005, 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             biases.accel_bias_beta[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                   : (bad == 1) ? selftest_infinity()
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != expected) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
                 selftest_print("vas_Phi: accel_bias_beta[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -584,26 +586,27 @@ int test_vas_Phi(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
-            set_point(0, &nav, &imu, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             biases.accel_bias_beta[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
                 selftest_print("vas_Phi: accel_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu, &bending, &triads, &biases);
-    failures += (vas_Phi(0, &imu, &bending, &triads, &biases, Phi) != BS_NULL_POINTER);
+    set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
+    failures += (vas_Phi(0, &corrected_imu, &bending, &triads, &biases, Phi) != BS_NULL_POINTER);
     failures += (vas_Phi(&nav, 0, &bending, &triads, &biases, Phi) != BS_NULL_POINTER);
-    failures += (vas_Phi(&nav, &imu, 0, &triads, &biases, Phi) != BS_NULL_POINTER);
-    failures += (vas_Phi(&nav, &imu, &bending, 0, &biases, Phi) != BS_NULL_POINTER);
-    failures += (vas_Phi(&nav, &imu, &bending, &triads, 0, Phi) != BS_NULL_POINTER);
-    failures += (vas_Phi(&nav, &imu, &bending, &triads, &biases, 0) != BS_NULL_POINTER);
-    failures += (vas_Phi_nz(0, &imu, &bending, &triads, &biases, Phi) != BS_NULL_POINTER);
+    failures += (vas_Phi(&nav, &corrected_imu, 0, &triads, &biases, Phi) != BS_NULL_POINTER);
+    failures += (vas_Phi(&nav, &corrected_imu, &bending, 0, &biases, Phi) != BS_NULL_POINTER);
+    failures += (vas_Phi(&nav, &corrected_imu, &bending, &triads, 0, Phi) != BS_NULL_POINTER);
+    failures += (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, 0) != BS_NULL_POINTER);
+    failures += (vas_Phi_nz(0, &corrected_imu, &bending, &triads, &biases, Phi) != BS_NULL_POINTER);
     failures += (vas_Phi_nz(&nav, 0, &bending, &triads, &biases, Phi) != BS_NULL_POINTER);
-    failures += (vas_Phi_nz(&nav, &imu, 0, &triads, &biases, Phi) != BS_NULL_POINTER);
-    failures += (vas_Phi_nz(&nav, &imu, &bending, 0, &biases, Phi) != BS_NULL_POINTER);
-    failures += (vas_Phi_nz(&nav, &imu, &bending, &triads, 0, Phi) != BS_NULL_POINTER);
-    failures += (vas_Phi_nz(&nav, &imu, &bending, &triads, &biases, 0) != BS_NULL_POINTER);
+    failures += (vas_Phi_nz(&nav, &corrected_imu, 0, &triads, &biases, Phi) != BS_NULL_POINTER);
+    failures += (vas_Phi_nz(&nav, &corrected_imu, &bending, 0, &biases, Phi) != BS_NULL_POINTER);
+    failures += (vas_Phi_nz(&nav, &corrected_imu, &bending, &triads, 0, Phi) != BS_NULL_POINTER);
+    failures += (vas_Phi_nz(&nav, &corrected_imu, &bending, &triads, &biases,
+                            0) != BS_NULL_POINTER);
     return failures;
 }

@@ -8,7 +8,7 @@
 
 #define N_VECTORS 3
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { 0x1.ca85d60000000p-2, 0x1.f96d020000000p+0, 0x1.9589fc0000000p+14 },
     { 0x1.4001aa0000000p-1, 0x1.05cbf80000000p+0, 0x1.dc0b6a0000000p+11 }
@@ -141,14 +141,14 @@ static const unsigned short at_Q[130] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 
 
 static void set_point(int v,
                       vas_nav *nav,
-                      vas_imu *imu,
+                      vas_corrected_imu *corrected_imu,
                       vas_noise *noise,
                       vas_bending *bending,
                       vas_triads *triads,
                       vas_biases *biases)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -157,10 +157,10 @@ static void set_point(int v,
         nav->q_b2n_wxyz[i] = (bs_real)in_q_b2n_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->f_b[i] = (bs_real)in_f_b[v][i];
+        corrected_imu->f_b[i] = (bs_real)in_f_b[v][i];
     }
     for (int i = 0; i < 1; ++i) {
-        imu->dt = (bs_real)in_dt[v][i];
+        corrected_imu->dt = (bs_real)in_dt[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         noise->gyro_noise[i] = (bs_real)in_gyro_noise[v][i];
@@ -213,34 +213,34 @@ int test_vas_Q(void)
 {
     int failures = 0;
     vas_nav nav = {0};
-    vas_imu imu = {0};
+    vas_corrected_imu corrected_imu = {0};
     vas_noise noise = {0};
     vas_bending bending = {0};
     vas_triads triads = {0};
     vas_biases biases = {0};
     bs_real Q[2116];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu, &noise, &bending, &triads, &biases);
-        if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+        set_point(v, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
+        if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
             ++failures;
             continue;
         }
         failures += selftest_compare("vas_Q Q", v, Q, 2116, out_Q[v], tol_Q[v], at_Q, 130, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
-                selftest_print("vas_Q: position[%d] bad value %d not refused\n", i, bad);
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
+                selftest_print("vas_Q: lat_lon_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_Q Q", Q, 2116);
@@ -250,10 +250,10 @@ int test_vas_Q(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
-                selftest_print("vas_Q: position[%d] end %d refused\n", i, end);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+                selftest_print("vas_Q: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -264,11 +264,11 @@ int test_vas_Q(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
                 selftest_print("vas_Q: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -277,9 +277,9 @@ int test_vas_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
                 selftest_print("vas_Q: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -292,12 +292,12 @@ int test_vas_Q(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
                 selftest_print("vas_Q: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -307,11 +307,11 @@ int test_vas_Q(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
                 selftest_print("vas_Q: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -320,11 +320,11 @@ int test_vas_Q(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+        set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OUT_OF_RANGE) {
+        if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OUT_OF_RANGE) {
             selftest_print("vas_Q: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -335,11 +335,12 @@ int test_vas_Q(void)
         static const double beyond_high[3] = { 500.25, 500.25, 500.25 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
-            imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
-                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
+            corrected_imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                             : (bad == 1) ? selftest_infinity()
+                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
                 selftest_print("vas_Q: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -348,9 +349,9 @@ int test_vas_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
-            imu.f_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
+            corrected_imu.f_b[i] = (end == 0) ? low[i] : high[i];
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
                 selftest_print("vas_Q: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -362,11 +363,12 @@ int test_vas_Q(void)
         static const double beyond_high[1] = { 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
-            imu.dt = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
-                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
+            corrected_imu.dt = (bs_real)((bad == 0) ? selftest_nan()
+                                         : (bad == 1) ? selftest_infinity()
+                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
                 selftest_print("vas_Q: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -375,9 +377,9 @@ int test_vas_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
-            imu.dt = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
+            corrected_imu.dt = (end == 0) ? low[i] : high[i];
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
                 selftest_print("vas_Q: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -390,12 +392,12 @@ int test_vas_Q(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             noise.gyro_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
                 selftest_print("vas_Q: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -404,9 +406,9 @@ int test_vas_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
                 selftest_print("vas_Q: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -419,12 +421,12 @@ int test_vas_Q(void)
         static const double beyond_high[3] = { 10.005, 10.005, 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             noise.accel_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
                 selftest_print("vas_Q: accel_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -433,9 +435,9 @@ int test_vas_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             noise.accel_noise[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
                 selftest_print("vas_Q: accel_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -448,12 +450,12 @@ int test_vas_Q(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             noise.gyro_bias_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
                 selftest_print("vas_Q: gyro_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -462,9 +464,9 @@ int test_vas_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             noise.gyro_bias_noise[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
                 selftest_print("vas_Q: gyro_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -477,12 +479,12 @@ int test_vas_Q(void)
         static const double beyond_high[3] = { 10.005, 10.005, 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             noise.accel_bias_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                   : (bad == 1) ? selftest_infinity()
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
                 selftest_print("vas_Q: accel_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -491,9 +493,9 @@ int test_vas_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             noise.accel_bias_noise[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
                 selftest_print("vas_Q: accel_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -506,12 +508,12 @@ int test_vas_Q(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             noise.mu_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
                 selftest_print("vas_Q: mu_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -520,9 +522,9 @@ int test_vas_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             noise.mu_noise[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
                 selftest_print("vas_Q: mu_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -535,12 +537,12 @@ int test_vas_Q(void)
         static const double beyond_high[1] = { 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             noise.tau_noise = (bs_real)((bad == 0) ? selftest_nan()
                                         : (bad == 1) ? selftest_infinity()
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
                 selftest_print("vas_Q: tau_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -549,9 +551,9 @@ int test_vas_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(0.0) };
             static const bs_real high[1] = { BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             noise.tau_noise = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
                 selftest_print("vas_Q: tau_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -564,12 +566,12 @@ int test_vas_Q(void)
         static const double beyond_high[3] = { 100.05, 100.05, 100.05 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             bending.flexure_omega[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
                 selftest_print("vas_Q: flexure_omega[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -578,9 +580,9 @@ int test_vas_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             bending.flexure_omega[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
                 selftest_print("vas_Q: flexure_omega[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -593,12 +595,12 @@ int test_vas_Q(void)
         static const double beyond_high[3] = { 10.005, 10.005, 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             bending.flexure_damping[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                    : (bad == 1) ? selftest_infinity()
                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
                 selftest_print("vas_Q: flexure_damping[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -607,9 +609,9 @@ int test_vas_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             bending.flexure_damping[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
                 selftest_print("vas_Q: flexure_damping[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -622,12 +624,12 @@ int test_vas_Q(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             bending.flexure_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
                 selftest_print("vas_Q: flexure_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -636,9 +638,9 @@ int test_vas_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             bending.flexure_noise[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
                 selftest_print("vas_Q: flexure_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -651,12 +653,12 @@ int test_vas_Q(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
                 selftest_print("vas_Q: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -665,9 +667,9 @@ int test_vas_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
                 selftest_print("vas_Q: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -680,12 +682,12 @@ int test_vas_Q(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             triads.accel_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
                 selftest_print("vas_Q: accel_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -694,9 +696,9 @@ int test_vas_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             triads.accel_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
                 selftest_print("vas_Q: accel_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -711,12 +713,12 @@ int test_vas_Q(void)
                                                0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
                 selftest_print("vas_Q: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -727,9 +729,9 @@ int test_vas_Q(void)
                                             BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[6] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1),
                                              BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
                 selftest_print("vas_Q: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -742,12 +744,12 @@ int test_vas_Q(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             triads.accel_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
                 selftest_print("vas_Q: accel_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -756,9 +758,9 @@ int test_vas_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             triads.accel_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
                 selftest_print("vas_Q: accel_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -771,12 +773,12 @@ int test_vas_Q(void)
         static const double beyond_high[3] = { 10.005, 10.005, 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             biases.gyro_bias_beta[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
                 selftest_print("vas_Q: gyro_bias_beta[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -785,9 +787,9 @@ int test_vas_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             biases.gyro_bias_beta[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
                 selftest_print("vas_Q: gyro_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -800,12 +802,12 @@ int test_vas_Q(void)
         static const double beyond_high[3] = { 10.005, 10.005, 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             biases.accel_bias_beta[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                   : (bad == 1) ? selftest_infinity()
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
                 selftest_print("vas_Q: accel_bias_beta[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -814,28 +816,35 @@ int test_vas_Q(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
-            set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             biases.accel_bias_beta[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
                 selftest_print("vas_Q: accel_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu, &noise, &bending, &triads, &biases);
-    failures += (vas_Q(0, &imu, &noise, &bending, &triads, &biases, Q) != BS_NULL_POINTER);
+    set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
+    failures += (vas_Q(0, &corrected_imu, &noise, &bending, &triads, &biases,
+                       Q) != BS_NULL_POINTER);
     failures += (vas_Q(&nav, 0, &noise, &bending, &triads, &biases, Q) != BS_NULL_POINTER);
-    failures += (vas_Q(&nav, &imu, 0, &bending, &triads, &biases, Q) != BS_NULL_POINTER);
-    failures += (vas_Q(&nav, &imu, &noise, 0, &triads, &biases, Q) != BS_NULL_POINTER);
-    failures += (vas_Q(&nav, &imu, &noise, &bending, 0, &biases, Q) != BS_NULL_POINTER);
-    failures += (vas_Q(&nav, &imu, &noise, &bending, &triads, 0, Q) != BS_NULL_POINTER);
-    failures += (vas_Q(&nav, &imu, &noise, &bending, &triads, &biases, 0) != BS_NULL_POINTER);
-    failures += (vas_Q_nz(0, &imu, &noise, &bending, &triads, &biases, Q) != BS_NULL_POINTER);
+    failures += (vas_Q(&nav, &corrected_imu, 0, &bending, &triads, &biases, Q) != BS_NULL_POINTER);
+    failures += (vas_Q(&nav, &corrected_imu, &noise, 0, &triads, &biases, Q) != BS_NULL_POINTER);
+    failures += (vas_Q(&nav, &corrected_imu, &noise, &bending, 0, &biases, Q) != BS_NULL_POINTER);
+    failures += (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, 0, Q) != BS_NULL_POINTER);
+    failures += (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
+                       0) != BS_NULL_POINTER);
+    failures += (vas_Q_nz(0, &corrected_imu, &noise, &bending, &triads, &biases,
+                          Q) != BS_NULL_POINTER);
     failures += (vas_Q_nz(&nav, 0, &noise, &bending, &triads, &biases, Q) != BS_NULL_POINTER);
-    failures += (vas_Q_nz(&nav, &imu, 0, &bending, &triads, &biases, Q) != BS_NULL_POINTER);
-    failures += (vas_Q_nz(&nav, &imu, &noise, 0, &triads, &biases, Q) != BS_NULL_POINTER);
-    failures += (vas_Q_nz(&nav, &imu, &noise, &bending, 0, &biases, Q) != BS_NULL_POINTER);
-    failures += (vas_Q_nz(&nav, &imu, &noise, &bending, &triads, 0, Q) != BS_NULL_POINTER);
-    failures += (vas_Q_nz(&nav, &imu, &noise, &bending, &triads, &biases, 0) != BS_NULL_POINTER);
+    failures += (vas_Q_nz(&nav, &corrected_imu, 0, &bending, &triads, &biases,
+                          Q) != BS_NULL_POINTER);
+    failures += (vas_Q_nz(&nav, &corrected_imu, &noise, 0, &triads, &biases, Q) != BS_NULL_POINTER);
+    failures += (vas_Q_nz(&nav, &corrected_imu, &noise, &bending, 0, &biases,
+                          Q) != BS_NULL_POINTER);
+    failures += (vas_Q_nz(&nav, &corrected_imu, &noise, &bending, &triads, 0,
+                          Q) != BS_NULL_POINTER);
+    failures += (vas_Q_nz(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
+                          0) != BS_NULL_POINTER);
     return failures;
 }

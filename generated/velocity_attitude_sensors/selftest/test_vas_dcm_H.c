@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { 0x1.6b19700000000p-12, 0x1.c3f4020000000p+1, 0x1.eb595e0000000p+13 }
 };
@@ -63,10 +63,14 @@ static const float tol_H[N_VECTORS][24] = {
 static const unsigned short at_H[24] = { 0, 12, 13, 14, 15, 19, 20, 21, 47, 58, 59, 60, 61, 65, 66,
                                          67, 94, 104, 105, 106, 107, 111, 112, 113 };
 
-static void set_point(int v, vas_nav *nav, vas_imu *imu, vas_bending *bending, vas_triads *triads)
+static void set_point(int v,
+                      vas_nav *nav,
+                      vas_corrected_imu *corrected_imu,
+                      vas_bending *bending,
+                      vas_triads *triads)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -78,7 +82,7 @@ static void set_point(int v, vas_nav *nav, vas_imu *imu, vas_bending *bending, v
         nav->q_b2m_wxyz[i] = (bs_real)in_q_b2m_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
+        corrected_imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         bending->flexure[i] = (bs_real)in_flexure[v][i];
@@ -98,32 +102,32 @@ int test_vas_dcm_H(void)
 {
     int failures = 0;
     vas_nav nav = {0};
-    vas_imu imu = {0};
+    vas_corrected_imu corrected_imu = {0};
     vas_bending bending = {0};
     vas_triads triads = {0};
     bs_real H[138];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu, &bending, &triads);
-        if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != BS_OK) {
+        set_point(v, &nav, &corrected_imu, &bending, &triads);
+        if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OK) {
             ++failures;
             continue;
         }
         failures += selftest_compare("vas_dcm_H H", v, H, 138, out_H[v], tol_H[v], at_H, 24, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &bending, &triads);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != expected) {
-                selftest_print("vas_dcm_H: position[%d] bad value %d not refused\n", i, bad);
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != expected) {
+                selftest_print("vas_dcm_H: lat_lon_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_dcm_H H", H, 138);
@@ -133,10 +137,10 @@ int test_vas_dcm_H(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu, &bending, &triads);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != BS_OK) {
-                selftest_print("vas_dcm_H: position[%d] end %d refused\n", i, end);
+            set_point(0, &nav, &corrected_imu, &bending, &triads);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OK) {
+                selftest_print("vas_dcm_H: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -147,11 +151,11 @@ int test_vas_dcm_H(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &bending, &triads);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != expected) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != expected) {
                 selftest_print("vas_dcm_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -160,9 +164,9 @@ int test_vas_dcm_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &bending, &triads);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != BS_OK) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OK) {
                 selftest_print("vas_dcm_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -175,12 +179,12 @@ int test_vas_dcm_H(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &bending, &triads);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != expected) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != expected) {
                 selftest_print("vas_dcm_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -190,11 +194,11 @@ int test_vas_dcm_H(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &bending, &triads);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != BS_OK) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OK) {
                 selftest_print("vas_dcm_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -203,11 +207,11 @@ int test_vas_dcm_H(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &bending, &triads);
+        set_point(0, &nav, &corrected_imu, &bending, &triads);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != BS_OUT_OF_RANGE) {
+        if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OUT_OF_RANGE) {
             selftest_print("vas_dcm_H: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -219,12 +223,12 @@ int test_vas_dcm_H(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &bending, &triads);
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != expected) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != expected) {
                 selftest_print("vas_dcm_H: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -234,11 +238,11 @@ int test_vas_dcm_H(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &bending, &triads);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != BS_OK) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OK) {
                 selftest_print("vas_dcm_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -247,11 +251,11 @@ int test_vas_dcm_H(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &bending, &triads);
+        set_point(0, &nav, &corrected_imu, &bending, &triads);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != BS_OUT_OF_RANGE) {
+        if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OUT_OF_RANGE) {
             selftest_print("vas_dcm_H: q_b2m_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -263,12 +267,12 @@ int test_vas_dcm_H(void)
         static const double beyond_high[3] = { 20.01, 20.01, 20.01 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads);
-            imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                          : (bad == 1) ? selftest_infinity()
-                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &bending, &triads);
+            corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                                    : (bad == 1) ? selftest_infinity()
+                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != expected) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != expected) {
                 selftest_print("vas_dcm_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -277,9 +281,9 @@ int test_vas_dcm_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
-            set_point(0, &nav, &imu, &bending, &triads);
-            imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != BS_OK) {
+            set_point(0, &nav, &corrected_imu, &bending, &triads);
+            corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OK) {
                 selftest_print("vas_dcm_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -292,12 +296,12 @@ int test_vas_dcm_H(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &bending, &triads);
             bending.flexure[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != expected) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != expected) {
                 selftest_print("vas_dcm_H: flexure[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -306,9 +310,9 @@ int test_vas_dcm_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &bending, &triads);
             bending.flexure[i] = (end == 0) ? low[i] : high[i];
-            if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != BS_OK) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OK) {
                 selftest_print("vas_dcm_H: flexure[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -321,12 +325,12 @@ int test_vas_dcm_H(void)
         static const double beyond_high[3] = { 1.0005, 1.0005, 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &bending, &triads);
             bending.flexure_rate[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != expected) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != expected) {
                 selftest_print("vas_dcm_H: flexure_rate[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -335,9 +339,9 @@ int test_vas_dcm_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
-            set_point(0, &nav, &imu, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &bending, &triads);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
-            if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != BS_OK) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OK) {
                 selftest_print("vas_dcm_H: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -350,12 +354,12 @@ int test_vas_dcm_H(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &bending, &triads);
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != expected) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != expected) {
                 selftest_print("vas_dcm_H: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -364,9 +368,9 @@ int test_vas_dcm_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != BS_OK) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OK) {
                 selftest_print("vas_dcm_H: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -381,12 +385,12 @@ int test_vas_dcm_H(void)
                                                0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &bending, &triads);
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != expected) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != expected) {
                 selftest_print("vas_dcm_H: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -397,24 +401,24 @@ int test_vas_dcm_H(void)
                                             BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[6] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1),
                                              BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_dcm_H(&nav, &imu, &bending, &triads, H) != BS_OK) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OK) {
                 selftest_print("vas_dcm_H: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu, &bending, &triads);
-    failures += (vas_dcm_H(0, &imu, &bending, &triads, H) != BS_NULL_POINTER);
+    set_point(0, &nav, &corrected_imu, &bending, &triads);
+    failures += (vas_dcm_H(0, &corrected_imu, &bending, &triads, H) != BS_NULL_POINTER);
     failures += (vas_dcm_H(&nav, 0, &bending, &triads, H) != BS_NULL_POINTER);
-    failures += (vas_dcm_H(&nav, &imu, 0, &triads, H) != BS_NULL_POINTER);
-    failures += (vas_dcm_H(&nav, &imu, &bending, 0, H) != BS_NULL_POINTER);
-    failures += (vas_dcm_H(&nav, &imu, &bending, &triads, 0) != BS_NULL_POINTER);
-    failures += (vas_dcm_H_nz(0, &imu, &bending, &triads, H) != BS_NULL_POINTER);
+    failures += (vas_dcm_H(&nav, &corrected_imu, 0, &triads, H) != BS_NULL_POINTER);
+    failures += (vas_dcm_H(&nav, &corrected_imu, &bending, 0, H) != BS_NULL_POINTER);
+    failures += (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, 0) != BS_NULL_POINTER);
+    failures += (vas_dcm_H_nz(0, &corrected_imu, &bending, &triads, H) != BS_NULL_POINTER);
     failures += (vas_dcm_H_nz(&nav, 0, &bending, &triads, H) != BS_NULL_POINTER);
-    failures += (vas_dcm_H_nz(&nav, &imu, 0, &triads, H) != BS_NULL_POINTER);
-    failures += (vas_dcm_H_nz(&nav, &imu, &bending, 0, H) != BS_NULL_POINTER);
-    failures += (vas_dcm_H_nz(&nav, &imu, &bending, &triads, 0) != BS_NULL_POINTER);
+    failures += (vas_dcm_H_nz(&nav, &corrected_imu, 0, &triads, H) != BS_NULL_POINTER);
+    failures += (vas_dcm_H_nz(&nav, &corrected_imu, &bending, 0, H) != BS_NULL_POINTER);
+    failures += (vas_dcm_H_nz(&nav, &corrected_imu, &bending, &triads, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { -0x1.6ef4600000000p+0, -0x1.638e360000000p+2, 0x1.889fba0000000p+14 }
 };
@@ -72,13 +72,13 @@ static const unsigned short at_z[3] = { 0, 1, 2 };
 
 static void set_point(int v,
                       vas_nav *nav,
-                      vas_imu *imu,
+                      vas_corrected_imu *corrected_imu,
                       vas_master *master,
                       vas_bending *bending,
                       vas_triads *triads)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -90,7 +90,7 @@ static void set_point(int v,
         nav->q_b2m_wxyz[i] = (bs_real)in_q_b2m_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
+        corrected_imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
     }
     for (int i = 0; i < 4; ++i) {
         master->q_m2n_wxyz[i] = (bs_real)in_q_m2n_wxyz[v][i];
@@ -116,33 +116,33 @@ int test_vas_dcm_z(void)
 {
     int failures = 0;
     vas_nav nav = {0};
-    vas_imu imu = {0};
+    vas_corrected_imu corrected_imu = {0};
     vas_master master = {0};
     vas_bending bending = {0};
     vas_triads triads = {0};
     bs_real z[3];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu, &master, &bending, &triads);
-        if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
+        set_point(v, &nav, &corrected_imu, &master, &bending, &triads);
+        if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
             ++failures;
             continue;
         }
         failures += selftest_compare("vas_dcm_z z", v, z, 3, out_z[v], tol_z[v], at_z, 3, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master, &bending, &triads);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                selftest_print("vas_dcm_z: position[%d] bad value %d not refused\n", i, bad);
+            if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
+                selftest_print("vas_dcm_z: lat_lon_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vas_dcm_z z", z, 3);
@@ -152,10 +152,10 @@ int test_vas_dcm_z(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu, &master, &bending, &triads);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                selftest_print("vas_dcm_z: position[%d] end %d refused\n", i, end);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
+                selftest_print("vas_dcm_z: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -166,11 +166,11 @@ int test_vas_dcm_z(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
+            if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
                 selftest_print("vas_dcm_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -179,9 +179,9 @@ int test_vas_dcm_z(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
                 selftest_print("vas_dcm_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -194,12 +194,12 @@ int test_vas_dcm_z(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
+            if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
                 selftest_print("vas_dcm_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -209,11 +209,11 @@ int test_vas_dcm_z(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
                 selftest_print("vas_dcm_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -222,11 +222,11 @@ int test_vas_dcm_z(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &master, &bending, &triads);
+        set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OUT_OF_RANGE) {
+        if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OUT_OF_RANGE) {
             selftest_print("vas_dcm_z: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -238,12 +238,12 @@ int test_vas_dcm_z(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
+            if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
                 selftest_print("vas_dcm_z: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -253,11 +253,11 @@ int test_vas_dcm_z(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
                 selftest_print("vas_dcm_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -266,11 +266,11 @@ int test_vas_dcm_z(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &master, &bending, &triads);
+        set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OUT_OF_RANGE) {
+        if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OUT_OF_RANGE) {
             selftest_print("vas_dcm_z: q_b2m_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -282,12 +282,12 @@ int test_vas_dcm_z(void)
         static const double beyond_high[3] = { 20.01, 20.01, 20.01 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master, &bending, &triads);
-            imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                          : (bad == 1) ? selftest_infinity()
-                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
+            corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                                    : (bad == 1) ? selftest_infinity()
+                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
+            if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
                 selftest_print("vas_dcm_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -296,9 +296,9 @@ int test_vas_dcm_z(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
-            set_point(0, &nav, &imu, &master, &bending, &triads);
-            imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
+            corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
+            if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
                 selftest_print("vas_dcm_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -311,12 +311,12 @@ int test_vas_dcm_z(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             master.q_m2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
+            if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
                 selftest_print("vas_dcm_z: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -326,11 +326,11 @@ int test_vas_dcm_z(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             for (int j = 0; j < 4; ++j) {
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
                 selftest_print("vas_dcm_z: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -339,11 +339,11 @@ int test_vas_dcm_z(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &master, &bending, &triads);
+        set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
         for (int i = 0; i < 4; ++i) {
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OUT_OF_RANGE) {
+        if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OUT_OF_RANGE) {
             selftest_print("vas_dcm_z: q_m2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -354,11 +354,11 @@ int test_vas_dcm_z(void)
         static const double beyond_high[1] = { 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             master.lag = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
+            if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
                 selftest_print("vas_dcm_z: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -367,9 +367,9 @@ int test_vas_dcm_z(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
             static const bs_real high[1] = { BS_REAL(1.0) };
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             master.lag = (end == 0) ? low[i] : high[i];
-            if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
                 selftest_print("vas_dcm_z: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -382,12 +382,12 @@ int test_vas_dcm_z(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             bending.flexure[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
+            if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
                 selftest_print("vas_dcm_z: flexure[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -396,9 +396,9 @@ int test_vas_dcm_z(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             bending.flexure[i] = (end == 0) ? low[i] : high[i];
-            if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
                 selftest_print("vas_dcm_z: flexure[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -411,12 +411,12 @@ int test_vas_dcm_z(void)
         static const double beyond_high[3] = { 1.0005, 1.0005, 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             bending.flexure_rate[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
+            if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
                 selftest_print("vas_dcm_z: flexure_rate[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -425,9 +425,9 @@ int test_vas_dcm_z(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
-            if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
                 selftest_print("vas_dcm_z: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -440,12 +440,12 @@ int test_vas_dcm_z(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
+            if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
                 selftest_print("vas_dcm_z: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -454,9 +454,9 @@ int test_vas_dcm_z(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
                 selftest_print("vas_dcm_z: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -471,12 +471,12 @@ int test_vas_dcm_z(void)
                                                0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
+            if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
                 selftest_print("vas_dcm_z: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -487,20 +487,20 @@ int test_vas_dcm_z(void)
                                             BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[6] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1),
                                              BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_dcm_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
                 selftest_print("vas_dcm_z: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu, &master, &bending, &triads);
-    failures += (vas_dcm_z(0, &imu, &master, &bending, &triads, z) != BS_NULL_POINTER);
+    set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
+    failures += (vas_dcm_z(0, &corrected_imu, &master, &bending, &triads, z) != BS_NULL_POINTER);
     failures += (vas_dcm_z(&nav, 0, &master, &bending, &triads, z) != BS_NULL_POINTER);
-    failures += (vas_dcm_z(&nav, &imu, 0, &bending, &triads, z) != BS_NULL_POINTER);
-    failures += (vas_dcm_z(&nav, &imu, &master, 0, &triads, z) != BS_NULL_POINTER);
-    failures += (vas_dcm_z(&nav, &imu, &master, &bending, 0, z) != BS_NULL_POINTER);
-    failures += (vas_dcm_z(&nav, &imu, &master, &bending, &triads, 0) != BS_NULL_POINTER);
+    failures += (vas_dcm_z(&nav, &corrected_imu, 0, &bending, &triads, z) != BS_NULL_POINTER);
+    failures += (vas_dcm_z(&nav, &corrected_imu, &master, 0, &triads, z) != BS_NULL_POINTER);
+    failures += (vas_dcm_z(&nav, &corrected_imu, &master, &bending, 0, z) != BS_NULL_POINTER);
+    failures += (vas_dcm_z(&nav, &corrected_imu, &master, &bending, &triads, 0) != BS_NULL_POINTER);
     return failures;
 }

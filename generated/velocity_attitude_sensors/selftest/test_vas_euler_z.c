@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { 0x1.4d41d80000000p+0, 0x1.fdd8ee0000000p-2, 0x1.fababc0000000p+13 }
 };
@@ -72,13 +72,13 @@ static const unsigned short at_z[3] = { 0, 1, 2 };
 
 static void set_point(int v,
                       vas_nav *nav,
-                      vas_imu *imu,
+                      vas_corrected_imu *corrected_imu,
                       vas_master *master,
                       vas_bending *bending,
                       vas_triads *triads)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -90,7 +90,7 @@ static void set_point(int v,
         nav->q_b2m_wxyz[i] = (bs_real)in_q_b2m_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
+        corrected_imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         master->euler_m[i] = (bs_real)in_euler_m[v][i];
@@ -116,33 +116,34 @@ int test_vas_euler_z(void)
 {
     int failures = 0;
     vas_nav nav = {0};
-    vas_imu imu = {0};
+    vas_corrected_imu corrected_imu = {0};
     vas_master master = {0};
     vas_bending bending = {0};
     vas_triads triads = {0};
     bs_real z[3];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu, &master, &bending, &triads);
-        if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
+        set_point(v, &nav, &corrected_imu, &master, &bending, &triads);
+        if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
             ++failures;
             continue;
         }
         failures += selftest_compare("vas_euler_z z", v, z, 3, out_z[v], tol_z[v], at_z, 3, 7U);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master, &bending, &triads);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
-                selftest_print("vas_euler_z: position[%d] bad value %d not refused\n", i, bad);
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
+                selftest_print("vas_euler_z: lat_lon_height[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_euler_z z", z, 3);
@@ -152,10 +153,10 @@ int test_vas_euler_z(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu, &master, &bending, &triads);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
-                selftest_print("vas_euler_z: position[%d] end %d refused\n", i, end);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
+                selftest_print("vas_euler_z: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -166,11 +167,11 @@ int test_vas_euler_z(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
                 selftest_print("vas_euler_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -179,9 +180,9 @@ int test_vas_euler_z(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
                 selftest_print("vas_euler_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -194,12 +195,12 @@ int test_vas_euler_z(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
                 selftest_print("vas_euler_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -209,11 +210,11 @@ int test_vas_euler_z(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
                 selftest_print("vas_euler_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -222,11 +223,11 @@ int test_vas_euler_z(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &master, &bending, &triads);
+        set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OUT_OF_RANGE) {
+        if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OUT_OF_RANGE) {
             selftest_print("vas_euler_z: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -239,12 +240,12 @@ int test_vas_euler_z(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
                 selftest_print("vas_euler_z: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -254,11 +255,11 @@ int test_vas_euler_z(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
                 selftest_print("vas_euler_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -267,11 +268,11 @@ int test_vas_euler_z(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &master, &bending, &triads);
+        set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OUT_OF_RANGE) {
+        if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OUT_OF_RANGE) {
             selftest_print("vas_euler_z: q_b2m_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -284,12 +285,12 @@ int test_vas_euler_z(void)
         static const double beyond_high[3] = { 20.01, 20.01, 20.01 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master, &bending, &triads);
-            imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                          : (bad == 1) ? selftest_infinity()
-                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
+            corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                                    : (bad == 1) ? selftest_infinity()
+                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
                 selftest_print("vas_euler_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -298,9 +299,9 @@ int test_vas_euler_z(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
-            set_point(0, &nav, &imu, &master, &bending, &triads);
-            imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
+            corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
                 selftest_print("vas_euler_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -315,12 +316,12 @@ int test_vas_euler_z(void)
                                                3.143163449916588 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             master.euler_m[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
                 selftest_print("vas_euler_z: euler_m[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -333,9 +334,9 @@ int test_vas_euler_z(void)
             static const bs_real high[3] = { BS_REAL(3.141592653589793),
                                              BS_REAL(1.3962634015954636),
                                              BS_REAL(3.141592653589793) };
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             master.euler_m[i] = (end == 0) ? low[i] : high[i];
-            if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
                 selftest_print("vas_euler_z: euler_m[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -347,11 +348,11 @@ int test_vas_euler_z(void)
         static const double beyond_high[1] = { 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             master.lag = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
                 selftest_print("vas_euler_z: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -360,9 +361,9 @@ int test_vas_euler_z(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
             static const bs_real high[1] = { BS_REAL(1.0) };
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             master.lag = (end == 0) ? low[i] : high[i];
-            if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
                 selftest_print("vas_euler_z: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -375,12 +376,12 @@ int test_vas_euler_z(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             bending.flexure[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
                 selftest_print("vas_euler_z: flexure[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -389,9 +390,9 @@ int test_vas_euler_z(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             bending.flexure[i] = (end == 0) ? low[i] : high[i];
-            if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
                 selftest_print("vas_euler_z: flexure[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -404,12 +405,12 @@ int test_vas_euler_z(void)
         static const double beyond_high[3] = { 1.0005, 1.0005, 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             bending.flexure_rate[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
                 selftest_print("vas_euler_z: flexure_rate[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -418,9 +419,9 @@ int test_vas_euler_z(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
-            if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
                 selftest_print("vas_euler_z: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -433,12 +434,12 @@ int test_vas_euler_z(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
                 selftest_print("vas_euler_z: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -447,9 +448,9 @@ int test_vas_euler_z(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
                 selftest_print("vas_euler_z: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -464,12 +465,12 @@ int test_vas_euler_z(void)
                                                0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(z, 3);
-            if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != expected) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
                 selftest_print("vas_euler_z: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -480,20 +481,21 @@ int test_vas_euler_z(void)
                                             BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[6] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1),
                                              BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_euler_z(&nav, &imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
                 selftest_print("vas_euler_z: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu, &master, &bending, &triads);
-    failures += (vas_euler_z(0, &imu, &master, &bending, &triads, z) != BS_NULL_POINTER);
+    set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
+    failures += (vas_euler_z(0, &corrected_imu, &master, &bending, &triads, z) != BS_NULL_POINTER);
     failures += (vas_euler_z(&nav, 0, &master, &bending, &triads, z) != BS_NULL_POINTER);
-    failures += (vas_euler_z(&nav, &imu, 0, &bending, &triads, z) != BS_NULL_POINTER);
-    failures += (vas_euler_z(&nav, &imu, &master, 0, &triads, z) != BS_NULL_POINTER);
-    failures += (vas_euler_z(&nav, &imu, &master, &bending, 0, z) != BS_NULL_POINTER);
-    failures += (vas_euler_z(&nav, &imu, &master, &bending, &triads, 0) != BS_NULL_POINTER);
+    failures += (vas_euler_z(&nav, &corrected_imu, 0, &bending, &triads, z) != BS_NULL_POINTER);
+    failures += (vas_euler_z(&nav, &corrected_imu, &master, 0, &triads, z) != BS_NULL_POINTER);
+    failures += (vas_euler_z(&nav, &corrected_imu, &master, &bending, 0, z) != BS_NULL_POINTER);
+    failures += (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads,
+                             0) != BS_NULL_POINTER);
     return failures;
 }

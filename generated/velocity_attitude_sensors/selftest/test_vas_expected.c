@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { 0x1.4c723c0000000p+0, 0x1.0652180000000p+2, 0x1.0bd3200000000p+11 }
 };
@@ -102,13 +102,13 @@ static const unsigned short at_omega_nb_n[3] = { 0, 1, 2 };
 
 static void set_point(int v,
                       vas_nav *nav,
-                      vas_imu *imu,
+                      vas_corrected_imu *corrected_imu,
                       vas_mounting *mounting,
                       vas_bending *bending,
                       vas_triads *triads)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -120,7 +120,7 @@ static void set_point(int v,
         nav->q_b2m_wxyz[i] = (bs_real)in_q_b2m_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
+        corrected_imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         mounting->lever_b[i] = (bs_real)in_lever_b[v][i];
@@ -143,7 +143,7 @@ int test_vas_expected(void)
 {
     int failures = 0;
     vas_nav nav = {0};
-    vas_imu imu = {0};
+    vas_corrected_imu corrected_imu = {0};
     vas_mounting mounting = {0};
     vas_bending bending = {0};
     vas_triads triads = {0};
@@ -151,8 +151,8 @@ int test_vas_expected(void)
     bs_real q_m2n_wxyz[4];
     bs_real omega_nb_n[3];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu, &mounting, &bending, &triads);
-        if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+        set_point(v, &nav, &corrected_imu, &mounting, &bending, &triads);
+        if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                          omega_nb_n) != BS_OK) {
             ++failures;
             continue;
@@ -164,23 +164,24 @@ int test_vas_expected(void)
         failures += selftest_compare("vas_expected omega_nb_n", v, omega_nb_n, 3, out_omega_nb_n[v],
                                      tol_omega_nb_n[v], at_omega_nb_n, 3, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &bending, &triads);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(v_m_n, 3);
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
-            if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != expected) {
-                selftest_print("vas_expected: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_expected: lat_lon_height[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_expected v_m_n", v_m_n, 3);
@@ -192,11 +193,11 @@ int test_vas_expected(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu, &mounting, &bending, &triads);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+            set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != BS_OK) {
-                selftest_print("vas_expected: position[%d] end %d refused\n", i, end);
+                selftest_print("vas_expected: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -207,13 +208,13 @@ int test_vas_expected(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(v_m_n, 3);
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
-            if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != expected) {
                 selftest_print("vas_expected: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
@@ -225,9 +226,9 @@ int test_vas_expected(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu, &mounting, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != BS_OK) {
                 selftest_print("vas_expected: v_n[%d] end %d refused\n", i, end);
                 ++failures;
@@ -241,14 +242,14 @@ int test_vas_expected(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(v_m_n, 3);
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
-            if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != expected) {
                 selftest_print("vas_expected: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
@@ -261,11 +262,11 @@ int test_vas_expected(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &mounting, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != BS_OK) {
                 selftest_print("vas_expected: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
@@ -275,11 +276,11 @@ int test_vas_expected(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &mounting, &bending, &triads);
+        set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+        if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                          omega_nb_n) != BS_OUT_OF_RANGE) {
             selftest_print("vas_expected: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
@@ -293,14 +294,14 @@ int test_vas_expected(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(v_m_n, 3);
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
-            if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != expected) {
                 selftest_print("vas_expected: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
@@ -313,11 +314,11 @@ int test_vas_expected(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &mounting, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != BS_OK) {
                 selftest_print("vas_expected: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
@@ -327,11 +328,11 @@ int test_vas_expected(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &mounting, &bending, &triads);
+        set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+        if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                          omega_nb_n) != BS_OUT_OF_RANGE) {
             selftest_print("vas_expected: q_b2m_wxyz of norm %d outside its range not refused\n",
                            end);
@@ -345,14 +346,14 @@ int test_vas_expected(void)
         static const double beyond_high[3] = { 20.01, 20.01, 20.01 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &bending, &triads);
-            imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                          : (bad == 1) ? selftest_infinity()
-                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
+            corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                                    : (bad == 1) ? selftest_infinity()
+                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(v_m_n, 3);
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
-            if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != expected) {
                 selftest_print("vas_expected: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
@@ -364,9 +365,9 @@ int test_vas_expected(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
-            set_point(0, &nav, &imu, &mounting, &bending, &triads);
-            imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+            set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
+            corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != BS_OK) {
                 selftest_print("vas_expected: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
@@ -380,14 +381,14 @@ int test_vas_expected(void)
         static const double beyond_high[3] = { 100.05, 100.05, 100.05 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             mounting.lever_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(v_m_n, 3);
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
-            if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != expected) {
                 selftest_print("vas_expected: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
@@ -399,9 +400,9 @@ int test_vas_expected(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
-            set_point(0, &nav, &imu, &mounting, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             mounting.lever_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != BS_OK) {
                 selftest_print("vas_expected: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
@@ -415,14 +416,14 @@ int test_vas_expected(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             bending.flexure[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(v_m_n, 3);
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
-            if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != expected) {
                 selftest_print("vas_expected: flexure[%d] bad value %d not refused\n", i, bad);
                 ++failures;
@@ -434,9 +435,9 @@ int test_vas_expected(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &mounting, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             bending.flexure[i] = (end == 0) ? low[i] : high[i];
-            if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != BS_OK) {
                 selftest_print("vas_expected: flexure[%d] end %d refused\n", i, end);
                 ++failures;
@@ -450,14 +451,14 @@ int test_vas_expected(void)
         static const double beyond_high[3] = { 1.0005, 1.0005, 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             bending.flexure_rate[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(v_m_n, 3);
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
-            if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != expected) {
                 selftest_print("vas_expected: flexure_rate[%d] bad value %d not refused\n", i, bad);
                 ++failures;
@@ -469,9 +470,9 @@ int test_vas_expected(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
-            set_point(0, &nav, &imu, &mounting, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
-            if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != BS_OK) {
                 selftest_print("vas_expected: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
@@ -485,14 +486,14 @@ int test_vas_expected(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(v_m_n, 3);
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
-            if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != expected) {
                 selftest_print("vas_expected: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
@@ -504,9 +505,9 @@ int test_vas_expected(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &mounting, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != BS_OK) {
                 selftest_print("vas_expected: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
@@ -522,14 +523,14 @@ int test_vas_expected(void)
                                                0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(v_m_n, 3);
             selftest_paint(q_m2n_wxyz, 4);
             selftest_paint(omega_nb_n, 3);
-            if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != expected) {
                 selftest_print("vas_expected: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
@@ -543,31 +544,31 @@ int test_vas_expected(void)
                                             BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[6] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1),
                                              BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &mounting, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                              omega_nb_n) != BS_OK) {
                 selftest_print("vas_expected: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu, &mounting, &bending, &triads);
-    failures += (vas_expected(0, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+    set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
+    failures += (vas_expected(0, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                               omega_nb_n) != BS_NULL_POINTER);
     failures += (vas_expected(&nav, 0, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                               omega_nb_n) != BS_NULL_POINTER);
-    failures += (vas_expected(&nav, &imu, 0, &bending, &triads, v_m_n, q_m2n_wxyz,
+    failures += (vas_expected(&nav, &corrected_imu, 0, &bending, &triads, v_m_n, q_m2n_wxyz,
                               omega_nb_n) != BS_NULL_POINTER);
-    failures += (vas_expected(&nav, &imu, &mounting, 0, &triads, v_m_n, q_m2n_wxyz,
+    failures += (vas_expected(&nav, &corrected_imu, &mounting, 0, &triads, v_m_n, q_m2n_wxyz,
                               omega_nb_n) != BS_NULL_POINTER);
-    failures += (vas_expected(&nav, &imu, &mounting, &bending, 0, v_m_n, q_m2n_wxyz,
+    failures += (vas_expected(&nav, &corrected_imu, &mounting, &bending, 0, v_m_n, q_m2n_wxyz,
                               omega_nb_n) != BS_NULL_POINTER);
-    failures += (vas_expected(&nav, &imu, &mounting, &bending, &triads, 0, q_m2n_wxyz,
+    failures += (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, 0, q_m2n_wxyz,
                               omega_nb_n) != BS_NULL_POINTER);
-    failures += (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, 0,
+    failures += (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, 0,
                               omega_nb_n) != BS_NULL_POINTER);
-    failures += (vas_expected(&nav, &imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
+    failures += (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
                               0) != BS_NULL_POINTER);
     return failures;
 }

@@ -26,7 +26,7 @@ static const double in_nav[POINTS][21] = {
     { 0x1.594b29057d350p-16, 0x1.1fb8d4d581922p-10, 0x1.671eb3cbf86f8p+12, -0x1.7aa0a32c9bcc4p+9, 0x1.e68e7f6a7ae10p+6, 0x1.75a40ca44ca62p+9, -0x1.17e50ea93fd54p-2, 0x1.71440e32b7dbfp-14, -0x1.ec7869675b3d3p-1, 0x1.539bc6093ab1ap-11, -0x1.8a109ba8b6b3ep-19, 0x1.5c565435e7af4p-19, -0x1.89f2bc4ee3c92p-7, 0x1.d89940dee3944p-13, -0x1.26b0d279e75dcp-14, -0x1.6ad9697466e38p-15, -0x1.a38d0fbc322c9p-2, -0x1.3e05e89c5e0dep-1, 0x1.b2ed17039c2b8p-4, 0x1.51457484f4a41p-1, 0x1.7ab52b9606a5cp-2 },
     { -0x1.7166660f223cap+0, -0x1.89a11191891f4p+0, 0x1.8d7b0da2506c2p+14, 0x1.a48c5ad1323a5p-4, -0x1.64ac193e270afp+8, -0x1.af528dc939000p+5, 0x1.05a91930cb4f7p-12, 0x1.6cbd3bb3840a5p-13, 0x1.7d3db191eef46p-1, 0x1.566ce3385686ap-1, 0x1.b304d3a77b720p-21, -0x1.6b058c0cfdc64p-20, 0x1.54112f28d8e40p-7, 0x1.e9ae5df1d884cp-2, 0x1.01b78ced70e38p-15, -0x1.dc7500a8adcecp-13, 0x1.b0818b96fc1f9p-17, -0x1.b0e4aa751527cp-13, 0x1.6791b5cbccd04p-16, 0x1.00028a8626c6ap+0, 0x1.5f678d0b35f08p-15 }
 };
-static const double in_imu[POINTS][7] = {
+static const double in_corrected_imu[POINTS][7] = {
     { -0x1.a9e82f812c1bap+8, -0x1.8f39307a6b6aep+8, -0x1.6d0ab7d33c908p-4, 0x1.7503e968df31ap-9, -0x1.611ba9657f260p+3, 0x1.051a8644e6a98p+4, 0x1.a00ee22a6fb28p-11 },
     { -0x1.8a0f2a07f9ad6p-6, 0x1.dc02ad5eb4eeap+8, 0x1.5252ed452a100p-11, -0x1.09d172746ed68p-8, 0x1.42419668156e8p+3, 0x1.1f61f42a8595ap-9, 0x1.07657097d577bp-10 }
 };
@@ -164,9 +164,9 @@ static const bs_real ceiling[N] = { BS_REAL(1000000.0), BS_REAL(1000000.0), BS_R
 static vas_health health;
 static unsigned char bytes[VAS_SNAPSHOT_SIZE];
 static unsigned char again[VAS_SNAPSHOT_SIZE];
-static int clamp;
+static bs_beyond beyond = BS_REFUSE;
 static vas_nav given_nav;
-static vas_imu given_imu;
+static vas_corrected_imu given_corrected_imu;
 static vas_increments given_increments;
 static vas_noise given_noise;
 static vas_mounting given_mounting;
@@ -204,10 +204,12 @@ static int same_state(const vas_filter *a, const vas_filter *b)
 
 /* ---- by hand */
 
-static bs_status hand_propagate(vas_filter *filter, const vas_imu *imu, const vas_noise *noise)
+static bs_status hand_propagate(vas_filter *filter,
+                                const vas_corrected_imu *corrected_imu,
+                                const vas_noise *noise)
 {
-    bs_status status = vas_F(&filter->nav, imu, &filter->bending, &filter->triads, &filter->biases,
-                             dense);
+    bs_status status = vas_F(&filter->nav, corrected_imu, &filter->bending, &filter->triads,
+                             &filter->biases, dense);
     for (int i = 0; i < VAS_N_F; ++i) {
         filter->F[i] = dense[F_places[i]];
     }
@@ -217,7 +219,8 @@ static bs_status hand_propagate(vas_filter *filter, const vas_imu *imu, const va
         filter->Qc[i] = dense[Qc_places[i]];
     }
     if (status == BS_OK) {
-        vas_discretize(filter->F, filter->Qc, imu->dt, filter->Phi, filter->Q, filter->work);
+        vas_discretize(filter->F, filter->Qc, corrected_imu->dt, filter->Phi, filter->Q,
+                       filter->work);
         vas_predict_state(filter->Phi, filter->x);
         PREDICT(filter->P, filter->Phi, filter->Q, next_P, filter->work);
         memcpy(filter->P, next_P, sizeof(next_P));
@@ -331,14 +334,17 @@ static bs_real hand_moved(const vas_filter *filter,
     return most;
 }
 
-static bs_status hand_measure_dcm(vas_filter *filter, const vas_imu *imu, const vas_master *master)
+static bs_status hand_measure_dcm(vas_filter *filter,
+                                  const vas_corrected_imu *corrected_imu,
+                                  const vas_master *master)
 {
     bs_real *const z = residual;
     bs_real target_[3];
-    bs_status status = vas_dcm_z(&filter->nav, imu, master, &filter->bending, &filter->triads, z);
+    bs_status status = vas_dcm_z(&filter->nav, corrected_imu, master, &filter->bending,
+                                 &filter->triads, z);
     unmeasured = *filter;
-    status = (status == BS_OK) ? vas_dcm_H(&filter->nav, imu, &filter->bending, &filter->triads,
-                                           dense) : status;
+    status = (status == BS_OK) ? vas_dcm_H(&filter->nav, corrected_imu, &filter->bending,
+                                           &filter->triads, dense) : status;
     if (status == BS_OK) {
         for (int i = 0; i < 3; ++i) {
             target_[i] = z[i];
@@ -349,12 +355,12 @@ static bs_status hand_measure_dcm(vas_filter *filter, const vas_imu *imu, const 
 }
 
 static bs_status hand_measure_quaternion(vas_filter *filter,
-                                         const vas_imu *imu,
+                                         const vas_corrected_imu *corrected_imu,
                                          const vas_master *master)
 {
     bs_real *const z = residual;
     bs_real target_[3];
-    bs_status status = vas_quaternion_z(&filter->nav, imu, master, &filter->bending,
+    bs_status status = vas_quaternion_z(&filter->nav, corrected_imu, master, &filter->bending,
                                         &filter->triads, z);
     bs_real from_[N];
     bs_real last_ = BS_REAL(0.0);
@@ -364,12 +370,12 @@ static bs_status hand_measure_quaternion(vas_filter *filter,
     memcpy(from_, filter->x, sizeof(from_));
     for (int k = 0; k < iterations; ++k) {
         bs_real step_;
-        status = (status == BS_OK) ? vas_quaternion_H(filter->x, &filter->nav, imu, master,
-                                                      &filter->bending, &filter->triads, dense)
-            : status;
-        status = (status == BS_OK) ? vas_quaternion_h(filter->x, &filter->nav, imu, master,
-                                                      &filter->bending, &filter->triads, target_)
-            : status;
+        status = (status == BS_OK) ? vas_quaternion_H(filter->x, &filter->nav, corrected_imu,
+                                                      master, &filter->bending, &filter->triads,
+                                                      dense) : status;
+        status = (status == BS_OK) ? vas_quaternion_h(filter->x, &filter->nav, corrected_imu,
+                                                      master, &filter->bending, &filter->triads,
+                                                      target_) : status;
         if (status == BS_OK) {
             for (int i = 0; i < 3; ++i) {
                 target_[i] = z[i] - target_[i];
@@ -409,14 +415,15 @@ static bs_status hand_measure_quaternion(vas_filter *filter,
 }
 
 static bs_status hand_measure_euler(vas_filter *filter,
-                                    const vas_imu *imu,
+                                    const vas_corrected_imu *corrected_imu,
                                     const vas_master *master)
 {
     bs_real *const z = residual;
     bs_real target_[3];
-    bs_status status = vas_euler_z(&filter->nav, imu, master, &filter->bending, &filter->triads, z);
+    bs_status status = vas_euler_z(&filter->nav, corrected_imu, master, &filter->bending,
+                                   &filter->triads, z);
     unmeasured = *filter;
-    status = (status == BS_OK) ? vas_euler_H(&filter->nav, imu, master, &filter->bending,
+    status = (status == BS_OK) ? vas_euler_H(&filter->nav, corrected_imu, master, &filter->bending,
                                              &filter->triads, dense) : status;
     if (status == BS_OK) {
         for (int i = 0; i < 3; ++i) {
@@ -435,16 +442,17 @@ static bs_status hand_measure_euler(vas_filter *filter,
 }
 
 static bs_status hand_measure_velocity(vas_filter *filter,
-                                       const vas_imu *imu,
+                                       const vas_corrected_imu *corrected_imu,
                                        const vas_master *master)
 {
     bs_real *const z = residual;
     bs_real target_[3];
-    bs_status status = vas_velocity_z(&filter->nav, imu, &filter->mounting, master,
+    bs_status status = vas_velocity_z(&filter->nav, corrected_imu, &filter->mounting, master,
                                       &filter->bending, &filter->triads, z);
     unmeasured = *filter;
-    status = (status == BS_OK) ? vas_velocity_H(&filter->nav, imu, &filter->mounting, master,
-                                                &filter->bending, &filter->triads, dense) : status;
+    status = (status == BS_OK) ? vas_velocity_H(&filter->nav, corrected_imu, &filter->mounting,
+                                                master, &filter->bending, &filter->triads, dense)
+        : status;
     if (status == BS_OK) {
         for (int i = 0; i < 3; ++i) {
             target_[i] = z[i];
@@ -471,12 +479,12 @@ static bs_status init(void)
 
 static bs_status propagate(void)
 {
-    return vas_filter_propagate(&flown, &given_imu, &given_noise);
+    return vas_filter_propagate(&flown, &given_corrected_imu, &given_noise);
 }
 
 static bs_status strapdown(void)
 {
-    return vas_filter_strapdown(&flown, &given_imu, &given_increments);
+    return vas_filter_strapdown(&flown, &given_corrected_imu, &given_increments);
 }
 
 static bs_status correct(void)
@@ -499,7 +507,7 @@ static bs_status carried_by_hand(void)
 static bs_status propagate_by_hand(void)
 {
     bs_status status = carried_by_hand();
-    status = (status == BS_OK) ? hand_propagate(&hand, &given_imu, &given_noise) : status;
+    status = (status == BS_OK) ? hand_propagate(&hand, &given_corrected_imu, &given_noise) : status;
     return hand_judge(&hand, status, false);
 }
 
@@ -508,14 +516,15 @@ static bs_status strapdown_by_hand(void)
     const vas_filter *const filter = &flown;
     vas_nav next_nav = flown.nav;
     vas_bending next_bending = flown.bending;
-    const vas_imu *const imu = &given_imu;
+    const vas_corrected_imu *const corrected_imu = &given_corrected_imu;
     const vas_increments *const increments = &given_increments;
     bs_status status = carried_by_hand();
-    status = (status == BS_OK) ? vas_strapdown(&filter->nav, imu, increments, &filter->bending,
-                                               &filter->triads, &filter->biases, next_nav.position,
-                                               next_nav.v_n, next_nav.q_b2n_wxyz,
-                                               next_bending.flexure, next_bending.flexure_rate,
-                                               next_nav.gyro_bias, next_nav.accel_bias) : status;
+    status = (status == BS_OK) ? vas_strapdown(&filter->nav, corrected_imu, increments,
+                                               &filter->bending, &filter->triads, &filter->biases,
+                                               next_nav.lat_lon_height, next_nav.v_n,
+                                               next_nav.q_b2n_wxyz, next_bending.flexure,
+                                               next_bending.flexure_rate, next_nav.gyro_bias,
+                                               next_nav.accel_bias) : status;
     return (status == BS_OK) ? vas_filter_set_nav(&hand, &next_nav, &hand.mounting, &next_bending,
                                                   &hand.triads, &hand.biases, 0) : status;
 }
@@ -547,7 +556,8 @@ static bs_status correct_by_hand(void)
 static bs_status measure_dcm_by_hand(void)
 {
     const bs_status status = carried_by_hand();
-    return (status == BS_OK) ? hand_measure_dcm(&hand, &given_imu, &given_master) : status;
+    return (status == BS_OK) ? hand_measure_dcm(&hand, &given_corrected_imu, &given_master)
+        : status;
 }
 
 /* The least noise with which x stays in its box; it stays with much of it. */
@@ -564,13 +574,14 @@ static void quiet_dcm(void)
 static bs_status measure_dcm(void)
 {
     const bs_gates gates = { rows, gate, joint, iterations };
-    return vas_filter_measure_dcm(&flown, &given_imu, &given_master, R, &gates, &said);
+    return vas_filter_measure_dcm(&flown, &given_corrected_imu, &given_master, R, &gates, &said);
 }
 
 static bs_status measure_quaternion_by_hand(void)
 {
     const bs_status status = carried_by_hand();
-    return (status == BS_OK) ? hand_measure_quaternion(&hand, &given_imu, &given_master) : status;
+    return (status == BS_OK) ? hand_measure_quaternion(&hand, &given_corrected_imu, &given_master)
+        : status;
 }
 
 /* The least noise with which x stays in its box; it stays with much of it. */
@@ -587,13 +598,15 @@ static void quiet_quaternion(void)
 static bs_status measure_quaternion(void)
 {
     const bs_gates gates = { rows, gate, joint, iterations };
-    return vas_filter_measure_quaternion(&flown, &given_imu, &given_master, R, &gates, &said);
+    return vas_filter_measure_quaternion(&flown, &given_corrected_imu, &given_master, R, &gates,
+                                         &said);
 }
 
 static bs_status measure_euler_by_hand(void)
 {
     const bs_status status = carried_by_hand();
-    return (status == BS_OK) ? hand_measure_euler(&hand, &given_imu, &given_master) : status;
+    return (status == BS_OK) ? hand_measure_euler(&hand, &given_corrected_imu, &given_master)
+        : status;
 }
 
 /* The least noise with which x stays in its box; it stays with much of it. */
@@ -610,13 +623,14 @@ static void quiet_euler(void)
 static bs_status measure_euler(void)
 {
     const bs_gates gates = { rows, gate, joint, iterations };
-    return vas_filter_measure_euler(&flown, &given_imu, &given_master, R, &gates, &said);
+    return vas_filter_measure_euler(&flown, &given_corrected_imu, &given_master, R, &gates, &said);
 }
 
 static bs_status measure_velocity_by_hand(void)
 {
     const bs_status status = carried_by_hand();
-    return (status == BS_OK) ? hand_measure_velocity(&hand, &given_imu, &given_master) : status;
+    return (status == BS_OK) ? hand_measure_velocity(&hand, &given_corrected_imu, &given_master)
+        : status;
 }
 
 /* The least noise with which x stays in its box; it stays with much of it. */
@@ -633,13 +647,14 @@ static void quiet_velocity(void)
 static bs_status measure_velocity(void)
 {
     const bs_gates gates = { rows, gate, joint, iterations };
-    return vas_filter_measure_velocity(&flown, &given_imu, &given_master, R, &gates, &said);
+    return vas_filter_measure_velocity(&flown, &given_corrected_imu, &given_master, R, &gates,
+                                       &said);
 }
 
 static bs_status set_nav(void)
 {
     return vas_filter_set_nav(&flown, &given_nav, &given_mounting, &given_bending, &given_triads,
-                              &given_biases, clamp);
+                              &given_biases, beyond);
 }
 
 
@@ -663,7 +678,7 @@ static bs_status restore(void)
 static void set_point(int k)
 {
     for (int i = 0; i < 3; ++i) {
-        given_nav.position[i] = (bs_real)in_nav[k][0 + i];
+        given_nav.lat_lon_height[i] = (bs_real)in_nav[k][0 + i];
     }
     for (int i = 0; i < 3; ++i) {
         given_nav.v_n[i] = (bs_real)in_nav[k][3 + i];
@@ -682,12 +697,12 @@ static void set_point(int k)
     }
     given_nav.tau = (bs_real)in_nav[k][20];
     for (int i = 0; i < 3; ++i) {
-        given_imu.f_b[i] = (bs_real)in_imu[k][0 + i];
+        given_corrected_imu.f_b[i] = (bs_real)in_corrected_imu[k][0 + i];
     }
     for (int i = 0; i < 3; ++i) {
-        given_imu.omega_ib_b[i] = (bs_real)in_imu[k][3 + i];
+        given_corrected_imu.omega_ib_b[i] = (bs_real)in_corrected_imu[k][3 + i];
     }
-    given_imu.dt = (bs_real)in_imu[k][6];
+    given_corrected_imu.dt = (bs_real)in_corrected_imu[k][6];
     for (int i = 0; i < 3; ++i) {
         given_increments.dtheta_ib_b[i] = (bs_real)in_increments[k][0 + i];
     }
@@ -867,11 +882,11 @@ static int fly(int k_point)
         const vas_filter *const filter = &hand;
         vas_nav next_nav = hand.nav;
         vas_bending next_bending = hand.bending;
-        const vas_imu *const imu = &given_imu;
+        const vas_corrected_imu *const corrected_imu = &given_corrected_imu;
         const vas_increments *const increments = &given_increments;
         failures += expect("strapdown by hand",
-                           vas_strapdown(&filter->nav, imu, increments, &filter->bending,
-                                         &filter->triads, &filter->biases, next_nav.position,
+                           vas_strapdown(&filter->nav, corrected_imu, increments, &filter->bending,
+                                         &filter->triads, &filter->biases, next_nav.lat_lon_height,
                                          next_nav.v_n, next_nav.q_b2n_wxyz, next_bending.flexure,
                                          next_bending.flexure_rate, next_nav.gyro_bias,
                                          next_nav.accel_bias) == BS_OK);
@@ -915,7 +930,8 @@ static int fly(int k_point)
     failures += begin();
     hand = flown;
     status = propagate();
-    failures += same("propagate", status, hand_propagate(&hand, &given_imu, &given_noise));
+    failures += same("propagate", status,
+                     hand_propagate(&hand, &given_corrected_imu, &given_noise));
     failures += expect("propagate is refused", status == BS_OK);
     for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
                                    * pass, all of little noise; then with considered states: half,
@@ -936,7 +952,8 @@ static int fly(int k_point)
         }
         hand = flown;
         status = measure_dcm();
-        failures += same("dcm", status, hand_measure_dcm(&hand, &given_imu, &given_master));
+        failures += same("dcm", status,
+                         hand_measure_dcm(&hand, &given_corrected_imu, &given_master));
         failures += expect("dcm is refused", status == BS_OK) + same_said("dcm: innovation", 3);
         failures += expect("dcm: used", (k == 3) || (said.used == (rows & 7U)));
     }
@@ -949,7 +966,8 @@ static int fly(int k_point)
         set_noise(BS_REAL(1e-9));
         hand = flown;
         status = measure_dcm();
-        failures += same("dcm: far", status, hand_measure_dcm(&hand, &given_imu, &given_master));
+        failures += same("dcm: far", status,
+                         hand_measure_dcm(&hand, &given_corrected_imu, &given_master));
         failures += bs_good(status) ? same_said("dcm: far", 3) : 0;
     }
     set_noise(BS_REAL(1.0));
@@ -977,7 +995,7 @@ static int fly(int k_point)
         hand = flown;
         status = measure_quaternion();
         failures += same("quaternion", status,
-                         hand_measure_quaternion(&hand, &given_imu, &given_master));
+                         hand_measure_quaternion(&hand, &given_corrected_imu, &given_master));
         failures += expect("quaternion is refused", status == BS_OK) +
             same_said("quaternion: innovation", 3);
         failures += expect("quaternion: used", (k == 3) || (said.used == (rows & 7U)));
@@ -992,7 +1010,7 @@ static int fly(int k_point)
         hand = flown;
         status = measure_quaternion();
         failures += same("quaternion: far", status,
-                         hand_measure_quaternion(&hand, &given_imu, &given_master));
+                         hand_measure_quaternion(&hand, &given_corrected_imu, &given_master));
         failures += bs_good(status) ? same_said("quaternion: far", 3) : 0;
     }
     set_noise(BS_REAL(1.0));
@@ -1011,7 +1029,7 @@ static int fly(int k_point)
             iterations = 1;
             rows = 0U;
             hand = flown;
-            (void)hand_measure_quaternion(&hand, &given_imu, &given_master);
+            (void)hand_measure_quaternion(&hand, &given_corrected_imu, &given_master);
             rows = BS_ALL_ROWS;
             gate = BS_REAL(1.001) *
                 (BS_FABS(said_by_hand.nu[k % 3]) / BS_SQRT(said_by_hand.S[k % 3]));
@@ -1021,7 +1039,7 @@ static int fly(int k_point)
         iterations = 2 + (k % 7);
         status = measure_quaternion();
         failures += same("quaternion: iterated", status,
-                         hand_measure_quaternion(&hand, &given_imu, &given_master));
+                         hand_measure_quaternion(&hand, &given_corrected_imu, &given_master));
         failures += bs_good(status) ? same_said("quaternion: iterated", 3) : 0;
         gate = BS_REAL(0.0);
         rows = BS_ALL_ROWS;
@@ -1037,7 +1055,7 @@ static int fly(int k_point)
             set_noise(middle);
             iterations = 1;
             hand = flown;
-            (void)hand_measure_quaternion(&hand, &given_imu, &given_master);
+            (void)hand_measure_quaternion(&hand, &given_corrected_imu, &given_master);
             little = (first_step > BS_REAL(1e-4)) ? middle : little;
             much = (first_step > BS_REAL(1e-4)) ? much : middle;
         }
@@ -1048,7 +1066,7 @@ static int fly(int k_point)
             hand = flown;
             status = measure_quaternion();
             failures += same("quaternion: at the end", status,
-                             hand_measure_quaternion(&hand, &given_imu, &given_master));
+                             hand_measure_quaternion(&hand, &given_corrected_imu, &given_master));
             failures += bs_good(status) ? same_said("quaternion: at the end", 3) : 0;
         }
     }
@@ -1072,7 +1090,8 @@ static int fly(int k_point)
         }
         hand = flown;
         status = measure_euler();
-        failures += same("euler", status, hand_measure_euler(&hand, &given_imu, &given_master));
+        failures += same("euler", status,
+                         hand_measure_euler(&hand, &given_corrected_imu, &given_master));
         failures += expect("euler is refused", status == BS_OK) + same_said("euler: innovation", 3);
         failures += expect("euler: used", (k == 3) || (said.used == (rows & 7U)));
     }
@@ -1086,7 +1105,7 @@ static int fly(int k_point)
         hand = flown;
         status = measure_euler();
         failures += same("euler: far", status,
-                         hand_measure_euler(&hand, &given_imu, &given_master));
+                         hand_measure_euler(&hand, &given_corrected_imu, &given_master));
         failures += bs_good(status) ? same_said("euler: far", 3) : 0;
     }
     set_noise(BS_REAL(1.0));
@@ -1107,7 +1126,7 @@ static int fly(int k_point)
                 bs_real nu = BS_REAL(0.0);
                 hand = flown;
                 gate = BS_REAL(1e-9); /* so that H alone is left of it */
-                (void)hand_measure_euler(&hand, &given_imu, &given_master);
+                (void)hand_measure_euler(&hand, &given_corrected_imu, &given_master);
                 gate = BS_REAL(0.0);
                 for (int j = 0; j < N; ++j) {
                     seen = (BS_FABS(dense[(i * N) + j]) > BS_FABS(dense[(i * N) + seen])) ? j
@@ -1122,7 +1141,7 @@ static int fly(int k_point)
             hand = flown;
             status = measure_euler();
             failures += same("euler: turned", status,
-                             hand_measure_euler(&hand, &given_imu, &given_master));
+                             hand_measure_euler(&hand, &given_corrected_imu, &given_master));
             failures += bs_good(status) ? same_said("euler: turned", 3) : 0;
         }
     }
@@ -1146,7 +1165,7 @@ static int fly(int k_point)
         hand = flown;
         status = measure_velocity();
         failures += same("velocity", status,
-                         hand_measure_velocity(&hand, &given_imu, &given_master));
+                         hand_measure_velocity(&hand, &given_corrected_imu, &given_master));
         failures += expect("velocity is refused", status == BS_OK) +
             same_said("velocity: innovation", 3);
         failures += expect("velocity: used", (k == 3) || (said.used == (rows & 7U)));
@@ -1161,7 +1180,7 @@ static int fly(int k_point)
         hand = flown;
         status = measure_velocity();
         failures += same("velocity: far", status,
-                         hand_measure_velocity(&hand, &given_imu, &given_master));
+                         hand_measure_velocity(&hand, &given_corrected_imu, &given_master));
         failures += bs_good(status) ? same_said("velocity: far", 3) : 0;
     }
     set_noise(BS_REAL(1.0));
@@ -1275,7 +1294,8 @@ static int limits(void)
                                         BS_REAL(-500.0) };
         static const bs_real high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586),
                                          BS_REAL(30000.0) };
-        failures += accepts("init: position", init, NULL, &given_nav.position[i], low[i], high[i]);
+        failures += accepts("init: lat_lon_height", init, NULL, &given_nav.lat_lon_height[i],
+                            low[i], high[i]);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
@@ -1431,7 +1451,7 @@ static int limits(void)
         failures += accepts("init: accel_bias_beta", init, NULL, &given_biases.accel_bias_beta[i],
                             low[i], high[i]);
     }
-    failures += accepts("propagate: dt", propagate, propagate_by_hand, &given_imu.dt,
+    failures += accepts("propagate: dt", propagate, propagate_by_hand, &given_corrected_imu.dt,
                         BS_REAL(1e-06), BS_REAL(10.0));
     rows = 0U;
     failures += accepts("measure_dcm: gate", measure_dcm, NULL, &gate, BS_REAL(0.0),
@@ -1636,7 +1656,7 @@ static int kept(void)
     set_point(0);
     failures += begin();
     failures += expect("without gates",
-                       vas_filter_measure_dcm(&flown, &given_imu, &given_master, R, NULL,
+                       vas_filter_measure_dcm(&flown, &given_corrected_imu, &given_master, R, NULL,
                                               &said) == BS_OK) +
         expect("all rows", said.used == 7U);
     /* the joint gate just above nis, and just below */
@@ -1670,8 +1690,8 @@ static int kept(void)
     set_point(0);
     failures += begin();
     failures += expect("without gates",
-                       vas_filter_measure_quaternion(&flown, &given_imu, &given_master, R, NULL,
-                                                     &said) == BS_OK) +
+                       vas_filter_measure_quaternion(&flown, &given_corrected_imu, &given_master, R,
+                                                     NULL, &said) == BS_OK) +
         expect("all rows", said.used == 7U);
     /* the joint gate just above nis, and just below */
     failures += begin();
@@ -1702,8 +1722,8 @@ static int kept(void)
     set_point(0);
     failures += begin();
     failures += expect("without gates",
-                       vas_filter_measure_euler(&flown, &given_imu, &given_master, R, NULL,
-                                                &said) == BS_OK) +
+                       vas_filter_measure_euler(&flown, &given_corrected_imu, &given_master, R,
+                                                NULL, &said) == BS_OK) +
         expect("all rows", said.used == 7U);
     /* the joint gate just above nis, and just below */
     failures += begin();
@@ -1736,8 +1756,8 @@ static int kept(void)
     set_point(0);
     failures += begin();
     failures += expect("without gates",
-                       vas_filter_measure_velocity(&flown, &given_imu, &given_master, R, NULL,
-                                                   &said) == BS_OK) +
+                       vas_filter_measure_velocity(&flown, &given_corrected_imu, &given_master, R,
+                                                   NULL, &said) == BS_OK) +
         expect("all rows", said.used == 7U);
     /* memory that something else has written to; a second beginning has met nothing */
     for (int i = 0; i < VAS_N_MEASUREMENTS; ++i) {
@@ -1750,10 +1770,11 @@ static int kept(void)
         failures += expect("health: rejected", health.rejected[i] == (unsigned int)(i + 5));
     }
     {
-        bs_real *const value = &flown.nav.position[0];
+        bs_real *const value = &flown.nav.lat_lon_height[0];
         const bs_real good = *value;
         *value = (bs_real)selftest_nan();
-        failures += expect("health: position", (vas_filter_health(&flown, &health) == BS_OK) &&
+        failures += expect("health: lat_lon_height",
+                           (vas_filter_health(&flown, &health) == BS_OK) &&
                            (health.state == BS_NOT_FINITE));
         *value = good;
     }
@@ -1985,23 +2006,23 @@ static int kept(void)
         static const bs_real high[3] = { BS_REAL(1.4835298641951802), BS_REAL(6.283185307179586),
                                          BS_REAL(30000.0) };
         for (int i = 0; i < 3; ++i) {
-            const bs_real good = given_nav.position[i];
+            const bs_real good = given_nav.lat_lon_height[i];
             for (int end = 0; end < 2; ++end) {
-                given_nav.position[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
+                given_nav.lat_lon_height[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
-                failures += refuses("set_nav: position", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_REFUSE;
+                failures += refuses("set_nav: lat_lon_height", set_nav, BS_OUT_OF_RANGE);
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
-                                   (flown.nav.position[i] >= low[i]) &&
-                                   (flown.nav.position[i] <= high[i]));
+                                   (flown.nav.lat_lon_height[i] >= low[i]) &&
+                                   (flown.nav.lat_lon_height[i] <= high[i]));
                 failures += expect("set_nav: to the edge",
-                                   equal(&flown.nav.position[i], (end == 0) ? &low[i] : &high[i],
-                                         1));
-                given_nav.position[i] = (bs_real)((end == 0) ? selftest_nan()
-                                                  : selftest_infinity());
-                failures += refuses("set_nav: position", set_nav, BS_NOT_FINITE);
-                given_nav.position[i] = good;
+                                   equal(&flown.nav.lat_lon_height[i], (end == 0) ? &low[i]
+                                         : &high[i], 1));
+                given_nav.lat_lon_height[i] = (bs_real)((end == 0) ? selftest_nan()
+                                                        : selftest_infinity());
+                failures += refuses("set_nav: lat_lon_height", set_nav, BS_NOT_FINITE);
+                given_nav.lat_lon_height[i] = good;
             }
         }
     }
@@ -2013,9 +2034,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.v_n[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: v_n", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.v_n[i] >= low[i]) && (flown.nav.v_n[i] <= high[i]));
                 failures += expect("set_nav: to the edge",
@@ -2036,9 +2057,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.q_b2n_wxyz[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: q_b2n_wxyz", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.q_b2n_wxyz[i] >= low[i]) &&
                                    (flown.nav.q_b2n_wxyz[i] <= high[i]));
@@ -2061,9 +2082,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.gyro_bias[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: gyro_bias", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.gyro_bias[i] >= low[i]) &&
                                    (flown.nav.gyro_bias[i] <= high[i]));
@@ -2085,9 +2106,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.accel_bias[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: accel_bias", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.accel_bias[i] >= low[i]) &&
                                    (flown.nav.accel_bias[i] <= high[i]));
@@ -2111,9 +2132,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.q_b2m_wxyz[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: q_b2m_wxyz", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.q_b2m_wxyz[i] >= low[i]) &&
                                    (flown.nav.q_b2m_wxyz[i] <= high[i]));
@@ -2132,9 +2153,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.tau = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: tau", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.tau >= low[i]) && (flown.nav.tau <= high[i]));
                 failures += expect("set_nav: to the edge",
@@ -2153,9 +2174,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_mounting.lever_b[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: lever_b", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.mounting.lever_b[i] >= low[i]) &&
                                    (flown.mounting.lever_b[i] <= high[i]));
@@ -2177,9 +2198,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_bending.flexure[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: flexure", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.bending.flexure[i] >= low[i]) &&
                                    (flown.bending.flexure[i] <= high[i]));
@@ -2201,9 +2222,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_bending.flexure_rate[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: flexure_rate", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.bending.flexure_rate[i] >= low[i]) &&
                                    (flown.bending.flexure_rate[i] <= high[i]));
@@ -2225,9 +2246,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_bending.flexure_omega[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: flexure_omega", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.bending.flexure_omega[i] >= low[i]) &&
                                    (flown.bending.flexure_omega[i] <= high[i]));
@@ -2249,9 +2270,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_bending.flexure_damping[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: flexure_damping", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.bending.flexure_damping[i] >= low[i]) &&
                                    (flown.bending.flexure_damping[i] <= high[i]));
@@ -2273,9 +2294,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_bending.flexure_noise[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: flexure_noise", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.bending.flexure_noise[i] >= low[i]) &&
                                    (flown.bending.flexure_noise[i] <= high[i]));
@@ -2297,9 +2318,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_triads.gyro_scale[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: gyro_scale", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.triads.gyro_scale[i] >= low[i]) &&
                                    (flown.triads.gyro_scale[i] <= high[i]));
@@ -2321,9 +2342,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_triads.accel_scale[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: accel_scale", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.triads.accel_scale[i] >= low[i]) &&
                                    (flown.triads.accel_scale[i] <= high[i]));
@@ -2347,9 +2368,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_triads.gyro_axes[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: gyro_axes", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.triads.gyro_axes[i] >= low[i]) &&
                                    (flown.triads.gyro_axes[i] <= high[i]));
@@ -2371,9 +2392,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_triads.accel_axes[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: accel_axes", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.triads.accel_axes[i] >= low[i]) &&
                                    (flown.triads.accel_axes[i] <= high[i]));
@@ -2399,9 +2420,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_biases.gyro_turn_on[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: gyro_turn_on", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.biases.gyro_turn_on[i] >= low[i]) &&
                                    (flown.biases.gyro_turn_on[i] <= high[i]));
@@ -2423,9 +2444,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_biases.accel_turn_on[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: accel_turn_on", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.biases.accel_turn_on[i] >= low[i]) &&
                                    (flown.biases.accel_turn_on[i] <= high[i]));
@@ -2447,9 +2468,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_biases.gyro_bias_beta[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: gyro_bias_beta", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.biases.gyro_bias_beta[i] >= low[i]) &&
                                    (flown.biases.gyro_bias_beta[i] <= high[i]));
@@ -2471,9 +2492,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_biases.accel_bias_beta[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: accel_bias_beta", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.biases.accel_bias_beta[i] >= low[i]) &&
                                    (flown.biases.accel_bias_beta[i] <= high[i]));
@@ -2487,7 +2508,7 @@ static int kept(void)
             }
         }
     }
-    clamp = 0;
+    beyond = BS_REFUSE;
     failures += expect("set_nav", set_nav() == BS_OK);
     /* where the correction would leave the box, nothing is changed: the way out is set_nav */
     for (int i = 0; i < N; ++i) {
@@ -2519,38 +2540,40 @@ static int guards(void)
                                            { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) } };
         for (int i = 0; i < 3; ++i) {
-            failures += spoil("init: position", init, &given_nav.position[i], low[i], high[i]);
-            failures += spoil("set_nav: position", set_nav, &given_nav.position[i], low[i],
+            failures += spoil("init: lat_lon_height", init, &given_nav.lat_lon_height[i], low[i],
                               high[i]);
-            failures += spoil("propagate: position", propagate, &flown.nav.position[i], low[i],
-                              high[i]);
-            failures += accepts("propagate: position", propagate, propagate_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("strapdown: position", strapdown, &flown.nav.position[i], low[i],
-                              high[i]);
-            failures += accepts("strapdown: position", strapdown, strapdown_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("correct: position", correct, &flown.nav.position[i], low[i],
-                              high[i]);
-            failures += accepts("correct: position", correct, correct_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("measure_dcm: position", measure_dcm, &flown.nav.position[i], low[i],
-                              high[i]);
-            failures += accepts("measure_dcm: position", measure_dcm, measure_dcm_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("measure_quaternion: position", measure_quaternion,
-                              &flown.nav.position[i], low[i], high[i]);
-            failures += accepts("measure_quaternion: position", measure_quaternion,
-                                measure_quaternion_by_hand, &flown.nav.position[i], end[0][i],
-                                end[1][i]);
-            failures += spoil("measure_euler: position", measure_euler, &flown.nav.position[i],
+            failures += spoil("set_nav: lat_lon_height", set_nav, &given_nav.lat_lon_height[i],
                               low[i], high[i]);
-            failures += accepts("measure_euler: position", measure_euler, measure_euler_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("measure_velocity: position", measure_velocity,
-                              &flown.nav.position[i], low[i], high[i]);
-            failures += accepts("measure_velocity: position", measure_velocity,
-                                measure_velocity_by_hand, &flown.nav.position[i], end[0][i],
+            failures += spoil("propagate: lat_lon_height", propagate, &flown.nav.lat_lon_height[i],
+                              low[i], high[i]);
+            failures += accepts("propagate: lat_lon_height", propagate, propagate_by_hand,
+                                &flown.nav.lat_lon_height[i], end[0][i], end[1][i]);
+            failures += spoil("strapdown: lat_lon_height", strapdown, &flown.nav.lat_lon_height[i],
+                              low[i], high[i]);
+            failures += accepts("strapdown: lat_lon_height", strapdown, strapdown_by_hand,
+                                &flown.nav.lat_lon_height[i], end[0][i], end[1][i]);
+            failures += spoil("correct: lat_lon_height", correct, &flown.nav.lat_lon_height[i],
+                              low[i], high[i]);
+            failures += accepts("correct: lat_lon_height", correct, correct_by_hand,
+                                &flown.nav.lat_lon_height[i], end[0][i], end[1][i]);
+            failures += spoil("measure_dcm: lat_lon_height", measure_dcm,
+                              &flown.nav.lat_lon_height[i], low[i], high[i]);
+            failures += accepts("measure_dcm: lat_lon_height", measure_dcm, measure_dcm_by_hand,
+                                &flown.nav.lat_lon_height[i], end[0][i], end[1][i]);
+            failures += spoil("measure_quaternion: lat_lon_height", measure_quaternion,
+                              &flown.nav.lat_lon_height[i], low[i], high[i]);
+            failures += accepts("measure_quaternion: lat_lon_height", measure_quaternion,
+                                measure_quaternion_by_hand, &flown.nav.lat_lon_height[i], end[0][i],
+                                end[1][i]);
+            failures += spoil("measure_euler: lat_lon_height", measure_euler,
+                              &flown.nav.lat_lon_height[i], low[i], high[i]);
+            failures += accepts("measure_euler: lat_lon_height", measure_euler,
+                                measure_euler_by_hand, &flown.nav.lat_lon_height[i], end[0][i],
+                                end[1][i]);
+            failures += spoil("measure_velocity: lat_lon_height", measure_velocity,
+                              &flown.nav.lat_lon_height[i], low[i], high[i]);
+            failures += accepts("measure_velocity: lat_lon_height", measure_velocity,
+                                measure_velocity_by_hand, &flown.nav.lat_lon_height[i], end[0][i],
                                 end[1][i]);
         }
     }
@@ -2801,9 +2824,10 @@ static int guards(void)
         static const bs_real end[2][3] = { { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) },
                                            { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) } };
         for (int i = 0; i < 3; ++i) {
-            failures += spoil("propagate: f_b", propagate, &given_imu.f_b[i], low[i], high[i]);
-            failures += accepts("propagate: f_b", propagate, propagate_by_hand, &given_imu.f_b[i],
-                                end[0][i], end[1][i]);
+            failures += spoil("propagate: f_b", propagate, &given_corrected_imu.f_b[i], low[i],
+                              high[i]);
+            failures += accepts("propagate: f_b", propagate, propagate_by_hand,
+                                &given_corrected_imu.f_b[i], end[0][i], end[1][i]);
         }
     }
     {
@@ -2812,28 +2836,28 @@ static int guards(void)
         static const bs_real end[2][3] = { { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) },
                                            { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) } };
         for (int i = 0; i < 3; ++i) {
-            failures += spoil("propagate: omega_ib_b", propagate, &given_imu.omega_ib_b[i], low[i],
-                              high[i]);
+            failures += spoil("propagate: omega_ib_b", propagate,
+                              &given_corrected_imu.omega_ib_b[i], low[i], high[i]);
             failures += accepts("propagate: omega_ib_b", propagate, propagate_by_hand,
-                                &given_imu.omega_ib_b[i], end[0][i], end[1][i]);
-            failures += spoil("measure_dcm: omega_ib_b", measure_dcm, &given_imu.omega_ib_b[i],
-                              low[i], high[i]);
+                                &given_corrected_imu.omega_ib_b[i], end[0][i], end[1][i]);
+            failures += spoil("measure_dcm: omega_ib_b", measure_dcm,
+                              &given_corrected_imu.omega_ib_b[i], low[i], high[i]);
             failures += accepts("measure_dcm: omega_ib_b", measure_dcm, measure_dcm_by_hand,
-                                &given_imu.omega_ib_b[i], end[0][i], end[1][i]);
+                                &given_corrected_imu.omega_ib_b[i], end[0][i], end[1][i]);
             failures += spoil("measure_quaternion: omega_ib_b", measure_quaternion,
-                              &given_imu.omega_ib_b[i], low[i], high[i]);
+                              &given_corrected_imu.omega_ib_b[i], low[i], high[i]);
             failures += accepts("measure_quaternion: omega_ib_b", measure_quaternion,
-                                measure_quaternion_by_hand, &given_imu.omega_ib_b[i], end[0][i],
-                                end[1][i]);
-            failures += spoil("measure_euler: omega_ib_b", measure_euler, &given_imu.omega_ib_b[i],
-                              low[i], high[i]);
+                                measure_quaternion_by_hand, &given_corrected_imu.omega_ib_b[i],
+                                end[0][i], end[1][i]);
+            failures += spoil("measure_euler: omega_ib_b", measure_euler,
+                              &given_corrected_imu.omega_ib_b[i], low[i], high[i]);
             failures += accepts("measure_euler: omega_ib_b", measure_euler, measure_euler_by_hand,
-                                &given_imu.omega_ib_b[i], end[0][i], end[1][i]);
+                                &given_corrected_imu.omega_ib_b[i], end[0][i], end[1][i]);
             failures += spoil("measure_velocity: omega_ib_b", measure_velocity,
-                              &given_imu.omega_ib_b[i], low[i], high[i]);
+                              &given_corrected_imu.omega_ib_b[i], low[i], high[i]);
             failures += accepts("measure_velocity: omega_ib_b", measure_velocity,
-                                measure_velocity_by_hand, &given_imu.omega_ib_b[i], end[0][i],
-                                end[1][i]);
+                                measure_velocity_by_hand, &given_corrected_imu.omega_ib_b[i],
+                                end[0][i], end[1][i]);
         }
     }
     {
@@ -2841,12 +2865,12 @@ static int guards(void)
         static const double high[1] = { 10.005 };
         static const bs_real end[2][1] = { { BS_REAL(1e-06) }, { BS_REAL(10.0) } };
         for (int i = 0; i < 1; ++i) {
-            failures += spoil("propagate: dt", propagate, &given_imu.dt, low[i], high[i]);
-            failures += accepts("propagate: dt", propagate, propagate_by_hand, &given_imu.dt,
-                                end[0][i], end[1][i]);
-            failures += spoil("strapdown: dt", strapdown, &given_imu.dt, low[i], high[i]);
-            failures += accepts("strapdown: dt", strapdown, strapdown_by_hand, &given_imu.dt,
-                                end[0][i], end[1][i]);
+            failures += spoil("propagate: dt", propagate, &given_corrected_imu.dt, low[i], high[i]);
+            failures += accepts("propagate: dt", propagate, propagate_by_hand,
+                                &given_corrected_imu.dt, end[0][i], end[1][i]);
+            failures += spoil("strapdown: dt", strapdown, &given_corrected_imu.dt, low[i], high[i]);
+            failures += accepts("strapdown: dt", strapdown, strapdown_by_hand,
+                                &given_corrected_imu.dt, end[0][i], end[1][i]);
         }
     }
     {
@@ -3669,20 +3693,20 @@ static int guards(void)
         /* is not looked at */
         const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
         failures += expect("measure_dcm: a null pointer",
-                           vas_filter_measure_dcm(0, &given_imu, &given_master, R, &gates,
+                           vas_filter_measure_dcm(0, &given_corrected_imu, &given_master, R, &gates,
                                                   &said) == BS_NULL_POINTER);
         failures += expect("measure_dcm: a null pointer",
                            vas_filter_measure_dcm(&flown, 0, &given_master, R, &gates,
                                                   &said) == BS_NULL_POINTER);
         failures += expect("measure_dcm: a null pointer",
-                           vas_filter_measure_dcm(&flown, &given_imu, 0, R, &gates,
+                           vas_filter_measure_dcm(&flown, &given_corrected_imu, 0, R, &gates,
                                                   &said) == BS_NULL_POINTER);
         failures += expect("measure_dcm: a null pointer",
-                           vas_filter_measure_dcm(&flown, &given_imu, &given_master, 0, &gates,
-                                                  &said) == BS_NULL_POINTER);
+                           vas_filter_measure_dcm(&flown, &given_corrected_imu, &given_master, 0,
+                                                  &gates, &said) == BS_NULL_POINTER);
         failures += expect("measure_dcm: a null pointer",
-                           vas_filter_measure_dcm(&flown, &given_imu, &given_master, R, &gates,
-                                                  0) == BS_NULL_POINTER);
+                           vas_filter_measure_dcm(&flown, &given_corrected_imu, &given_master, R,
+                                                  &gates, 0) == BS_NULL_POINTER);
     }
     failures += spoil("measure_quaternion: gate", measure_quaternion, &gate, -1e-30, 1e+30 *
                       1.0005);
@@ -3709,20 +3733,22 @@ static int guards(void)
         /* is not looked at */
         const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
         failures += expect("measure_quaternion: a null pointer",
-                           vas_filter_measure_quaternion(0, &given_imu, &given_master, R, &gates,
-                                                         &said) == BS_NULL_POINTER);
+                           vas_filter_measure_quaternion(0, &given_corrected_imu, &given_master, R,
+                                                         &gates, &said) == BS_NULL_POINTER);
         failures += expect("measure_quaternion: a null pointer",
                            vas_filter_measure_quaternion(&flown, 0, &given_master, R, &gates,
                                                          &said) == BS_NULL_POINTER);
         failures += expect("measure_quaternion: a null pointer",
-                           vas_filter_measure_quaternion(&flown, &given_imu, 0, R, &gates,
+                           vas_filter_measure_quaternion(&flown, &given_corrected_imu, 0, R, &gates,
                                                          &said) == BS_NULL_POINTER);
         failures += expect("measure_quaternion: a null pointer",
-                           vas_filter_measure_quaternion(&flown, &given_imu, &given_master, 0,
-                                                         &gates, &said) == BS_NULL_POINTER);
+                           vas_filter_measure_quaternion(&flown, &given_corrected_imu,
+                                                         &given_master, 0, &gates,
+                                                         &said) == BS_NULL_POINTER);
         failures += expect("measure_quaternion: a null pointer",
-                           vas_filter_measure_quaternion(&flown, &given_imu, &given_master, R,
-                                                         &gates, 0) == BS_NULL_POINTER);
+                           vas_filter_measure_quaternion(&flown, &given_corrected_imu,
+                                                         &given_master, R, &gates,
+                                                         0) == BS_NULL_POINTER);
     }
     failures += spoil("measure_euler: gate", measure_euler, &gate, -1e-30, 1e+30 * 1.0005);
     for (int i = 0; i < 3; ++i) {
@@ -3742,20 +3768,20 @@ static int guards(void)
         /* is not looked at */
         const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
         failures += expect("measure_euler: a null pointer",
-                           vas_filter_measure_euler(0, &given_imu, &given_master, R, &gates,
-                                                    &said) == BS_NULL_POINTER);
+                           vas_filter_measure_euler(0, &given_corrected_imu, &given_master, R,
+                                                    &gates, &said) == BS_NULL_POINTER);
         failures += expect("measure_euler: a null pointer",
                            vas_filter_measure_euler(&flown, 0, &given_master, R, &gates,
                                                     &said) == BS_NULL_POINTER);
         failures += expect("measure_euler: a null pointer",
-                           vas_filter_measure_euler(&flown, &given_imu, 0, R, &gates,
+                           vas_filter_measure_euler(&flown, &given_corrected_imu, 0, R, &gates,
                                                     &said) == BS_NULL_POINTER);
         failures += expect("measure_euler: a null pointer",
-                           vas_filter_measure_euler(&flown, &given_imu, &given_master, 0, &gates,
-                                                    &said) == BS_NULL_POINTER);
+                           vas_filter_measure_euler(&flown, &given_corrected_imu, &given_master, 0,
+                                                    &gates, &said) == BS_NULL_POINTER);
         failures += expect("measure_euler: a null pointer",
-                           vas_filter_measure_euler(&flown, &given_imu, &given_master, R, &gates,
-                                                    0) == BS_NULL_POINTER);
+                           vas_filter_measure_euler(&flown, &given_corrected_imu, &given_master, R,
+                                                    &gates, 0) == BS_NULL_POINTER);
     }
     failures += spoil("measure_velocity: gate", measure_velocity, &gate, -1e-30, 1e+30 * 1.0005);
     for (int i = 0; i < 3; ++i) {
@@ -3777,20 +3803,20 @@ static int guards(void)
         /* is not looked at */
         const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
         failures += expect("measure_velocity: a null pointer",
-                           vas_filter_measure_velocity(0, &given_imu, &given_master, R, &gates,
-                                                       &said) == BS_NULL_POINTER);
+                           vas_filter_measure_velocity(0, &given_corrected_imu, &given_master, R,
+                                                       &gates, &said) == BS_NULL_POINTER);
         failures += expect("measure_velocity: a null pointer",
                            vas_filter_measure_velocity(&flown, 0, &given_master, R, &gates,
                                                        &said) == BS_NULL_POINTER);
         failures += expect("measure_velocity: a null pointer",
-                           vas_filter_measure_velocity(&flown, &given_imu, 0, R, &gates,
+                           vas_filter_measure_velocity(&flown, &given_corrected_imu, 0, R, &gates,
                                                        &said) == BS_NULL_POINTER);
         failures += expect("measure_velocity: a null pointer",
-                           vas_filter_measure_velocity(&flown, &given_imu, &given_master, 0, &gates,
-                                                       &said) == BS_NULL_POINTER);
+                           vas_filter_measure_velocity(&flown, &given_corrected_imu, &given_master,
+                                                       0, &gates, &said) == BS_NULL_POINTER);
         failures += expect("measure_velocity: a null pointer",
-                           vas_filter_measure_velocity(&flown, &given_imu, &given_master, R, &gates,
-                                                       0) == BS_NULL_POINTER);
+                           vas_filter_measure_velocity(&flown, &given_corrected_imu, &given_master,
+                                                       R, &gates, 0) == BS_NULL_POINTER);
     }
     for (int i = 0; i < N; ++i) {
         const bs_real good = P0[i * (N + 1)];
@@ -3822,17 +3848,19 @@ static int guards(void)
                        vas_filter_init(&flown, &given_nav, &given_mounting, &given_bending,
                                        &given_triads, &given_biases, 0) == BS_NULL_POINTER);
     failures += expect("propagate: a null pointer",
-                       vas_filter_propagate(0, &given_imu, &given_noise) == BS_NULL_POINTER);
+                       vas_filter_propagate(0, &given_corrected_imu,
+                                            &given_noise) == BS_NULL_POINTER);
     failures += expect("propagate: a null pointer",
                        vas_filter_propagate(&flown, 0, &given_noise) == BS_NULL_POINTER);
     failures += expect("propagate: a null pointer",
-                       vas_filter_propagate(&flown, &given_imu, 0) == BS_NULL_POINTER);
+                       vas_filter_propagate(&flown, &given_corrected_imu, 0) == BS_NULL_POINTER);
     failures += expect("strapdown: a null pointer",
-                       vas_filter_strapdown(0, &given_imu, &given_increments) == BS_NULL_POINTER);
+                       vas_filter_strapdown(0, &given_corrected_imu,
+                                            &given_increments) == BS_NULL_POINTER);
     failures += expect("strapdown: a null pointer",
                        vas_filter_strapdown(&flown, 0, &given_increments) == BS_NULL_POINTER);
     failures += expect("strapdown: a null pointer",
-                       vas_filter_strapdown(&flown, &given_imu, 0) == BS_NULL_POINTER);
+                       vas_filter_strapdown(&flown, &given_corrected_imu, 0) == BS_NULL_POINTER);
     failures += expect("correct: a null pointer", vas_filter_correct(0) == BS_NULL_POINTER);
     failures += expect("init_sigmas: a null pointer",
                        vas_filter_init_sigmas(0, &given_nav, &given_mounting, &given_bending,

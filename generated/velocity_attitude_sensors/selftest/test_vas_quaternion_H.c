@@ -18,7 +18,7 @@ static const float in_x[N_VECTORS][46] = {
     { -0x1.02da860000000p-4, -0x1.5b65880000000p-3, 0x1.1fce2e0000000p-4, -0x1.75ee860000000p+6, 0x1.85d88c0000000p+6, -0x1.3219480000000p+4, -0x1.692cce0000000p-10, -0x1.6aebfe0000000p-7, 0x1.e952120000000p-7, 0x1.5b3c660000000p-1, 0x1.a6196c0000000p-1, 0x1.5458340000000p-1, 0x1.e2f60c0000000p-2, 0x1.25860c0000000p-2, 0x1.d6d33e0000000p-4, 0x1.9e2d440000000p-3, -0x1.6196140000000p+5, 0x1.d45e0e0000000p+3, -0x1.b14e780000000p+4, -0x1.ff51a80000000p-5, 0x1.5897080000000p-5, 0x1.35e1cc0000000p-6, -0x1.b8364a0000000p-4, -0x1.576a300000000p-5, 0x1.99e8080000000p-3, 0x1.5e75dc0000000p-4, -0x1.10d9280000000p-5, -0x1.5b949e0000000p-9, 0x1.3d42e40000000p-5, 0x1.5c17ac0000000p-5, 0x1.3bfd820000000p-4, -0x1.72235e0000000p-9, -0x1.9714ee0000000p-6, 0x1.0fb03c0000000p-4, 0x1.9cc8b00000000p-5, -0x1.00cb8a0000000p-7, -0x1.41bad40000000p-4, 0x1.8be3bc0000000p-4, 0x1.5f1fb80000000p-4, -0x1.91659e0000000p-4, -0x1.b8ba540000000p-10, 0x1.5f0eb40000000p-7, 0x1.b748440000000p-8, 0x1.6bfed00000000p-1, 0x1.6e79740000000p-1, -0x1.6ca0aa0000000p-4 },
     { -0x1.5babea0000000p-4, 0x1.58c3120000000p-7, 0x1.ee6ae60000000p-14, -0x1.954f880000000p-7, 0x1.a38c6a0000000p-7, 0x1.490aa40000000p+6, 0x1.5033480000000p-7, -0x1.da14e80000000p-7, -0x1.8d407c0000000p-20, -0x1.ddb0e60000000p-1, -0x1.1aabf60000000p-1, -0x1.94fa960000000p-1, -0x1.a52e420000000p-15, -0x1.cbdb480000000p-2, -0x1.72d0740000000p-3, -0x1.d668180000000p-4, -0x1.da4c940000000p+3, 0x1.5d1f5e0000000p+6, 0x1.8a12b80000000p+6, -0x1.534a1e0000000p-4, -0x1.2c5ed20000000p-17, -0x1.803a4a0000000p-4, -0x1.cb54900000000p-13, 0x1.c20f700000000p-14, 0x1.8328d60000000p-1, -0x1.064ebe0000000p-7, -0x1.4132fe0000000p-6, 0x1.86aa4c0000000p-6, 0x1.82adc40000000p-17, -0x1.eafd920000000p-6, 0x1.b4237e0000000p-17, -0x1.ab25720000000p-17, 0x1.5213300000000p-16, -0x1.4545900000000p-16, 0x1.6c04260000000p-18, 0x1.07164a0000000p-16, 0x1.5e9c960000000p-4, 0x1.7e08d40000000p-16, 0x1.181f200000000p-5, -0x1.8016b60000000p-17, -0x1.3111c60000000p-10, 0x1.e258b80000000p-10, 0x1.31f7f60000000p-7, 0x1.484d800000000p-13, -0x1.2598540000000p-1, 0x1.5c92240000000p-16 }
 };
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { -0x1.0868d20000000p+0, -0x1.55b5680000000p+0, 0x1.91146a0000000p+14 },
     { 0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
@@ -158,7 +158,7 @@ static const unsigned short at_H[75] = { 0, 1, 2, 6, 7, 8, 12, 13, 14, 15, 19, 2
 static void set_point(int v,
                       bs_real x[VAS_N_STATES],
                       vas_nav *nav,
-                      vas_imu *imu,
+                      vas_corrected_imu *corrected_imu,
                       vas_master *master,
                       vas_bending *bending,
                       vas_triads *triads)
@@ -167,7 +167,7 @@ static void set_point(int v,
         x[i] = (bs_real)in_x[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -179,7 +179,7 @@ static void set_point(int v,
         nav->q_b2m_wxyz[i] = (bs_real)in_q_b2m_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
+        corrected_imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
     }
     for (int i = 0; i < 4; ++i) {
         master->q_m2n_wxyz[i] = (bs_real)in_q_m2n_wxyz[v][i];
@@ -206,14 +206,14 @@ int test_vas_quaternion_H(void)
     int failures = 0;
     bs_real x[VAS_N_STATES] = {0};
     vas_nav nav = {0};
-    vas_imu imu = {0};
+    vas_corrected_imu corrected_imu = {0};
     vas_master master = {0};
     vas_bending bending = {0};
     vas_triads triads = {0};
     bs_real H[138];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, x, &nav, &imu, &master, &bending, &triads);
-        if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != BS_OK) {
+        set_point(v, x, &nav, &corrected_imu, &master, &bending, &triads);
+        if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
             ++failures;
             continue;
         }
@@ -245,11 +245,12 @@ int test_vas_quaternion_H(void)
                                                 0.01746201916620327, 1.0005, 1.0005, 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != expected) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 H) != expected) {
                 selftest_print("vas_quaternion_H: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -294,28 +295,30 @@ int test_vas_quaternion_H(void)
                                               BS_REAL(0.017453292519943295),
                                               BS_REAL(0.017453292519943295), BS_REAL(1.0),
                                               BS_REAL(1.0), BS_REAL(1.0) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
                 selftest_print("vas_quaternion_H: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != expected) {
-                selftest_print("vas_quaternion_H: position[%d] bad value %d not refused\n", i, bad);
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 H) != expected) {
+                selftest_print("vas_quaternion_H: lat_lon_height[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_H H", H, 138);
@@ -325,10 +328,10 @@ int test_vas_quaternion_H(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != BS_OK) {
-                selftest_print("vas_quaternion_H: position[%d] end %d refused\n", i, end);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
+                selftest_print("vas_quaternion_H: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -339,11 +342,12 @@ int test_vas_quaternion_H(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != expected) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 H) != expected) {
                 selftest_print("vas_quaternion_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -352,9 +356,9 @@ int test_vas_quaternion_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
                 selftest_print("vas_quaternion_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -367,12 +371,13 @@ int test_vas_quaternion_H(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != expected) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 H) != expected) {
                 selftest_print("vas_quaternion_H: q_b2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -383,11 +388,11 @@ int test_vas_quaternion_H(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
                 selftest_print("vas_quaternion_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -396,11 +401,12 @@ int test_vas_quaternion_H(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, x, &nav, &imu, &master, &bending, &triads);
+        set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != BS_OUT_OF_RANGE) {
+        if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                             H) != BS_OUT_OF_RANGE) {
             selftest_print("vas_quaternion_H: q_b2n_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -413,12 +419,13 @@ int test_vas_quaternion_H(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != expected) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 H) != expected) {
                 selftest_print("vas_quaternion_H: q_b2m_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -429,11 +436,11 @@ int test_vas_quaternion_H(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
                 selftest_print("vas_quaternion_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -442,11 +449,12 @@ int test_vas_quaternion_H(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, x, &nav, &imu, &master, &bending, &triads);
+        set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != BS_OUT_OF_RANGE) {
+        if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                             H) != BS_OUT_OF_RANGE) {
             selftest_print("vas_quaternion_H: q_b2m_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -459,12 +467,13 @@ int test_vas_quaternion_H(void)
         static const double beyond_high[3] = { 20.01, 20.01, 20.01 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
-            imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                          : (bad == 1) ? selftest_infinity()
-                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
+            corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                                    : (bad == 1) ? selftest_infinity()
+                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != expected) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 H) != expected) {
                 selftest_print("vas_quaternion_H: omega_ib_b[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -474,9 +483,9 @@ int test_vas_quaternion_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
-            imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != BS_OK) {
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
+            corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
                 selftest_print("vas_quaternion_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -489,12 +498,13 @@ int test_vas_quaternion_H(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             master.q_m2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != expected) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 H) != expected) {
                 selftest_print("vas_quaternion_H: q_m2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -505,11 +515,11 @@ int test_vas_quaternion_H(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             for (int j = 0; j < 4; ++j) {
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
                 selftest_print("vas_quaternion_H: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -518,11 +528,12 @@ int test_vas_quaternion_H(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, x, &nav, &imu, &master, &bending, &triads);
+        set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
         for (int i = 0; i < 4; ++i) {
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != BS_OUT_OF_RANGE) {
+        if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                             H) != BS_OUT_OF_RANGE) {
             selftest_print("vas_quaternion_H: q_m2n_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -534,11 +545,12 @@ int test_vas_quaternion_H(void)
         static const double beyond_high[1] = { 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             master.lag = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != expected) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 H) != expected) {
                 selftest_print("vas_quaternion_H: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -547,9 +559,9 @@ int test_vas_quaternion_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
             static const bs_real high[1] = { BS_REAL(1.0) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             master.lag = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
                 selftest_print("vas_quaternion_H: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -562,12 +574,13 @@ int test_vas_quaternion_H(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             bending.flexure[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != expected) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 H) != expected) {
                 selftest_print("vas_quaternion_H: flexure[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -576,9 +589,9 @@ int test_vas_quaternion_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             bending.flexure[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
                 selftest_print("vas_quaternion_H: flexure[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -591,12 +604,13 @@ int test_vas_quaternion_H(void)
         static const double beyond_high[3] = { 1.0005, 1.0005, 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             bending.flexure_rate[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != expected) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 H) != expected) {
                 selftest_print("vas_quaternion_H: flexure_rate[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -606,9 +620,9 @@ int test_vas_quaternion_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
                 selftest_print("vas_quaternion_H: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -621,12 +635,13 @@ int test_vas_quaternion_H(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != expected) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 H) != expected) {
                 selftest_print("vas_quaternion_H: gyro_scale[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -636,9 +651,9 @@ int test_vas_quaternion_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
                 selftest_print("vas_quaternion_H: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -653,12 +668,13 @@ int test_vas_quaternion_H(void)
                                                0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != expected) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 H) != expected) {
                 selftest_print("vas_quaternion_H: gyro_axes[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -670,30 +686,40 @@ int test_vas_quaternion_H(void)
                                             BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[6] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1),
                                              BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
                 selftest_print("vas_quaternion_H: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, x, &nav, &imu, &master, &bending, &triads);
-    failures += (vas_quaternion_H(0, &nav, &imu, &master, &bending, &triads, H) != BS_NULL_POINTER);
-    failures += (vas_quaternion_H(x, 0, &imu, &master, &bending, &triads, H) != BS_NULL_POINTER);
+    set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
+    failures += (vas_quaternion_H(0, &nav, &corrected_imu, &master, &bending, &triads,
+                                  H) != BS_NULL_POINTER);
+    failures += (vas_quaternion_H(x, 0, &corrected_imu, &master, &bending, &triads,
+                                  H) != BS_NULL_POINTER);
     failures += (vas_quaternion_H(x, &nav, 0, &master, &bending, &triads, H) != BS_NULL_POINTER);
-    failures += (vas_quaternion_H(x, &nav, &imu, 0, &bending, &triads, H) != BS_NULL_POINTER);
-    failures += (vas_quaternion_H(x, &nav, &imu, &master, 0, &triads, H) != BS_NULL_POINTER);
-    failures += (vas_quaternion_H(x, &nav, &imu, &master, &bending, 0, H) != BS_NULL_POINTER);
-    failures += (vas_quaternion_H(x, &nav, &imu, &master, &bending, &triads, 0) != BS_NULL_POINTER);
-    failures += (vas_quaternion_H_nz(0, &nav, &imu, &master, &bending, &triads,
+    failures += (vas_quaternion_H(x, &nav, &corrected_imu, 0, &bending, &triads,
+                                  H) != BS_NULL_POINTER);
+    failures += (vas_quaternion_H(x, &nav, &corrected_imu, &master, 0, &triads,
+                                  H) != BS_NULL_POINTER);
+    failures += (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, 0,
+                                  H) != BS_NULL_POINTER);
+    failures += (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                  0) != BS_NULL_POINTER);
+    failures += (vas_quaternion_H_nz(0, &nav, &corrected_imu, &master, &bending, &triads,
                                      H) != BS_NULL_POINTER);
-    failures += (vas_quaternion_H_nz(x, 0, &imu, &master, &bending, &triads, H) != BS_NULL_POINTER);
+    failures += (vas_quaternion_H_nz(x, 0, &corrected_imu, &master, &bending, &triads,
+                                     H) != BS_NULL_POINTER);
     failures += (vas_quaternion_H_nz(x, &nav, 0, &master, &bending, &triads, H) != BS_NULL_POINTER);
-    failures += (vas_quaternion_H_nz(x, &nav, &imu, 0, &bending, &triads, H) != BS_NULL_POINTER);
-    failures += (vas_quaternion_H_nz(x, &nav, &imu, &master, 0, &triads, H) != BS_NULL_POINTER);
-    failures += (vas_quaternion_H_nz(x, &nav, &imu, &master, &bending, 0, H) != BS_NULL_POINTER);
-    failures += (vas_quaternion_H_nz(x, &nav, &imu, &master, &bending, &triads,
+    failures += (vas_quaternion_H_nz(x, &nav, &corrected_imu, 0, &bending, &triads,
+                                     H) != BS_NULL_POINTER);
+    failures += (vas_quaternion_H_nz(x, &nav, &corrected_imu, &master, 0, &triads,
+                                     H) != BS_NULL_POINTER);
+    failures += (vas_quaternion_H_nz(x, &nav, &corrected_imu, &master, &bending, 0,
+                                     H) != BS_NULL_POINTER);
+    failures += (vas_quaternion_H_nz(x, &nav, &corrected_imu, &master, &bending, &triads,
                                      0) != BS_NULL_POINTER);
     return failures;
 }

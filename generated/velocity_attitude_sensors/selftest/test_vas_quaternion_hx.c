@@ -16,7 +16,7 @@ static const float in_x[N_VECTORS][46] = {
     { 0x1.26bc6c0000000p-2, -0x1.006cd80000000p-2, 0x1.69b7d20000000p-14, -0x1.1cdba80000000p-6, 0x1.3991360000000p+4, 0x1.359c960000000p+4, -0x1.1bc44c0000000p-18, 0x1.fd2ec00000000p-8, -0x1.189e940000000p-18, 0x1.8c12100000000p-1, -0x1.badb480000000p-13, 0x1.2a81da0000000p-1, 0x1.97853e0000000p-3, 0x1.8e9af40000000p-4, 0x1.9531740000000p-14, 0x1.ee66da0000000p-14, 0x1.4da3180000000p-7, 0x1.3fc7440000000p-6, -0x1.37d9da0000000p-10, -0x1.64c6ba0000000p-19, 0x1.e73e7a0000000p-6, 0x1.ba96480000000p-17, 0x1.558c1a0000000p-15, -0x1.8ccb660000000p-13, -0x1.490e440000000p-1, -0x1.7282680000000p-18, 0x1.3738ba0000000p-4, -0x1.25ba220000000p-17, -0x1.3819d40000000p-6, -0x1.5a76620000000p-20, -0x1.de38680000000p-17, 0x1.5d32ac0000000p-4, -0x1.e1789c0000000p-8, -0x1.c420600000000p-5, -0x1.685dfe0000000p-16, -0x1.ebc9920000000p-7, 0x1.7a2b200000000p-4, 0x1.eac7960000000p-18, -0x1.b639600000000p-6, 0x1.7bec0e0000000p-4, 0x1.140f0c0000000p-19, 0x1.ad72ce0000000p-19, 0x1.476bba0000000p-20, -0x1.a4f7500000000p-13, -0x1.a552060000000p-1, -0x1.345ede0000000p-4 },
     { -0x1.3ec4400000000p-17, -0x1.0d62a00000000p-21, 0x1.f782c40000000p-15, 0x1.03a7820000000p+5, -0x1.b92c400000000p-8, -0x1.2eb9860000000p-6, 0x1.6c9fa40000000p-20, -0x1.2b76d00000000p-21, 0x1.5fcfba0000000p-9, 0x1.c3a4c60000000p-14, -0x1.e432060000000p-4, 0x1.254be80000000p-13, 0x1.de66900000000p-2, -0x1.1ec1fe0000000p-2, 0x1.cd48c80000000p-2, -0x1.02b2440000000p-15, 0x1.59f33c0000000p-6, 0x1.0b99880000000p+6, -0x1.f99c400000000p+3, -0x1.1db9f40000000p-17, -0x1.c329c40000000p-6, -0x1.9182440000000p-18, -0x1.30141e0000000p-13, -0x1.140d1e0000000p-4, -0x1.a0dfa40000000p-3, 0x1.2ed8d80000000p-16, 0x1.e700d00000000p-5, -0x1.3b8f1c0000000p-5, -0x1.520b060000000p-18, 0x1.95b7900000000p-22, -0x1.29bf280000000p-16, -0x1.58c9960000000p-17, 0x1.7add060000000p-4, 0x1.5fcd7a0000000p-6, -0x1.7130780000000p-5, 0x1.9583e20000000p-4, 0x1.833e0c0000000p-16, -0x1.347b940000000p-16, 0x1.d9c7ea0000000p-5, -0x1.aa31a60000000p-5, 0x1.2c27460000000p-19, -0x1.6651b60000000p-19, 0x1.0f85240000000p-8, 0x1.9742a80000000p-1, -0x1.552baa0000000p-1, -0x1.ec70c40000000p-13 }
 };
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
     { -0x1.38d7ea0000000p+0, 0x1.c7245a0000000p+1, 0x1.36d3800000000p+13 },
     { 0x1.7bc89c0000000p+0, 0x1.921fb40000000p+2, -0x1.f400000000000p+8 },
@@ -123,7 +123,7 @@ static const unsigned short at_h[3] = { 0, 1, 2 };
 static void set_point(int v,
                       bs_real x[VAS_N_STATES],
                       vas_nav *nav,
-                      vas_imu *imu,
+                      vas_corrected_imu *corrected_imu,
                       vas_master *master,
                       vas_bending *bending,
                       vas_triads *triads)
@@ -132,7 +132,7 @@ static void set_point(int v,
         x[i] = (bs_real)in_x[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -144,7 +144,7 @@ static void set_point(int v,
         nav->q_b2m_wxyz[i] = (bs_real)in_q_b2m_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
+        corrected_imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
     }
     for (int i = 0; i < 4; ++i) {
         master->q_m2n_wxyz[i] = (bs_real)in_q_m2n_wxyz[v][i];
@@ -171,14 +171,14 @@ int test_vas_quaternion_h(void)
     int failures = 0;
     bs_real x[VAS_N_STATES] = {0};
     vas_nav nav = {0};
-    vas_imu imu = {0};
+    vas_corrected_imu corrected_imu = {0};
     vas_master master = {0};
     vas_bending bending = {0};
     vas_triads triads = {0};
     bs_real h[3];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, x, &nav, &imu, &master, &bending, &triads);
-        if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
+        set_point(v, x, &nav, &corrected_imu, &master, &bending, &triads);
+        if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
             ++failures;
             continue;
         }
@@ -209,11 +209,12 @@ int test_vas_quaternion_h(void)
                                                 0.01746201916620327, 1.0005, 1.0005, 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 h) != expected) {
                 selftest_print("vas_quaternion_h: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -258,28 +259,30 @@ int test_vas_quaternion_h(void)
                                               BS_REAL(0.017453292519943295),
                                               BS_REAL(0.017453292519943295), BS_REAL(1.0),
                                               BS_REAL(1.0), BS_REAL(1.0) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
                 selftest_print("vas_quaternion_h: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
-                selftest_print("vas_quaternion_h: position[%d] bad value %d not refused\n", i, bad);
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 h) != expected) {
+                selftest_print("vas_quaternion_h: lat_lon_height[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_quaternion_h h", h, 3);
@@ -289,10 +292,10 @@ int test_vas_quaternion_h(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
-                selftest_print("vas_quaternion_h: position[%d] end %d refused\n", i, end);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
+                selftest_print("vas_quaternion_h: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -303,11 +306,12 @@ int test_vas_quaternion_h(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 h) != expected) {
                 selftest_print("vas_quaternion_h: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -316,9 +320,9 @@ int test_vas_quaternion_h(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
                 selftest_print("vas_quaternion_h: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -331,12 +335,13 @@ int test_vas_quaternion_h(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 h) != expected) {
                 selftest_print("vas_quaternion_h: q_b2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -347,11 +352,11 @@ int test_vas_quaternion_h(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
                 selftest_print("vas_quaternion_h: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -360,11 +365,12 @@ int test_vas_quaternion_h(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, x, &nav, &imu, &master, &bending, &triads);
+        set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OUT_OF_RANGE) {
+        if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                             h) != BS_OUT_OF_RANGE) {
             selftest_print("vas_quaternion_h: q_b2n_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -377,12 +383,13 @@ int test_vas_quaternion_h(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 h) != expected) {
                 selftest_print("vas_quaternion_h: q_b2m_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -393,11 +400,11 @@ int test_vas_quaternion_h(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
                 selftest_print("vas_quaternion_h: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -406,11 +413,12 @@ int test_vas_quaternion_h(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, x, &nav, &imu, &master, &bending, &triads);
+        set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OUT_OF_RANGE) {
+        if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                             h) != BS_OUT_OF_RANGE) {
             selftest_print("vas_quaternion_h: q_b2m_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -423,12 +431,13 @@ int test_vas_quaternion_h(void)
         static const double beyond_high[3] = { 20.01, 20.01, 20.01 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
-            imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                          : (bad == 1) ? selftest_infinity()
-                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
+            corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                                    : (bad == 1) ? selftest_infinity()
+                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 h) != expected) {
                 selftest_print("vas_quaternion_h: omega_ib_b[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -438,9 +447,9 @@ int test_vas_quaternion_h(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
-            imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
+            corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
                 selftest_print("vas_quaternion_h: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -453,12 +462,13 @@ int test_vas_quaternion_h(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             master.q_m2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 h) != expected) {
                 selftest_print("vas_quaternion_h: q_m2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -469,11 +479,11 @@ int test_vas_quaternion_h(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             for (int j = 0; j < 4; ++j) {
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
                 selftest_print("vas_quaternion_h: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -482,11 +492,12 @@ int test_vas_quaternion_h(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, x, &nav, &imu, &master, &bending, &triads);
+        set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
         for (int i = 0; i < 4; ++i) {
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OUT_OF_RANGE) {
+        if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                             h) != BS_OUT_OF_RANGE) {
             selftest_print("vas_quaternion_h: q_m2n_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -498,11 +509,12 @@ int test_vas_quaternion_h(void)
         static const double beyond_high[1] = { 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             master.lag = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 h) != expected) {
                 selftest_print("vas_quaternion_h: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -511,9 +523,9 @@ int test_vas_quaternion_h(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
             static const bs_real high[1] = { BS_REAL(1.0) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             master.lag = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
                 selftest_print("vas_quaternion_h: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -526,12 +538,13 @@ int test_vas_quaternion_h(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             bending.flexure[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 h) != expected) {
                 selftest_print("vas_quaternion_h: flexure[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -540,9 +553,9 @@ int test_vas_quaternion_h(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             bending.flexure[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
                 selftest_print("vas_quaternion_h: flexure[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -555,12 +568,13 @@ int test_vas_quaternion_h(void)
         static const double beyond_high[3] = { 1.0005, 1.0005, 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             bending.flexure_rate[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 h) != expected) {
                 selftest_print("vas_quaternion_h: flexure_rate[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -570,9 +584,9 @@ int test_vas_quaternion_h(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
                 selftest_print("vas_quaternion_h: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -585,12 +599,13 @@ int test_vas_quaternion_h(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 h) != expected) {
                 selftest_print("vas_quaternion_h: gyro_scale[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -600,9 +615,9 @@ int test_vas_quaternion_h(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
                 selftest_print("vas_quaternion_h: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -617,12 +632,13 @@ int test_vas_quaternion_h(void)
                                                0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(h, 3);
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != expected) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 h) != expected) {
                 selftest_print("vas_quaternion_h: gyro_axes[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -634,21 +650,27 @@ int test_vas_quaternion_h(void)
                                             BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[6] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1),
                                              BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, x, &nav, &imu, &master, &bending, &triads);
+            set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, h) != BS_OK) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
                 selftest_print("vas_quaternion_h: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, x, &nav, &imu, &master, &bending, &triads);
-    failures += (vas_quaternion_h(0, &nav, &imu, &master, &bending, &triads, h) != BS_NULL_POINTER);
-    failures += (vas_quaternion_h(x, 0, &imu, &master, &bending, &triads, h) != BS_NULL_POINTER);
+    set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
+    failures += (vas_quaternion_h(0, &nav, &corrected_imu, &master, &bending, &triads,
+                                  h) != BS_NULL_POINTER);
+    failures += (vas_quaternion_h(x, 0, &corrected_imu, &master, &bending, &triads,
+                                  h) != BS_NULL_POINTER);
     failures += (vas_quaternion_h(x, &nav, 0, &master, &bending, &triads, h) != BS_NULL_POINTER);
-    failures += (vas_quaternion_h(x, &nav, &imu, 0, &bending, &triads, h) != BS_NULL_POINTER);
-    failures += (vas_quaternion_h(x, &nav, &imu, &master, 0, &triads, h) != BS_NULL_POINTER);
-    failures += (vas_quaternion_h(x, &nav, &imu, &master, &bending, 0, h) != BS_NULL_POINTER);
-    failures += (vas_quaternion_h(x, &nav, &imu, &master, &bending, &triads, 0) != BS_NULL_POINTER);
+    failures += (vas_quaternion_h(x, &nav, &corrected_imu, 0, &bending, &triads,
+                                  h) != BS_NULL_POINTER);
+    failures += (vas_quaternion_h(x, &nav, &corrected_imu, &master, 0, &triads,
+                                  h) != BS_NULL_POINTER);
+    failures += (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, 0,
+                                  h) != BS_NULL_POINTER);
+    failures += (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                  0) != BS_NULL_POINTER);
     return failures;
 }

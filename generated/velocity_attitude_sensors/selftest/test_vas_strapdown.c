@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { -0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { 0x1.34e9320000000p+0, -0x1.ff73a80000000p+1, 0x1.f81e480000000p+12 }
 };
@@ -97,22 +97,22 @@ static const float in_accel_bias_beta[N_VECTORS][3] = {
     { 0x1.392fa20000000p+2, 0x1.0d81a40000000p+3, 0x1.94c83e0000000p-2 }
 };
 
-static const double out_position[N_VECTORS][3] = {
+static const double out_lat_lon_height[N_VECTORS][3] = {
     { -0x1.7b5cb34812f88p+0, -0x1.9105eefc29c69p+2, 0x1.256764b79f702p+14 },
     { 0x1.34c8bc3e13577p+0, -0x1.ff5845211b748p+1, 0x1.0fdfbf2ad31bep+11 }
 };
 #ifdef BORESIGHT_FLOAT
-static const float tol_position[N_VECTORS][3] = {
+static const float tol_lat_lon_height[N_VECTORS][3] = {
     { 9.13e-08F, 4.18e-07F, 7.43e-03F },
     { 7.32e-08F, 2.42e-07F, 3.04e-03F }
 };
 #else
-static const float tol_position[N_VECTORS][3] = {
+static const float tol_lat_lon_height[N_VECTORS][3] = {
     { 3.36e-16F, 1.48e-15F, 1.59e-11F },
     { 2.72e-16F, 8.99e-16F, 5.91e-12F }
 };
 #endif
-static const unsigned short at_position[3] = { 0, 1, 2 };
+static const unsigned short at_lat_lon_height[3] = { 0, 1, 2 };
 
 static const double out_v_n[N_VECTORS][3] = {
     { 0x1.174361fe719bbp+10, 0x1.cf4312f0bfc63p+9, 0x1.3ab6755933e1fp+10 },
@@ -218,14 +218,14 @@ static const unsigned short at_accel_bias[3] = { 0, 1, 2 };
 
 static void set_point(int v,
                       vas_nav *nav,
-                      vas_imu *imu,
+                      vas_corrected_imu *corrected_imu,
                       vas_increments *increments,
                       vas_bending *bending,
                       vas_triads *triads,
                       vas_biases *biases)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -240,7 +240,7 @@ static void set_point(int v,
         nav->accel_bias[i] = (bs_real)in_accel_bias[v][i];
     }
     for (int i = 0; i < 1; ++i) {
-        imu->dt = (bs_real)in_dt[v][i];
+        corrected_imu->dt = (bs_real)in_dt[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         increments->dtheta_ib_b[i] = (bs_real)in_dtheta_ib_b[v][i];
@@ -296,12 +296,12 @@ int test_vas_strapdown(void)
 {
     int failures = 0;
     vas_nav nav = {0};
-    vas_imu imu = {0};
+    vas_corrected_imu corrected_imu = {0};
     vas_increments increments = {0};
     vas_bending bending = {0};
     vas_triads triads = {0};
     vas_biases biases = {0};
-    bs_real position[3];
+    bs_real lat_lon_height[3];
     bs_real v_n[3];
     bs_real q_b2n_wxyz[4];
     bs_real flexure[3];
@@ -309,14 +309,16 @@ int test_vas_strapdown(void)
     bs_real gyro_bias[3];
     bs_real accel_bias[3];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu, &increments, &bending, &triads, &biases);
-        if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                          q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
+        set_point(v, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
+        if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                          lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                          accel_bias) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("vas_strapdown position", v, position, 3, out_position[v],
-                                     tol_position[v], at_position, 3, 0);
+        failures += selftest_compare("vas_strapdown lat_lon_height", v, lat_lon_height, 3,
+                                     out_lat_lon_height[v], tol_lat_lon_height[v],
+                                     at_lat_lon_height, 3, 0);
         failures += selftest_compare("vas_strapdown v_n", v, v_n, 3, out_v_n[v], tol_v_n[v], at_v_n,
                                      3, 0);
         failures += selftest_compare("vas_strapdown q_b2n_wxyz", v, q_b2n_wxyz, 4,
@@ -331,31 +333,32 @@ int test_vas_strapdown(void)
         failures += selftest_compare("vas_strapdown accel_bias", v, accel_bias, 3,
                                      out_accel_bias[v], tol_accel_bias[v], at_accel_bias, 3, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(flexure, 3);
             selftest_paint(flexure_rate, 3);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
-                selftest_print("vas_strapdown: position[%d] bad value %d not refused\n", i, bad);
+                selftest_print("vas_strapdown: lat_lon_height[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown position", position, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("vas_strapdown v_n", v_n, 3);
             failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("vas_strapdown flexure", flexure, 3);
@@ -368,11 +371,12 @@ int test_vas_strapdown(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
-                selftest_print("vas_strapdown: position[%d] end %d refused\n", i, end);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                              accel_bias) != BS_OK) {
+                selftest_print("vas_strapdown: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -383,23 +387,23 @@ int test_vas_strapdown(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(flexure, 3);
             selftest_paint(flexure_rate, 3);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
                 selftest_print("vas_strapdown: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown position", position, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("vas_strapdown v_n", v_n, 3);
             failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("vas_strapdown flexure", flexure, 3);
@@ -410,10 +414,11 @@ int test_vas_strapdown(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                              accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -426,24 +431,24 @@ int test_vas_strapdown(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(flexure, 3);
             selftest_paint(flexure_rate, 3);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
                 selftest_print("vas_strapdown: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown position", position, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("vas_strapdown v_n", v_n, 3);
             failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("vas_strapdown flexure", flexure, 3);
@@ -455,12 +460,13 @@ int test_vas_strapdown(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                              accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -469,12 +475,12 @@ int test_vas_strapdown(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+        set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                          q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+        if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                          lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                           accel_bias) != BS_OUT_OF_RANGE) {
             selftest_print("vas_strapdown: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
@@ -490,24 +496,24 @@ int test_vas_strapdown(void)
                                                0.01746201916620327 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             nav.gyro_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(flexure, 3);
             selftest_paint(flexure_rate, 3);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
                 selftest_print("vas_strapdown: gyro_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown position", position, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("vas_strapdown v_n", v_n, 3);
             failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("vas_strapdown flexure", flexure, 3);
@@ -522,10 +528,11 @@ int test_vas_strapdown(void)
             static const bs_real high[3] = { BS_REAL(0.017453292519943295),
                                              BS_REAL(0.017453292519943295),
                                              BS_REAL(0.017453292519943295) };
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             nav.gyro_bias[i] = (end == 0) ? low[i] : high[i];
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                              accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: gyro_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -538,24 +545,24 @@ int test_vas_strapdown(void)
         static const double beyond_high[3] = { 1.0005, 1.0005, 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             nav.accel_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(flexure, 3);
             selftest_paint(flexure_rate, 3);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
                 selftest_print("vas_strapdown: accel_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown position", position, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("vas_strapdown v_n", v_n, 3);
             failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("vas_strapdown flexure", flexure, 3);
@@ -566,10 +573,11 @@ int test_vas_strapdown(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             nav.accel_bias[i] = (end == 0) ? low[i] : high[i];
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                              accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: accel_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -581,23 +589,24 @@ int test_vas_strapdown(void)
         static const double beyond_high[1] = { 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
-            imu.dt = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
-                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
+            corrected_imu.dt = (bs_real)((bad == 0) ? selftest_nan()
+                                         : (bad == 1) ? selftest_infinity()
+                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(flexure, 3);
             selftest_paint(flexure_rate, 3);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
                 selftest_print("vas_strapdown: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown position", position, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("vas_strapdown v_n", v_n, 3);
             failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("vas_strapdown flexure", flexure, 3);
@@ -608,10 +617,11 @@ int test_vas_strapdown(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
-            imu.dt = (end == 0) ? low[i] : high[i];
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
+            corrected_imu.dt = (end == 0) ? low[i] : high[i];
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                              accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -624,24 +634,24 @@ int test_vas_strapdown(void)
         static const double beyond_high[3] = { 0.50025, 0.50025, 0.50025 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             increments.dtheta_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                   : (bad == 1) ? selftest_infinity()
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(flexure, 3);
             selftest_paint(flexure_rate, 3);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
                 selftest_print("vas_strapdown: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown position", position, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("vas_strapdown v_n", v_n, 3);
             failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("vas_strapdown flexure", flexure, 3);
@@ -652,10 +662,11 @@ int test_vas_strapdown(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             increments.dtheta_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                              accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: dtheta_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -667,24 +678,24 @@ int test_vas_strapdown(void)
         static const double beyond_high[3] = { 100.05, 100.05, 100.05 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             increments.dv_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(flexure, 3);
             selftest_paint(flexure_rate, 3);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
                 selftest_print("vas_strapdown: dv_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown position", position, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("vas_strapdown v_n", v_n, 3);
             failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("vas_strapdown flexure", flexure, 3);
@@ -695,10 +706,11 @@ int test_vas_strapdown(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             increments.dv_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                              accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: dv_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -711,25 +723,25 @@ int test_vas_strapdown(void)
         static const double beyond_high[3] = { 0.50025, 0.50025, 0.50025 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             increments.dtheta_before[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(flexure, 3);
             selftest_paint(flexure_rate, 3);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
                 selftest_print("vas_strapdown: dtheta_before[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown position", position, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("vas_strapdown v_n", v_n, 3);
             failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("vas_strapdown flexure", flexure, 3);
@@ -740,10 +752,11 @@ int test_vas_strapdown(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             increments.dtheta_before[i] = (end == 0) ? low[i] : high[i];
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                              accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: dtheta_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -756,24 +769,24 @@ int test_vas_strapdown(void)
         static const double beyond_high[3] = { 100.05, 100.05, 100.05 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             increments.dv_before[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(flexure, 3);
             selftest_paint(flexure_rate, 3);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
                 selftest_print("vas_strapdown: dv_before[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown position", position, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("vas_strapdown v_n", v_n, 3);
             failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("vas_strapdown flexure", flexure, 3);
@@ -784,10 +797,11 @@ int test_vas_strapdown(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             increments.dv_before[i] = (end == 0) ? low[i] : high[i];
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                              accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: dv_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -800,24 +814,24 @@ int test_vas_strapdown(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             bending.flexure[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(flexure, 3);
             selftest_paint(flexure_rate, 3);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
                 selftest_print("vas_strapdown: flexure[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown position", position, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("vas_strapdown v_n", v_n, 3);
             failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("vas_strapdown flexure", flexure, 3);
@@ -828,10 +842,11 @@ int test_vas_strapdown(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             bending.flexure[i] = (end == 0) ? low[i] : high[i];
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                              accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: flexure[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -844,25 +859,25 @@ int test_vas_strapdown(void)
         static const double beyond_high[3] = { 1.0005, 1.0005, 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             bending.flexure_rate[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(flexure, 3);
             selftest_paint(flexure_rate, 3);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
                 selftest_print("vas_strapdown: flexure_rate[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown position", position, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("vas_strapdown v_n", v_n, 3);
             failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("vas_strapdown flexure", flexure, 3);
@@ -873,10 +888,11 @@ int test_vas_strapdown(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                              accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -889,25 +905,25 @@ int test_vas_strapdown(void)
         static const double beyond_high[3] = { 100.05, 100.05, 100.05 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             bending.flexure_omega[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(flexure, 3);
             selftest_paint(flexure_rate, 3);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
                 selftest_print("vas_strapdown: flexure_omega[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown position", position, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("vas_strapdown v_n", v_n, 3);
             failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("vas_strapdown flexure", flexure, 3);
@@ -918,10 +934,11 @@ int test_vas_strapdown(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             bending.flexure_omega[i] = (end == 0) ? low[i] : high[i];
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                              accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: flexure_omega[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -934,25 +951,25 @@ int test_vas_strapdown(void)
         static const double beyond_high[3] = { 10.005, 10.005, 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             bending.flexure_damping[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                    : (bad == 1) ? selftest_infinity()
                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(flexure, 3);
             selftest_paint(flexure_rate, 3);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
                 selftest_print("vas_strapdown: flexure_damping[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown position", position, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("vas_strapdown v_n", v_n, 3);
             failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("vas_strapdown flexure", flexure, 3);
@@ -963,10 +980,11 @@ int test_vas_strapdown(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             bending.flexure_damping[i] = (end == 0) ? low[i] : high[i];
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                              accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: flexure_damping[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -979,24 +997,24 @@ int test_vas_strapdown(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(flexure, 3);
             selftest_paint(flexure_rate, 3);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
                 selftest_print("vas_strapdown: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown position", position, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("vas_strapdown v_n", v_n, 3);
             failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("vas_strapdown flexure", flexure, 3);
@@ -1007,10 +1025,11 @@ int test_vas_strapdown(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                              accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1023,24 +1042,24 @@ int test_vas_strapdown(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             triads.accel_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(flexure, 3);
             selftest_paint(flexure_rate, 3);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
                 selftest_print("vas_strapdown: accel_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown position", position, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("vas_strapdown v_n", v_n, 3);
             failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("vas_strapdown flexure", flexure, 3);
@@ -1051,10 +1070,11 @@ int test_vas_strapdown(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             triads.accel_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                              accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: accel_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1069,24 +1089,24 @@ int test_vas_strapdown(void)
                                                0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(flexure, 3);
             selftest_paint(flexure_rate, 3);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
                 selftest_print("vas_strapdown: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown position", position, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("vas_strapdown v_n", v_n, 3);
             failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("vas_strapdown flexure", flexure, 3);
@@ -1099,10 +1119,11 @@ int test_vas_strapdown(void)
                                             BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[6] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1),
                                              BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                              accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1115,24 +1136,24 @@ int test_vas_strapdown(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             triads.accel_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(flexure, 3);
             selftest_paint(flexure_rate, 3);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
                 selftest_print("vas_strapdown: accel_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown position", position, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("vas_strapdown v_n", v_n, 3);
             failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("vas_strapdown flexure", flexure, 3);
@@ -1143,10 +1164,11 @@ int test_vas_strapdown(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             triads.accel_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                              accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: accel_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1161,25 +1183,25 @@ int test_vas_strapdown(void)
                                                0.01746201916620327 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             biases.gyro_turn_on[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                : (bad == 1) ? selftest_infinity()
                                                : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(flexure, 3);
             selftest_paint(flexure_rate, 3);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
                 selftest_print("vas_strapdown: gyro_turn_on[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown position", position, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("vas_strapdown v_n", v_n, 3);
             failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("vas_strapdown flexure", flexure, 3);
@@ -1194,10 +1216,11 @@ int test_vas_strapdown(void)
             static const bs_real high[3] = { BS_REAL(0.017453292519943295),
                                              BS_REAL(0.017453292519943295),
                                              BS_REAL(0.017453292519943295) };
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             biases.gyro_turn_on[i] = (end == 0) ? low[i] : high[i];
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                              accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: gyro_turn_on[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1210,25 +1233,25 @@ int test_vas_strapdown(void)
         static const double beyond_high[3] = { 1.0005, 1.0005, 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             biases.accel_turn_on[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(flexure, 3);
             selftest_paint(flexure_rate, 3);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
                 selftest_print("vas_strapdown: accel_turn_on[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown position", position, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("vas_strapdown v_n", v_n, 3);
             failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("vas_strapdown flexure", flexure, 3);
@@ -1239,10 +1262,11 @@ int test_vas_strapdown(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             biases.accel_turn_on[i] = (end == 0) ? low[i] : high[i];
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                              accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: accel_turn_on[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1255,25 +1279,25 @@ int test_vas_strapdown(void)
         static const double beyond_high[3] = { 10.005, 10.005, 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             biases.gyro_bias_beta[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(flexure, 3);
             selftest_paint(flexure_rate, 3);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
                 selftest_print("vas_strapdown: gyro_bias_beta[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown position", position, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("vas_strapdown v_n", v_n, 3);
             failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("vas_strapdown flexure", flexure, 3);
@@ -1284,10 +1308,11 @@ int test_vas_strapdown(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             biases.gyro_bias_beta[i] = (end == 0) ? low[i] : high[i];
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                              accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: gyro_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1300,25 +1325,25 @@ int test_vas_strapdown(void)
         static const double beyond_high[3] = { 10.005, 10.005, 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             biases.accel_bias_beta[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                   : (bad == 1) ? selftest_infinity()
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position, 3);
+            selftest_paint(lat_lon_height, 3);
             selftest_paint(v_n, 3);
             selftest_paint(q_b2n_wxyz, 4);
             selftest_paint(flexure, 3);
             selftest_paint(flexure_rate, 3);
             selftest_paint(gyro_bias, 3);
             selftest_paint(accel_bias, 3);
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                               accel_bias) != expected) {
                 selftest_print("vas_strapdown: accel_bias_beta[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown position", position, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
             failures += selftest_painted("vas_strapdown v_n", v_n, 3);
             failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
             failures += selftest_painted("vas_strapdown flexure", flexure, 3);
@@ -1329,50 +1354,55 @@ int test_vas_strapdown(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
-            set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
+            set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             biases.accel_bias_beta[i] = (end == 0) ? low[i] : high[i];
-            if (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                              q_b2n_wxyz, flexure, flexure_rate, gyro_bias, accel_bias) != BS_OK) {
+            if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                              accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: accel_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu, &increments, &bending, &triads, &biases);
-    failures += (vas_strapdown(0, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+    set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
+    failures += (vas_strapdown(0, &corrected_imu, &increments, &bending, &triads, &biases,
+                               lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                                accel_bias) != BS_NULL_POINTER);
-    failures += (vas_strapdown(&nav, 0, &increments, &bending, &triads, &biases, position, v_n,
-                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+    failures += (vas_strapdown(&nav, 0, &increments, &bending, &triads, &biases, lat_lon_height,
+                               v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                                accel_bias) != BS_NULL_POINTER);
-    failures += (vas_strapdown(&nav, &imu, 0, &bending, &triads, &biases, position, v_n, q_b2n_wxyz,
-                               flexure, flexure_rate, gyro_bias, accel_bias) != BS_NULL_POINTER);
-    failures += (vas_strapdown(&nav, &imu, &increments, 0, &triads, &biases, position, v_n,
-                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+    failures += (vas_strapdown(&nav, &corrected_imu, 0, &bending, &triads, &biases, lat_lon_height,
+                               v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                                accel_bias) != BS_NULL_POINTER);
-    failures += (vas_strapdown(&nav, &imu, &increments, &bending, 0, &biases, position, v_n,
-                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+    failures += (vas_strapdown(&nav, &corrected_imu, &increments, 0, &triads, &biases,
+                               lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                                accel_bias) != BS_NULL_POINTER);
-    failures += (vas_strapdown(&nav, &imu, &increments, &bending, &triads, 0, position, v_n,
-                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+    failures += (vas_strapdown(&nav, &corrected_imu, &increments, &bending, 0, &biases,
+                               lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                                accel_bias) != BS_NULL_POINTER);
-    failures += (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, 0, v_n,
-                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+    failures += (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, 0,
+                               lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                                accel_bias) != BS_NULL_POINTER);
-    failures += (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, 0,
-                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+    failures += (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases, 0,
+                               v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                                accel_bias) != BS_NULL_POINTER);
-    failures += (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                               0, flexure, flexure_rate, gyro_bias, accel_bias) != BS_NULL_POINTER);
-    failures += (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                               q_b2n_wxyz, 0, flexure_rate, gyro_bias,
+    failures += (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                               lat_lon_height, 0, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
                                accel_bias) != BS_NULL_POINTER);
-    failures += (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                               q_b2n_wxyz, flexure, 0, gyro_bias, accel_bias) != BS_NULL_POINTER);
-    failures += (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                               q_b2n_wxyz, flexure, flexure_rate, 0,
+    failures += (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                               lat_lon_height, v_n, 0, flexure, flexure_rate, gyro_bias,
                                accel_bias) != BS_NULL_POINTER);
-    failures += (vas_strapdown(&nav, &imu, &increments, &bending, &triads, &biases, position, v_n,
-                               q_b2n_wxyz, flexure, flexure_rate, gyro_bias, 0) != BS_NULL_POINTER);
+    failures += (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                               lat_lon_height, v_n, q_b2n_wxyz, 0, flexure_rate, gyro_bias,
+                               accel_bias) != BS_NULL_POINTER);
+    failures += (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                               lat_lon_height, v_n, q_b2n_wxyz, flexure, 0, gyro_bias,
+                               accel_bias) != BS_NULL_POINTER);
+    failures += (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                               lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, 0,
+                               accel_bias) != BS_NULL_POINTER);
+    failures += (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
+                               lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
+                               0) != BS_NULL_POINTER);
     return failures;
 }

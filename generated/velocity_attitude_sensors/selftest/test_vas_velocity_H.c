@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lat_lon_height[N_VECTORS][3] = {
     { 0x1.7bc89c0000000p+0, -0x1.921fb40000000p+2, 0x1.d4c0000000000p+14 },
     { -0x1.011a800000000p+0, -0x1.4182360000000p-1, 0x1.a1058c0000000p+14 }
 };
@@ -73,14 +73,14 @@ static const unsigned short at_H[78] = { 0, 1, 2, 3, 6, 7, 8, 12, 13, 14, 15, 16
 
 static void set_point(int v,
                       vas_nav *nav,
-                      vas_imu *imu,
+                      vas_corrected_imu *corrected_imu,
                       vas_mounting *mounting,
                       vas_master *master,
                       vas_bending *bending,
                       vas_triads *triads)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lat_lon_height[i] = (bs_real)in_lat_lon_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -92,7 +92,7 @@ static void set_point(int v,
         nav->q_b2m_wxyz[i] = (bs_real)in_q_b2m_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
+        corrected_imu->omega_ib_b[i] = (bs_real)in_omega_ib_b[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         mounting->lever_b[i] = (bs_real)in_lever_b[v][i];
@@ -115,35 +115,38 @@ int test_vas_velocity_H(void)
 {
     int failures = 0;
     vas_nav nav = {0};
-    vas_imu imu = {0};
+    vas_corrected_imu corrected_imu = {0};
     vas_mounting mounting = {0};
     vas_master master = {0};
     vas_bending bending = {0};
     vas_triads triads = {0};
     bs_real H[138];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu, &mounting, &master, &bending, &triads);
-        if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != BS_OK) {
+        set_point(v, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
+        if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
+                           H) != BS_OK) {
             ++failures;
             continue;
         }
         failures += selftest_compare("vas_velocity_H H", v, H, 138, out_H[v], tol_H[v], at_H, 78,
                                      0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -1.4842716291272777, -6.286326899833176, -500.25 };
         static const double beyond_high[3] = { 1.4842716291272777, 6.286326899833176, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
+            nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != expected) {
-                selftest_print("vas_velocity_H: position[%d] bad value %d not refused\n", i, bad);
+            if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
+                               H) != expected) {
+                selftest_print("vas_velocity_H: lat_lon_height[%d] bad value %d not refused\n", i,
+                               bad);
                 ++failures;
             }
             failures += selftest_painted("vas_velocity_H H", H, 138);
@@ -153,10 +156,11 @@ int test_vas_velocity_H(void)
                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(1.4835298641951802),
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != BS_OK) {
-                selftest_print("vas_velocity_H: position[%d] end %d refused\n", i, end);
+            set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
+            nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
+            if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
+                               H) != BS_OK) {
+                selftest_print("vas_velocity_H: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -167,11 +171,12 @@ int test_vas_velocity_H(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != expected) {
+            if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
+                               H) != expected) {
                 selftest_print("vas_velocity_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -180,9 +185,10 @@ int test_vas_velocity_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
+                               H) != BS_OK) {
                 selftest_print("vas_velocity_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -195,12 +201,13 @@ int test_vas_velocity_H(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != expected) {
+            if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
+                               H) != expected) {
                 selftest_print("vas_velocity_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -210,11 +217,12 @@ int test_vas_velocity_H(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
+                               H) != BS_OK) {
                 selftest_print("vas_velocity_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -223,11 +231,11 @@ int test_vas_velocity_H(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
+        set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads,
+        if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
                            H) != BS_OUT_OF_RANGE) {
             selftest_print("vas_velocity_H: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
@@ -241,12 +249,13 @@ int test_vas_velocity_H(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != expected) {
+            if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
+                               H) != expected) {
                 selftest_print("vas_velocity_H: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -256,11 +265,12 @@ int test_vas_velocity_H(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
+                               H) != BS_OK) {
                 selftest_print("vas_velocity_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -269,11 +279,11 @@ int test_vas_velocity_H(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
+        set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads,
+        if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
                            H) != BS_OUT_OF_RANGE) {
             selftest_print("vas_velocity_H: q_b2m_wxyz of norm %d outside its range not refused\n",
                            end);
@@ -287,12 +297,13 @@ int test_vas_velocity_H(void)
         static const double beyond_high[3] = { 20.01, 20.01, 20.01 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
-            imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                          : (bad == 1) ? selftest_infinity()
-                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
+            corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                                    : (bad == 1) ? selftest_infinity()
+                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != expected) {
+            if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
+                               H) != expected) {
                 selftest_print("vas_velocity_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -301,9 +312,10 @@ int test_vas_velocity_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
-            set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
-            imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != BS_OK) {
+            set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
+            corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
+            if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
+                               H) != BS_OK) {
                 selftest_print("vas_velocity_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -316,12 +328,13 @@ int test_vas_velocity_H(void)
         static const double beyond_high[3] = { 100.05, 100.05, 100.05 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             mounting.lever_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != expected) {
+            if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
+                               H) != expected) {
                 selftest_print("vas_velocity_H: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -330,9 +343,10 @@ int test_vas_velocity_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
-            set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             mounting.lever_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
+                               H) != BS_OK) {
                 selftest_print("vas_velocity_H: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -344,11 +358,12 @@ int test_vas_velocity_H(void)
         static const double beyond_high[3] = { 500.25, 500.25, 500.25 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             master.a_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                       : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != expected) {
+            if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
+                               H) != expected) {
                 selftest_print("vas_velocity_H: a_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -357,9 +372,10 @@ int test_vas_velocity_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
-            set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             master.a_n[i] = (end == 0) ? low[i] : high[i];
-            if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
+                               H) != BS_OK) {
                 selftest_print("vas_velocity_H: a_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -372,12 +388,13 @@ int test_vas_velocity_H(void)
         static const double beyond_high[3] = { 1.0005, 1.0005, 1.0005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             bending.flexure_rate[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != expected) {
+            if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
+                               H) != expected) {
                 selftest_print("vas_velocity_H: flexure_rate[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
@@ -387,9 +404,10 @@ int test_vas_velocity_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
-            set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
-            if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
+                               H) != BS_OK) {
                 selftest_print("vas_velocity_H: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -402,12 +420,13 @@ int test_vas_velocity_H(void)
         static const double beyond_high[3] = { 0.10005, 0.10005, 0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != expected) {
+            if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
+                               H) != expected) {
                 selftest_print("vas_velocity_H: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -416,9 +435,10 @@ int test_vas_velocity_H(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
+                               H) != BS_OK) {
                 selftest_print("vas_velocity_H: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -433,12 +453,13 @@ int test_vas_velocity_H(void)
                                                0.10005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(H, 138);
-            if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != expected) {
+            if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
+                               H) != expected) {
                 selftest_print("vas_velocity_H: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -449,38 +470,43 @@ int test_vas_velocity_H(void)
                                             BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[6] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1),
                                              BS_REAL(0.1), BS_REAL(0.1) };
-            set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
+            set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
+                               H) != BS_OK) {
                 selftest_print("vas_velocity_H: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu, &mounting, &master, &bending, &triads);
-    failures += (vas_velocity_H(0, &imu, &mounting, &master, &bending, &triads,
+    set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
+    failures += (vas_velocity_H(0, &corrected_imu, &mounting, &master, &bending, &triads,
                                 H) != BS_NULL_POINTER);
     failures += (vas_velocity_H(&nav, 0, &mounting, &master, &bending, &triads,
                                 H) != BS_NULL_POINTER);
-    failures += (vas_velocity_H(&nav, &imu, 0, &master, &bending, &triads, H) != BS_NULL_POINTER);
-    failures += (vas_velocity_H(&nav, &imu, &mounting, 0, &bending, &triads, H) != BS_NULL_POINTER);
-    failures += (vas_velocity_H(&nav, &imu, &mounting, &master, 0, &triads, H) != BS_NULL_POINTER);
-    failures += (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, 0, H) != BS_NULL_POINTER);
-    failures += (vas_velocity_H(&nav, &imu, &mounting, &master, &bending, &triads,
+    failures += (vas_velocity_H(&nav, &corrected_imu, 0, &master, &bending, &triads,
+                                H) != BS_NULL_POINTER);
+    failures += (vas_velocity_H(&nav, &corrected_imu, &mounting, 0, &bending, &triads,
+                                H) != BS_NULL_POINTER);
+    failures += (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, 0, &triads,
+                                H) != BS_NULL_POINTER);
+    failures += (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, 0,
+                                H) != BS_NULL_POINTER);
+    failures += (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
                                 0) != BS_NULL_POINTER);
-    failures += (vas_velocity_H_nz(0, &imu, &mounting, &master, &bending, &triads,
+    failures += (vas_velocity_H_nz(0, &corrected_imu, &mounting, &master, &bending, &triads,
                                    H) != BS_NULL_POINTER);
     failures += (vas_velocity_H_nz(&nav, 0, &mounting, &master, &bending, &triads,
                                    H) != BS_NULL_POINTER);
-    failures += (vas_velocity_H_nz(&nav, &imu, 0, &master, &bending, &triads,
+    failures += (vas_velocity_H_nz(&nav, &corrected_imu, 0, &master, &bending, &triads,
                                    H) != BS_NULL_POINTER);
-    failures += (vas_velocity_H_nz(&nav, &imu, &mounting, 0, &bending, &triads,
+    failures += (vas_velocity_H_nz(&nav, &corrected_imu, &mounting, 0, &bending, &triads,
                                    H) != BS_NULL_POINTER);
-    failures += (vas_velocity_H_nz(&nav, &imu, &mounting, &master, 0, &triads,
+    failures += (vas_velocity_H_nz(&nav, &corrected_imu, &mounting, &master, 0, &triads,
                                    H) != BS_NULL_POINTER);
-    failures += (vas_velocity_H_nz(&nav, &imu, &mounting, &master, &bending, 0,
+    failures += (vas_velocity_H_nz(&nav, &corrected_imu, &mounting, &master, &bending, 0,
                                    H) != BS_NULL_POINTER);
-    failures += (vas_velocity_H_nz(&nav, &imu, &mounting, &master, &bending, &triads,
+    failures += (vas_velocity_H_nz(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
                                    0) != BS_NULL_POINTER);
     return failures;
 }

@@ -2,6 +2,8 @@
  * 202 operations, list 5dd07f6a4aeef388. */
 #include "velocity_attitude_sensors.h"
 
+BS_EXACT_BEGIN
+
 #include "vas_Qc_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */

@@ -3,7 +3,7 @@
  * The states up to the last that moves are carried by blocks, those behind are copied. */
 #include "velocity_attitude_sensors_covariance.h"
 
-#include <stdbool.h>
+BS_EXACT_BEGIN
 
 #define N VAS_N_STATES
 #define M VAS_N_MOVING /* behind them Phi has rows of a unit matrix */
@@ -32,7 +32,7 @@ static int column(int j)
 
 static bool is_finite(bs_real value)
 {
-    return (value - value) <= BS_REAL(0.0);
+    return bs_is_finite(value);
 }
 
 static void clear(bs_real *value, int n)

@@ -3,6 +3,8 @@
  * 152 operations, list 2dc122cee9ad1edd. */
 #include "velocity_attitude_sensors.h"
 
+BS_EXACT_BEGIN
+
 #include "vas_feedback_kernel.h"
 
 bs_status vas_feedback(const bs_real x[VAS_N_STATES],

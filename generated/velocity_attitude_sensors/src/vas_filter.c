@@ -7,6 +7,8 @@
 
 #include <stdint.h>
 
+BS_EXACT_BEGIN
+
 #include "vas_dcm_z_kernel.h"
 #include "vas_dcm_H_kernel.h"
 #include "vas_quaternion_z_kernel.h"
@@ -35,6 +37,11 @@
 #define DENSE vas_joseph_dense
 #endif
 
+/* What stands in filter->work: of a start the factors of P, and behind them P dense; of a
+ * measurement the non-zeros of H, dense where R is not diagonal, and behind them the gain of each
+ * row where states are considered; of a step what vas_discretize and the prediction state. */
+#define WORK_DENSE VAS_N_PACKED
+
 /* Where the diagonal of a packed matrix stands in column i; column i begins i before. */
 static int diagonal(int i)
 {
@@ -59,15 +66,15 @@ static void copy(bs_real *to, const bs_real *from, int n)
 }
 
 
-static bs_status check_nav(vas_nav *nav, int clamp)
+static bs_status check_nav(vas_nav *nav, bs_beyond beyond)
 {
-    static const bs_real position_low[3] = { BS_REAL(-1.4835298641951802),
-                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
-    static const bs_real position_high[3] = { BS_REAL(1.4835298641951802),
-                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
+    static const bs_real lat_lon_height_low[3] = { BS_REAL(-1.4835298641951802),
+                                                   BS_REAL(-6.283185307179586), BS_REAL(-500.0) };
+    static const bs_real lat_lon_height_high[3] = { BS_REAL(1.4835298641951802),
+                                                    BS_REAL(6.283185307179586), BS_REAL(30000.0) };
     bs_status status;
-    if (clamp != 0) {
-        bs_clamp(nav->position, position_low, position_high, 3);
+    if (beyond == BS_CLAMP) {
+        bs_clamp(nav->lat_lon_height, lat_lon_height_low, lat_lon_height_high, 3);
         bs_clamp_each(nav->v_n, BS_REAL(-1000.0), BS_REAL(1000.0), 3);
         if (bs_check_norm(nav->q_b2n_wxyz, BS_REAL(0.998001), BS_REAL(1.0020009999999997),
                           4) != BS_OK) {
@@ -84,7 +91,7 @@ static bs_status check_nav(vas_nav *nav, int clamp)
         bs_clamp_each(nav->q_b2m_wxyz, BS_REAL(-1.001), BS_REAL(1.001), 4);
         bs_clamp_each(&nav->tau, BS_REAL(-1.0), BS_REAL(1.0), 1);
     }
-    status = bs_check(nav->position, position_low, position_high, 3);
+    status = bs_check(nav->lat_lon_height, lat_lon_height_low, lat_lon_height_high, 3);
     if (status == BS_OK) {
         status = bs_check_each(nav->v_n, BS_REAL(-1000.0), BS_REAL(1000.0), 3);
     }
@@ -113,20 +120,20 @@ static bs_status check_nav(vas_nav *nav, int clamp)
     return status;
 }
 
-static bs_status check_mounting(vas_mounting *mounting, int clamp)
+static bs_status check_mounting(vas_mounting *mounting, bs_beyond beyond)
 {
     bs_status status;
-    if (clamp != 0) {
+    if (beyond == BS_CLAMP) {
         bs_clamp_each(mounting->lever_b, BS_REAL(-100.0), BS_REAL(100.0), 3);
     }
     status = bs_check_each(mounting->lever_b, BS_REAL(-100.0), BS_REAL(100.0), 3);
     return status;
 }
 
-static bs_status check_bending(vas_bending *bending, int clamp)
+static bs_status check_bending(vas_bending *bending, bs_beyond beyond)
 {
     bs_status status;
-    if (clamp != 0) {
+    if (beyond == BS_CLAMP) {
         bs_clamp_each(bending->flexure, BS_REAL(-0.1), BS_REAL(0.1), 3);
         bs_clamp_each(bending->flexure_rate, BS_REAL(-1.0), BS_REAL(1.0), 3);
         bs_clamp_each(bending->flexure_omega, BS_REAL(0.01), BS_REAL(100.0), 3);
@@ -149,10 +156,10 @@ static bs_status check_bending(vas_bending *bending, int clamp)
     return status;
 }
 
-static bs_status check_triads(vas_triads *triads, int clamp)
+static bs_status check_triads(vas_triads *triads, bs_beyond beyond)
 {
     bs_status status;
-    if (clamp != 0) {
+    if (beyond == BS_CLAMP) {
         bs_clamp_each(triads->gyro_scale, BS_REAL(-0.1), BS_REAL(0.1), 3);
         bs_clamp_each(triads->accel_scale, BS_REAL(-0.1), BS_REAL(0.1), 3);
         bs_clamp_each(triads->gyro_axes, BS_REAL(-0.1), BS_REAL(0.1), 6);
@@ -171,10 +178,10 @@ static bs_status check_triads(vas_triads *triads, int clamp)
     return status;
 }
 
-static bs_status check_biases(vas_biases *biases, int clamp)
+static bs_status check_biases(vas_biases *biases, bs_beyond beyond)
 {
     bs_status status;
-    if (clamp != 0) {
+    if (beyond == BS_CLAMP) {
         bs_clamp_each(biases->gyro_turn_on, BS_REAL(-0.017453292519943295),
                       BS_REAL(0.017453292519943295), 3);
         bs_clamp_each(biases->accel_turn_on, BS_REAL(-1.0), BS_REAL(1.0), 3);
@@ -195,9 +202,9 @@ static bs_status check_biases(vas_biases *biases, int clamp)
     return status;
 }
 
-static bs_status check_imu_of_measure_dcm(const vas_imu *imu)
+static bs_status check_corrected_imu_of_measure_dcm(const vas_corrected_imu *corrected_imu)
 {
-    bs_status status = bs_check_each(imu->omega_ib_b, BS_REAL(-20.0), BS_REAL(20.0), 3);
+    bs_status status = bs_check_each(corrected_imu->omega_ib_b, BS_REAL(-20.0), BS_REAL(20.0), 3);
     return status;
 }
 
@@ -279,14 +286,14 @@ static bs_status check_master_of_measure_velocity(const vas_master *master)
     return status;
 }
 
-static bs_status check_imu_of_propagate(const vas_imu *imu)
+static bs_status check_corrected_imu_of_propagate(const vas_corrected_imu *corrected_imu)
 {
-    bs_status status = bs_check_each(imu->f_b, BS_REAL(-500.0), BS_REAL(500.0), 3);
+    bs_status status = bs_check_each(corrected_imu->f_b, BS_REAL(-500.0), BS_REAL(500.0), 3);
     if (status == BS_OK) {
-        status = bs_check_each(imu->omega_ib_b, BS_REAL(-20.0), BS_REAL(20.0), 3);
+        status = bs_check_each(corrected_imu->omega_ib_b, BS_REAL(-20.0), BS_REAL(20.0), 3);
     }
     if (status == BS_OK) {
-        status = bs_check_each(&imu->dt, BS_REAL(1e-06), BS_REAL(10.0), 1);
+        status = bs_check_each(&corrected_imu->dt, BS_REAL(1e-06), BS_REAL(10.0), 1);
     }
     return status;
 }
@@ -312,9 +319,9 @@ static bs_status check_noise_of_propagate(const vas_noise *noise)
     return status;
 }
 
-static bs_status check_imu_of_strapdown(const vas_imu *imu)
+static bs_status check_corrected_imu_of_strapdown(const vas_corrected_imu *corrected_imu)
 {
-    bs_status status = bs_check_each(&imu->dt, BS_REAL(1e-06), BS_REAL(10.0), 1);
+    bs_status status = bs_check_each(&corrected_imu->dt, BS_REAL(1e-06), BS_REAL(10.0), 1);
     return status;
 }
 
@@ -357,7 +364,7 @@ static void variances(const bs_real *P, bs_real *value)
 #endif
 }
 
-/* A finite sum is one of finite numbers; where there is none, each is asked. */
+/* A finite sum is one of finite numbers; where it is not, each number is checked. */
 static bs_status check_sum(const bs_real *value, int n)
 {
     const int fours = n - (n % 4);
@@ -368,7 +375,7 @@ static bs_status check_sum(const bs_real *value, int n)
     for (int i = fours; i < n; ++i) {
         sum += value[i];
     }
-    return ((sum - sum) <= BS_REAL(0.0)) ? BS_OK : bs_check_finite(value, n);
+    return bs_is_finite(sum) ? BS_OK : bs_check_finite(value, n);
 }
 
 /* Whether x and P are finite, and the diagonal of P, or D, is not negative. */
@@ -384,14 +391,15 @@ static bs_status sound(const bs_real *x, const bs_real *P)
     return status;
 }
 
-/* What judge does where not all is as it nearly always is. */
-static bs_status judge_closely(const bs_real *x, bs_real *P, bs_real *value, const bs_real *ceiling)
+/* check_step where a number is not as it nearly always is: which status it has, and a variance
+ * above its ceiling scaled down. */
+static bs_status limit_step(const bs_real *x, bs_real *P, bs_real *value, const bs_real *ceiling)
 {
     bs_real scale[VAS_N_STATES];
     bs_status status = sound(x, P);
     for (int i = 0; (i < VAS_N_STATES) && bs_good(status); ++i) {
         scale[i] = BS_REAL(1.0);
-        if (!((value[i] - value[i]) <= BS_REAL(0.0))) {
+        if (!bs_is_finite(value[i])) {
             status = BS_NOT_FINITE;
         } else if ((x[i] * x[i]) > ceiling[i]) {
             status = BS_OUT_OF_RANGE;
@@ -423,10 +431,10 @@ static bs_status judge_closely(const bs_real *x, bs_real *P, bs_real *value, con
     return status;
 }
 
-/* What a step has made of x and P, before it counts.  A variance above its ceiling becomes a
- * quarter as often as it takes; its row and column become a half as often: powers of two, so that
- * no correlation changes by a bit. */
-static bs_status judge(const bs_real *x, bs_real *P)
+/* Status of x and P after a step, before they replace those of the filter.  A variance above its
+ * ceiling becomes a quarter as often as it takes; its row and column become a half as often: powers
+ * of two, so that no correlation changes by a bit. */
+static bs_status check_step(const bs_real *x, bs_real *P)
 {
     static const bs_real ceiling[VAS_N_STATES] = { BS_REAL(1000000.0), BS_REAL(1000000.0),
                                                    BS_REAL(1000000.0), BS_REAL(10000000000.0),
@@ -452,23 +460,24 @@ static bs_status judge(const bs_real *x, bs_real *P)
                                                    BS_REAL(10000.0), BS_REAL(1000000.0),
                                                    BS_REAL(1000000.0), BS_REAL(1000000.0) };
     bs_real value[VAS_N_STATES];
-    int at = 0; /* the diagonal of column i */
+    int place = 0; /* of the diagonal of column i */
     bool good = true;
     variances(P, value);
     for (int i = 0; (i < VAS_N_STATES) && good; ++i) {
-        good = (P[at] >= BS_REAL(0.0)) && (value[i] <= ceiling[i]) && ((x[i] * x[i]) <= ceiling[i]);
-        at += i + 2;
+        good = (P[place] >= BS_REAL(0.0)) && (value[i] <= ceiling[i]) &&
+            ((x[i] * x[i]) <= ceiling[i]);
+        place += i + 2;
     }
 #if !BORESIGHT_UD
     good = good && (check_sum(P, VAS_N_PACKED) == BS_OK);
 #endif
-    return good ? BS_OK : judge_closely(x, P, value, ceiling);
+    return good ? BS_OK : limit_step(x, P, value, ceiling);
 }
 
-/* One measurement: where its non-zeros stand, and how it is taken. */
+/* One measurement: where the non-zeros of H stand, and what its rows are. */
 typedef struct {
-    const unsigned short *start; /* row i of H has those from start[i] on, */
-    const unsigned short *at;    /* of these states */
+    const unsigned short *start; /* row i of H has its non-zeros from start[i] on, */
+    const unsigned short *columns; /* in these columns */
     int m;
     int index; /* VAS_MEASUREMENT_... */
     unsigned int angles; /* bit i: row i is an angle */
@@ -476,111 +485,112 @@ typedef struct {
 
 typedef struct {
     bs_real x[VAS_N_STATES]; /* as it was before; P as it was is in filter->Q */
-    unsigned int asked;          /* rows to be taken, by the caller, */
-    unsigned int rows;           /* and by the gates */
+    unsigned int requested;      /* rows to take, by the caller, */
+    unsigned int rows;           /* and of these, by the gates */
     bs_real gate;
     bs_real joint;
-    int left; /* linearisations that are to come */
-    bs_real at[VAS_N_STATES]; /* where it is linearised now */
-    bs_real moved; /* the square of how many sigmas the last one moved a state or a row at most */
-    bool again;    /* whether there was one */
+    int remaining; /* linearisations to come */
+    bs_real point[VAS_N_STATES]; /* of linearisation */
+    bs_real step; /* of the last linearisation: the largest change of a state or a row in its
+                   * sigmas, squared */
+    bool repeated; /* whether there was one */
 } attempt;
 
-static void roll_back(vas_filter *filter, const attempt *a)
+static void roll_back(vas_filter *filter, const attempt *trial)
 {
-    copy(filter->x, a->x, VAS_N_STATES);
+    copy(filter->x, trial->x, VAS_N_STATES);
     copy(filter->P, filter->Q, VAS_N_PACKED);
 }
 
-/* Keeps x and P, and judges what does not depend on the model's functions: the variances of the
- * rows, R[0], R[step] ..., and the gates. */
-static bs_status begin(attempt *a,
-                       vas_filter *filter,
-                       const bs_gates *gates,
-                       const bs_real *R,
-                       int step,
-                       int m)
+/* Copies x and P for a roll-back, and checks what does not depend on the model's functions: the
+ * variances of the rows, R[0], R[step] ..., and the gates. */
+static bs_status begin_trial(attempt *trial,
+                             vas_filter *filter,
+                             const bs_gates *gates,
+                             const bs_real *R,
+                             int step,
+                             int m)
 {
     bs_status status = BS_OK;
     copy(filter->Q, filter->P, VAS_N_PACKED);
-    copy(a->x, filter->x, VAS_N_STATES);
-    a->asked = BS_ALL_ROWS;
-    a->gate = BS_REAL(0.0);
-    a->joint = BS_REAL(0.0);
-    a->left = 1;
+    copy(trial->x, filter->x, VAS_N_STATES);
+    trial->requested = BS_ALL_ROWS;
+    trial->gate = BS_REAL(0.0);
+    trial->joint = BS_REAL(0.0);
+    trial->remaining = 1;
     if (gates != NULL) {
-        a->asked = gates->rows;
-        a->gate = gates->gate;
-        a->joint = gates->joint;
-        a->left = (gates->iterations == 0) ? 1 : gates->iterations;
+        trial->requested = gates->rows;
+        trial->gate = gates->gate;
+        trial->joint = gates->joint;
+        trial->remaining = (gates->iterations == 0) ? 1 : gates->iterations;
     }
-    a->asked &= BS_ALL_ROWS >> (32U - (unsigned int)m);
-    a->rows = a->asked;
-    copy(a->at, filter->x, VAS_N_STATES);
-    a->moved = BS_REAL(0.0);
-    a->again = false;
+    trial->requested &= BS_ALL_ROWS >> (32U - (unsigned int)m);
+    trial->rows = trial->requested;
+    copy(trial->point, filter->x, VAS_N_STATES);
+    trial->step = BS_REAL(0.0);
+    trial->repeated = false;
     for (int i = 0; (i < m) && (status != BS_NOT_FINITE); ++i) {
-        const bs_status one = bs_check_each(&R[i * step], BS_REAL(1e-30), BS_REAL(1e+30), 1);
-        status = (one != BS_OK) ? one : status;
+        const bs_status row = bs_check_each(&R[i * step], BS_REAL(1e-30), BS_REAL(1e+30), 1);
+        status = (row != BS_OK) ? row : status;
     }
     if (status == BS_OK) {
-        status = bs_check_each(&a->gate, BS_REAL(0.0), BS_REAL(1e+30), 1);
+        status = bs_check_each(&trial->gate, BS_REAL(0.0), BS_REAL(1e+30), 1);
     }
     if (status == BS_OK) {
-        status = bs_check_each(&a->joint, BS_REAL(0.0), BS_REAL(1e+30), 1);
+        status = bs_check_each(&trial->joint, BS_REAL(0.0), BS_REAL(1e+30), 1);
     }
     if (status == BS_OK) {
-        status = ((a->left < 0) || (a->left > BS_MOST_ITERATIONS)) ? BS_OUT_OF_RANGE : BS_OK;
+        status = ((trial->remaining < 0) ||
+                  (trial->remaining > BS_MOST_ITERATIONS)) ? BS_OUT_OF_RANGE : BS_OK;
     }
     return status;
 }
 
-/* Ends a measurement: with what it has made of x, P and the innovation, or with all as they
- * were. */
-static bs_status finish(vas_filter *filter,
-                        const attempt *a,
-                        const measurement *layout,
-                        bs_status status,
-                        vas_innovation *found,
-                        vas_innovation *innovation)
+/* Ends a measurement: with x, P and the innovation that it made, or with all as they were. */
+static bs_status end_trial(vas_filter *filter,
+                           const attempt *trial,
+                           const measurement *layout,
+                           bs_status status,
+                           vas_innovation *found,
+                           vas_innovation *innovation)
 {
     unsigned short *const count = &filter->rejected[layout->index];
     bs_status end = status;
-    if ((end == BS_OK) && (!((found->nis - found->nis) <= BS_REAL(0.0)))) {
+    if ((end == BS_OK) && (!bs_is_finite(found->nis))) {
         end = BS_NOT_POSITIVE;
     }
     if (end == BS_OK) {
-        if ((a->joint > BS_REAL(0.0)) && (!(found->nis <= a->joint))) {
-            roll_back(filter, a);
+        if ((trial->joint > BS_REAL(0.0)) && (!(found->nis <= trial->joint))) {
+            roll_back(filter, trial);
             found->used = 0U;
         }
-        end = judge(filter->x, filter->P);
+        end = check_step(filter->x, filter->P);
         if ((end == BS_AT_CEILING) && (filter->ceilings < 65535U)) {
             filter->ceilings += 1U;
         }
     }
     if (!bs_good(end)) {
-        roll_back(filter, a);
+        roll_back(filter, trial);
     } else {
         *innovation = *found;
-        if (found->used != a->asked) {
+        if (found->used != trial->requested) {
             *count = (*count < 65535U) ? (unsigned short)(*count + 1U) : *count;
-        } else if (a->asked != 0U) {
+        } else if (trial->requested != 0U) {
             *count = 0U;
         } else {
-            /* nothing was asked for */
+            /* no row was requested */
         }
     }
     return end;
 }
 
-/* Of the gain of m rows that are taken, what belongs to considered states is left out: x is as it
- * was, and P rises by S k k' of each row's part. */
-static void leave_out(vas_filter *filter,
-                      const bs_real *x,
-                      bs_real *gain,
-                      int m,
-                      const vas_innovation *innovation)
+/* Considered states keep their x, and P rises by S k k' of their part k of the gain of each row
+ * that was used. */
+static void keep_considered(vas_filter *filter,
+                            const bs_real *x,
+                            bs_real *gain,
+                            int m,
+                            const vas_innovation *innovation)
 {
     for (int j = 0; j < VAS_N_STATES; ++j) {
         if (filter->considered[j] != 0U) {
@@ -601,14 +611,14 @@ static void leave_out(vas_filter *filter,
 }
 
 /* The rows of one measurement, one after another.  H stands in filter->work. */
-static bs_status take(vas_filter *filter,
-                      const attempt *a,
-                      const measurement *layout,
-                      const bs_real *z,
-                      const bs_real *R,
-                      unsigned int rows,
-                      bs_real gate,
-                      vas_innovation *innovation)
+static bs_status update_rows(vas_filter *filter,
+                             const attempt *trial,
+                             const measurement *layout,
+                             const bs_real *z,
+                             const bs_real *R,
+                             unsigned int rows,
+                             bs_real gate,
+                             vas_innovation *innovation)
 {
     const bs_real *const H = filter->work;
     bs_real *const gain = &filter->work[layout->start[layout->m]]; /* where states are considered */
@@ -617,8 +627,8 @@ static bs_status take(vas_filter *filter,
     innovation->nis = BS_REAL(0.0);
     for (int i = 0; (i < layout->m) && (status == BS_OK); ++i) {
         const int start = (int)layout->start[i];
-        bs_row row = { &H[start], &layout->at[start], (int)layout->start[i + 1] - start, z[i], R[i],
-                       gate, z[i], R[i], 0, NULL };
+        bs_row row = { &H[start], &layout->columns[start], (int)layout->start[i + 1] - start, z[i],
+                       R[i], gate, z[i], R[i], 0, NULL };
         if (filter->considering != 0U) {
             row.gain = &gain[i * VAS_N_STATES];
         }
@@ -634,18 +644,18 @@ static bs_status take(vas_filter *filter,
         }
     }
     if ((filter->considering != 0U) && (status == BS_OK)) {
-        leave_out(filter, a->x, gain, layout->m, innovation);
+        keep_considered(filter, trial->x, gain, layout->m, innovation);
     }
     return status;
 }
 /* Whole turns are taken from the z of a row that is an angle, so that z - H x lies in [-pi, pi). */
-static void turn(const measurement *layout, bs_real *z, const bs_real *H, const bs_real *x)
+static void unwrap(const measurement *layout, bs_real *z, const bs_real *H, const bs_real *x)
 {
     for (int i = 0; i < layout->m; ++i) {
         if (((layout->angles >> (unsigned int)i) & 1U) != 0U) {
             bs_real nu = z[i];
             for (int q = (int)layout->start[i]; q < (int)layout->start[i + 1]; ++q) {
-                nu -= H[q] * x[layout->at[q]];
+                nu -= H[q] * x[layout->columns[q]];
             }
             z[i] -= nu - bs_wrap(nu);
         }
@@ -653,54 +663,54 @@ static void turn(const measurement *layout, bs_real *z, const bs_real *H, const 
 }
 
 /* h(x) becomes z - h(x) + H x, so that the rows may treat it as linear in the state. */
-static void linear(const measurement *layout,
-                   bs_real *h,
-                   const bs_real *z,
-                   const bs_real *H,
-                   const bs_real *x)
+static void linearize(const measurement *layout,
+                      bs_real *h,
+                      const bs_real *z,
+                      const bs_real *H,
+                      const bs_real *x)
 {
     for (int i = 0; i < layout->m; ++i) {
         h[i] = z[i] - h[i];
         for (int q = (int)layout->start[i]; q < (int)layout->start[i + 1]; ++q) {
-            h[i] += H[q] * x[layout->at[q]];
+            h[i] += H[q] * x[layout->columns[q]];
         }
     }
 }
 
-/* The square of how many sigmas a state, or a row that is used, moves at most from `from` to
- * filter->x. */
-static bs_real moved(const vas_filter *filter,
-                     const measurement *layout,
-                     const bs_real *from,
-                     const bs_real *R,
-                     unsigned int used)
+/* From `from` to filter->x, the largest change of a state or of a row that is used, in its sigmas,
+ * squared. */
+static bs_real step_in_sigmas(const vas_filter *filter,
+                              const measurement *layout,
+                              const bs_real *from,
+                              const bs_real *R,
+                              unsigned int used)
 {
     const bs_real *const H = filter->work;
     bs_real most = BS_REAL(0.0);
-    bs_real of_state[VAS_N_STATES];
-    variances(filter->P, of_state);
+    bs_real variance[VAS_N_STATES];
+    variances(filter->P, variance);
     for (int i = 0; i < VAS_N_STATES; ++i) {
-        const bs_real by = filter->x[i] - from[i];
-        if ((of_state[i] > BS_REAL(0.0)) && ((by * by) > (most * of_state[i]))) {
-            most = (by * by) / of_state[i];
+        const bs_real change = filter->x[i] - from[i];
+        if ((variance[i] > BS_REAL(0.0)) && ((change * change) > (most * variance[i]))) {
+            most = (change * change) / variance[i];
         }
     }
     for (int i = 0; i < layout->m; ++i) {
-        bs_real by = BS_REAL(0.0);
+        bs_real change = BS_REAL(0.0);
         for (int q = (int)layout->start[i]; q < (int)layout->start[i + 1]; ++q) {
-            by += H[q] * (filter->x[layout->at[q]] - from[layout->at[q]]);
+            change += H[q] * (filter->x[layout->columns[q]] - from[layout->columns[q]]);
         }
-        if ((((used >> (unsigned int)i) & 1U) != 0U) && ((by * by) > (most * R[i]))) {
-            most = (by * by) / R[i];
+        if ((((used >> (unsigned int)i) & 1U) != 0U) && ((change * change) > (most * R[i]))) {
+            most = (change * change) / R[i];
         }
     }
     return most;
 }
 
 /* One linearisation; answer is that of H, and of h in `target`, at filter->x.  It is the last where
- * no state and no row moves by more than .01 sigma, or the first is beyond the joint gate.  Where
- * one moves by more than a sigma and by more than before, or there is no answer, the first is taken
- * again. */
+ * no state and no row changes by more than .01 sigma, or the first is beyond the joint gate.  Where
+ * one changes by more than a sigma and by more than before, or there is no answer, the first is
+ * repeated. */
 static bs_status iterate(attempt *trial,
                          vas_filter *filter,
                          const measurement *layout,
@@ -713,36 +723,36 @@ static bs_status iterate(attempt *trial,
     bs_real most = BS_REAL(0.0);
     bs_status status = answer;
     if (status == BS_OK) {
-        linear(layout, target, z, filter->work, trial->at);
+        linearize(layout, target, z, filter->work, trial->point);
         roll_back(filter, trial);
-        status = take(filter, trial, layout, target, R, trial->rows, trial->gate, innovation);
-        if ((status == BS_OK) && (trial->again || (trial->left > 1))) {
-            most = moved(filter, layout, trial->at, R, innovation->used);
+        status = update_rows(filter, trial, layout, target, R, trial->rows, trial->gate,
+                             innovation);
+        if ((status == BS_OK) && (trial->repeated || (trial->remaining > 1))) {
+            most = step_in_sigmas(filter, layout, trial->point, R, innovation->used);
         }
     }
-    if (trial->again && ((status != BS_OK) || ((most > trial->moved) && (most > BS_REAL(1.0))))) {
-        copy(trial->at, trial->x, VAS_N_STATES);
+    if (trial->repeated && ((status != BS_OK) || ((most > trial->step) && (most > BS_REAL(1.0))))) {
+        copy(trial->point, trial->x, VAS_N_STATES);
         copy(filter->x, trial->x, VAS_N_STATES);
-        trial->again = false;
-        trial->left = 1;
+        trial->repeated = false;
+        trial->remaining = 1;
         status = BS_OK;
     } else if ((status != BS_OK) ||
                ((trial->joint > BS_REAL(0.0)) && (!(innovation->nis <= trial->joint)))) {
-        trial->left = 0;
+        trial->remaining = 0;
     } else {
-        copy(trial->at, filter->x, VAS_N_STATES);
-        trial->moved = most;
-        trial->again = true;
+        copy(trial->point, filter->x, VAS_N_STATES);
+        trial->step = most;
+        trial->repeated = true;
         trial->rows = innovation->used;
         trial->gate = BS_REAL(0.0);
         trial->joint = BS_REAL(0.0);
-        trial->left = (most > BS_REAL(1e-4)) ? (trial->left - 1) : 0;
+        trial->remaining = (most > BS_REAL(1e-4)) ? (trial->remaining - 1) : 0;
     }
     return status;
 }
 
-/* Begins from a dense P that may stand in the second half of filter->work; the structs are
- * sound. */
+/* Begins from a dense P, which may stand at WORK_DENSE of filter->work. */
 static bs_status start(vas_filter *filter,
                        const vas_nav *nav,
                        const vas_mounting *mounting,
@@ -764,19 +774,19 @@ static bs_status start(vas_filter *filter,
     first_triads = *triads;
     first_biases = *biases;
     if (status == BS_OK) {
-        status = check_nav(&first_nav, 0);
+        status = check_nav(&first_nav, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_mounting(&first_mounting, 0);
+        status = check_mounting(&first_mounting, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_bending(&first_bending, 0);
+        status = check_bending(&first_bending, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_triads(&first_triads, 0);
+        status = check_triads(&first_triads, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_biases(&first_biases, 0);
+        status = check_biases(&first_biases, BS_REFUSE);
     }
     if (status == BS_OK) {
         status = INIT(dense, filter->Q, filter->work);
@@ -785,7 +795,7 @@ static bs_status start(vas_filter *filter,
         for (int i = 0; i < VAS_N_STATES; ++i) {
             first[i] = BS_REAL(0.0);
         }
-        status = judge(first, filter->Q);
+        status = check_step(first, filter->Q);
     }
     if (status == BS_AT_CEILING) {
         status = BS_OUT_OF_RANGE;
@@ -834,25 +844,26 @@ bs_status vas_filter_init_blocks(vas_filter *filter,
                                  const bs_real blocks[VAS_N_BLOCKS])
 {
     static const unsigned short size[15] = { 3, 3, 3, 3, 3, 1, 3, 3, 3, 3, 3, 6, 3, 3, 3 };
+    bs_real *dense;
     int from = 0;
     int first = 0;
     if ((filter == NULL) || (nav == NULL) || (mounting == NULL) || (bending == NULL) ||
         (triads == NULL) || (biases == NULL) || (blocks == NULL)) {
         return BS_NULL_POINTER;
     }
+    dense = &filter->work[WORK_DENSE];
     for (int i = 0; i < (VAS_N_STATES * VAS_N_STATES); ++i) {
-        filter->work[VAS_N_PACKED + i] = BS_REAL(0.0);
+        dense[i] = BS_REAL(0.0);
     }
     for (int b = 0; b < 15; ++b) {
         const int n = (int)size[b];
         for (int i = 0; i < n; ++i) {
-            copy(&filter->work[VAS_N_PACKED + ((first + i) * VAS_N_STATES) + first],
-                 &blocks[from + (i * n)], n);
+            copy(&dense[((first + i) * VAS_N_STATES) + first], &blocks[from + (i * n)], n);
         }
         from += n * n;
         first += n;
     }
-    return start(filter, nav, mounting, bending, triads, biases, &filter->work[VAS_N_PACKED]);
+    return start(filter, nav, mounting, bending, triads, biases, dense);
 }
 
 bs_status vas_filter_init_sigmas(vas_filter *filter,
@@ -863,17 +874,18 @@ bs_status vas_filter_init_sigmas(vas_filter *filter,
                                  const vas_biases *biases,
                                  const bs_real sigma[VAS_N_STATES])
 {
+    bs_real *dense;
     if ((filter == NULL) || (nav == NULL) || (mounting == NULL) || (bending == NULL) ||
         (triads == NULL) || (biases == NULL) || (sigma == NULL)) {
         return BS_NULL_POINTER;
     }
+    dense = &filter->work[WORK_DENSE];
     for (int i = 0; i < (VAS_N_STATES * VAS_N_STATES); ++i) {
         const bs_real own = sigma[i % VAS_N_STATES];
         /* a negative one is refused */
-        filter->work[VAS_N_PACKED + i] = ((i % (VAS_N_STATES + 1)) == 0) ? (own * BS_FABS(own))
-            : BS_REAL(0.0);
+        dense[i] = ((i % (VAS_N_STATES + 1)) == 0) ? (own * BS_FABS(own)) : BS_REAL(0.0);
     }
-    return start(filter, nav, mounting, bending, triads, biases, &filter->work[VAS_N_PACKED]);
+    return start(filter, nav, mounting, bending, triads, biases, dense);
 }
 
 bs_status vas_filter_set_nav(vas_filter *filter,
@@ -882,7 +894,7 @@ bs_status vas_filter_set_nav(vas_filter *filter,
                              const vas_bending *bending,
                              const vas_triads *triads,
                              const vas_biases *biases,
-                             int clamp)
+                             bs_beyond beyond)
 {
     vas_nav next_nav;
     vas_mounting next_mounting;
@@ -905,19 +917,19 @@ bs_status vas_filter_set_nav(vas_filter *filter,
     }
     status = sound(zero, filter->P);
     if (status == BS_OK) {
-        status = check_nav(&next_nav, clamp);
+        status = check_nav(&next_nav, beyond);
     }
     if (status == BS_OK) {
-        status = check_mounting(&next_mounting, clamp);
+        status = check_mounting(&next_mounting, beyond);
     }
     if (status == BS_OK) {
-        status = check_bending(&next_bending, clamp);
+        status = check_bending(&next_bending, beyond);
     }
     if (status == BS_OK) {
-        status = check_triads(&next_triads, clamp);
+        status = check_triads(&next_triads, beyond);
     }
     if (status == BS_OK) {
-        status = check_biases(&next_biases, clamp);
+        status = check_biases(&next_biases, beyond);
     }
     if (status == BS_OK) {
         filter->nav = next_nav;
@@ -931,39 +943,39 @@ bs_status vas_filter_set_nav(vas_filter *filter,
 }
 
 bs_status vas_filter_strapdown(vas_filter *filter,
-                               const vas_imu *imu,
+                               const vas_corrected_imu *corrected_imu,
                                const vas_increments *increments)
 {
     vas_nav next_nav;
     vas_bending next_bending;
     bs_status status;
-    if ((filter == NULL) || (imu == NULL) || (increments == NULL)) {
+    if ((filter == NULL) || (corrected_imu == NULL) || (increments == NULL)) {
         return BS_NULL_POINTER;
     }
     next_nav = filter->nav;
     next_bending = filter->bending;
-    status = check_nav(&filter->nav, 0);
+    status = check_nav(&filter->nav, BS_REFUSE);
     if (status == BS_OK) {
-        status = check_mounting(&filter->mounting, 0);
+        status = check_mounting(&filter->mounting, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_bending(&filter->bending, 0);
+        status = check_bending(&filter->bending, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_triads(&filter->triads, 0);
+        status = check_triads(&filter->triads, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_biases(&filter->biases, 0);
+        status = check_biases(&filter->biases, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_imu_of_strapdown(imu);
+        status = check_corrected_imu_of_strapdown(corrected_imu);
     }
     if (status == BS_OK) {
         status = check_increments_of_strapdown(increments);
     }
     if (status == BS_OK) {
-        vas_strapdown_kernel(filter->nav.position, filter->nav.v_n, filter->nav.q_b2n_wxyz,
-                             filter->nav.gyro_bias, filter->nav.accel_bias, &imu->dt,
+        vas_strapdown_kernel(filter->nav.lat_lon_height, filter->nav.v_n, filter->nav.q_b2n_wxyz,
+                             filter->nav.gyro_bias, filter->nav.accel_bias, &corrected_imu->dt,
                              increments->dtheta_ib_b, increments->dv_b, increments->dtheta_before,
                              increments->dv_before, filter->bending.flexure,
                              filter->bending.flexure_rate, filter->bending.flexure_omega,
@@ -971,15 +983,15 @@ bs_status vas_filter_strapdown(vas_filter *filter,
                              filter->triads.accel_scale, filter->triads.gyro_axes,
                              filter->triads.accel_axes, filter->biases.gyro_turn_on,
                              filter->biases.accel_turn_on, filter->biases.gyro_bias_beta,
-                             filter->biases.accel_bias_beta, next_nav.position, next_nav.v_n,
+                             filter->biases.accel_bias_beta, next_nav.lat_lon_height, next_nav.v_n,
                              next_nav.q_b2n_wxyz, next_bending.flexure, next_bending.flexure_rate,
                              next_nav.gyro_bias, next_nav.accel_bias);
     }
     if (status == BS_OK) {
-        status = check_nav(&next_nav, 0);
+        status = check_nav(&next_nav, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_bending(&next_bending, 0);
+        status = check_bending(&next_bending, BS_REFUSE);
     }
     if (status == BS_OK) {
         filter->nav = next_nav;
@@ -990,7 +1002,7 @@ bs_status vas_filter_strapdown(vas_filter *filter,
 
 /* x over a step.  Of an error that is taken out, as nearly always, nothing is left to carry but the
  * sign of a zero. */
-static void carry_x(const bs_real *Phi, bs_real *x)
+static void predict_x(const bs_real *Phi, bs_real *x)
 {
     bs_real size = BS_REAL(0.0);
     for (int i = 0; i < VAS_N_STATES; ++i) {
@@ -1006,11 +1018,11 @@ static void carry_x(const bs_real *Phi, bs_real *x)
 }
 
 /* P over a step, with x as it is after it. */
-static bs_status carry(vas_filter *filter, const bs_real *x)
+static bs_status predict_P(vas_filter *filter, const bs_real *x)
 {
     bs_status status;
     PREDICT(filter->P, filter->Phi, filter->Q, filter->Q, filter->work);
-    status = judge(x, filter->Q);
+    status = check_step(x, filter->Q);
     if (bs_good(status)) {
         copy(filter->x, x, VAS_N_STATES);
         copy(filter->P, filter->Q, VAS_N_PACKED);
@@ -1021,35 +1033,37 @@ static bs_status carry(vas_filter *filter, const bs_real *x)
     return status;
 }
 
-bs_status vas_filter_propagate(vas_filter *filter, const vas_imu *imu, const vas_noise *noise)
+bs_status vas_filter_propagate(vas_filter *filter,
+                               const vas_corrected_imu *corrected_imu,
+                               const vas_noise *noise)
 {
     bs_real next[VAS_N_STATES];
     bs_status status;
-    if ((filter == NULL) || (imu == NULL) || (noise == NULL)) {
+    if ((filter == NULL) || (corrected_imu == NULL) || (noise == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = check_nav(&filter->nav, 0);
+    status = check_nav(&filter->nav, BS_REFUSE);
     if (status == BS_OK) {
-        status = check_mounting(&filter->mounting, 0);
+        status = check_mounting(&filter->mounting, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_bending(&filter->bending, 0);
+        status = check_bending(&filter->bending, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_triads(&filter->triads, 0);
+        status = check_triads(&filter->triads, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_biases(&filter->biases, 0);
+        status = check_biases(&filter->biases, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_imu_of_propagate(imu);
+        status = check_corrected_imu_of_propagate(corrected_imu);
     }
     if (status == BS_OK) {
         status = check_noise_of_propagate(noise);
     }
     if (status == BS_OK) {
-        vas_F_kernel(filter->nav.position, filter->nav.v_n, filter->nav.q_b2n_wxyz, imu->f_b,
-                     imu->omega_ib_b, filter->bending.flexure_omega,
+        vas_F_kernel(filter->nav.lat_lon_height, filter->nav.v_n, filter->nav.q_b2n_wxyz,
+                     corrected_imu->f_b, corrected_imu->omega_ib_b, filter->bending.flexure_omega,
                      filter->bending.flexure_damping, filter->triads.gyro_scale,
                      filter->triads.accel_scale, filter->triads.gyro_axes,
                      filter->triads.accel_axes, filter->biases.gyro_bias_beta,
@@ -1063,16 +1077,17 @@ bs_status vas_filter_propagate(vas_filter *filter, const vas_imu *imu, const vas
                       filter->triads.accel_axes, filter->Qc);
     }
     if (status == BS_OK) {
-        vas_discretize(filter->F, filter->Qc, imu->dt, filter->Phi, filter->Q, filter->work);
+        vas_discretize(filter->F, filter->Qc, corrected_imu->dt, filter->Phi, filter->Q,
+                       filter->work);
         copy(next, filter->x, VAS_N_STATES);
-        carry_x(filter->Phi, next);
-        status = carry(filter, next);
+        predict_x(filter->Phi, next);
+        status = predict_P(filter, next);
     }
     return status;
 }
 
 bs_status vas_filter_measure_dcm(vas_filter *filter,
-                                 const vas_imu *imu,
+                                 const vas_corrected_imu *corrected_imu,
                                  const vas_master *master,
                                  const bs_real R[3],
                                  const bs_gates *gates,
@@ -1086,52 +1101,52 @@ bs_status vas_filter_measure_dcm(vas_filter *filter,
     vas_innovation found;
     bs_real z[3];
     bs_status status;
-    if ((filter == NULL) || (imu == NULL) || (master == NULL) || (R == NULL) ||
+    if ((filter == NULL) || (corrected_imu == NULL) || (master == NULL) || (R == NULL) ||
         (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = begin(&trial, filter, gates, R, 1, 3);
+    status = begin_trial(&trial, filter, gates, R, 1, 3);
     if (status == BS_OK) {
-        status = check_nav(&filter->nav, 0);
+        status = check_nav(&filter->nav, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_mounting(&filter->mounting, 0);
+        status = check_mounting(&filter->mounting, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_bending(&filter->bending, 0);
+        status = check_bending(&filter->bending, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_triads(&filter->triads, 0);
+        status = check_triads(&filter->triads, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_biases(&filter->biases, 0);
+        status = check_biases(&filter->biases, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_imu_of_measure_dcm(imu);
+        status = check_corrected_imu_of_measure_dcm(corrected_imu);
     }
     if (status == BS_OK) {
         status = check_master_of_measure_dcm(master);
     }
     if (status == BS_OK) {
-        vas_dcm_z_kernel(filter->nav.position, filter->nav.v_n, filter->nav.q_b2n_wxyz,
-                         filter->nav.q_b2m_wxyz, imu->omega_ib_b, master->q_m2n_wxyz, &master->lag,
-                         filter->bending.flexure, filter->bending.flexure_rate,
+        vas_dcm_z_kernel(filter->nav.lat_lon_height, filter->nav.v_n, filter->nav.q_b2n_wxyz,
+                         filter->nav.q_b2m_wxyz, corrected_imu->omega_ib_b, master->q_m2n_wxyz,
+                         &master->lag, filter->bending.flexure, filter->bending.flexure_rate,
                          filter->triads.gyro_scale, filter->triads.gyro_axes, z);
     }
     if (status == BS_OK) {
-        vas_dcm_H_kernel(filter->nav.position, filter->nav.v_n, filter->nav.q_b2n_wxyz,
-                         filter->nav.q_b2m_wxyz, imu->omega_ib_b, filter->bending.flexure,
+        vas_dcm_H_kernel(filter->nav.lat_lon_height, filter->nav.v_n, filter->nav.q_b2n_wxyz,
+                         filter->nav.q_b2m_wxyz, corrected_imu->omega_ib_b, filter->bending.flexure,
                          filter->bending.flexure_rate, filter->triads.gyro_scale,
                          filter->triads.gyro_axes, filter->work);
     }
     if (status == BS_OK) {
-        status = take(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
+        status = update_rows(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
     }
-    return finish(filter, &trial, &layout, status, &found, innovation);
+    return end_trial(filter, &trial, &layout, status, &found, innovation);
 }
 
 bs_status vas_filter_measure_quaternion(vas_filter *filter,
-                                        const vas_imu *imu,
+                                        const vas_corrected_imu *corrected_imu,
                                         const vas_master *master,
                                         const bs_real R[3],
                                         const bs_gates *gates,
@@ -1150,61 +1165,63 @@ bs_status vas_filter_measure_quaternion(vas_filter *filter,
     bs_real z[3];
     bs_real target[3];
     bs_status status;
-    if ((filter == NULL) || (imu == NULL) || (master == NULL) || (R == NULL) ||
+    if ((filter == NULL) || (corrected_imu == NULL) || (master == NULL) || (R == NULL) ||
         (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = begin(&trial, filter, gates, R, 1, 3);
+    status = begin_trial(&trial, filter, gates, R, 1, 3);
     if (status == BS_OK) {
-        status = check_nav(&filter->nav, 0);
+        status = check_nav(&filter->nav, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_mounting(&filter->mounting, 0);
+        status = check_mounting(&filter->mounting, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_bending(&filter->bending, 0);
+        status = check_bending(&filter->bending, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_triads(&filter->triads, 0);
+        status = check_triads(&filter->triads, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_biases(&filter->biases, 0);
+        status = check_biases(&filter->biases, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_imu_of_measure_dcm(imu);
+        status = check_corrected_imu_of_measure_dcm(corrected_imu);
     }
     if (status == BS_OK) {
         status = check_master_of_measure_dcm(master);
     }
     if (status == BS_OK) {
-        vas_quaternion_z_kernel(filter->nav.position, filter->nav.v_n, filter->nav.q_b2n_wxyz,
-                                filter->nav.q_b2m_wxyz, imu->omega_ib_b, master->q_m2n_wxyz,
-                                &master->lag, filter->bending.flexure, filter->bending.flexure_rate,
-                                filter->triads.gyro_scale, filter->triads.gyro_axes, z);
+        vas_quaternion_z_kernel(filter->nav.lat_lon_height, filter->nav.v_n, filter->nav.q_b2n_wxyz,
+                                filter->nav.q_b2m_wxyz, corrected_imu->omega_ib_b,
+                                master->q_m2n_wxyz, &master->lag, filter->bending.flexure,
+                                filter->bending.flexure_rate, filter->triads.gyro_scale,
+                                filter->triads.gyro_axes, z);
     }
-    while ((status == BS_OK) && (trial.left > 0)) {
+    while ((status == BS_OK) && (trial.remaining > 0)) {
         bs_status answer = check_x(filter->x);
         if (answer == BS_OK) {
-            vas_quaternion_H_kernel(filter->x, filter->nav.position, filter->nav.v_n,
-                                    filter->nav.q_b2n_wxyz, filter->nav.q_b2m_wxyz, imu->omega_ib_b,
-                                    master->q_m2n_wxyz, &master->lag, filter->bending.flexure,
-                                    filter->bending.flexure_rate, filter->triads.gyro_scale,
-                                    filter->triads.gyro_axes, filter->work);
+            vas_quaternion_H_kernel(filter->x, filter->nav.lat_lon_height, filter->nav.v_n,
+                                    filter->nav.q_b2n_wxyz, filter->nav.q_b2m_wxyz,
+                                    corrected_imu->omega_ib_b, master->q_m2n_wxyz, &master->lag,
+                                    filter->bending.flexure, filter->bending.flexure_rate,
+                                    filter->triads.gyro_scale, filter->triads.gyro_axes,
+                                    filter->work);
         }
         if (answer == BS_OK) {
-            vas_quaternion_h_kernel(filter->x, filter->nav.position, filter->nav.v_n,
-                                    filter->nav.q_b2n_wxyz, filter->nav.q_b2m_wxyz, imu->omega_ib_b,
-                                    master->q_m2n_wxyz, &master->lag, filter->bending.flexure,
-                                    filter->bending.flexure_rate, filter->triads.gyro_scale,
-                                    filter->triads.gyro_axes, target);
+            vas_quaternion_h_kernel(filter->x, filter->nav.lat_lon_height, filter->nav.v_n,
+                                    filter->nav.q_b2n_wxyz, filter->nav.q_b2m_wxyz,
+                                    corrected_imu->omega_ib_b, master->q_m2n_wxyz, &master->lag,
+                                    filter->bending.flexure, filter->bending.flexure_rate,
+                                    filter->triads.gyro_scale, filter->triads.gyro_axes, target);
         }
         status = iterate(&trial, filter, &layout, answer, z, target, R, &found);
     }
-    return finish(filter, &trial, &layout, status, &found, innovation);
+    return end_trial(filter, &trial, &layout, status, &found, innovation);
 }
 
 bs_status vas_filter_measure_euler(vas_filter *filter,
-                                   const vas_imu *imu,
+                                   const vas_corrected_imu *corrected_imu,
                                    const vas_master *master,
                                    const bs_real R[3],
                                    const bs_gates *gates,
@@ -1218,53 +1235,53 @@ bs_status vas_filter_measure_euler(vas_filter *filter,
     vas_innovation found;
     bs_real z[3];
     bs_status status;
-    if ((filter == NULL) || (imu == NULL) || (master == NULL) || (R == NULL) ||
+    if ((filter == NULL) || (corrected_imu == NULL) || (master == NULL) || (R == NULL) ||
         (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = begin(&trial, filter, gates, R, 1, 3);
+    status = begin_trial(&trial, filter, gates, R, 1, 3);
     if (status == BS_OK) {
-        status = check_nav(&filter->nav, 0);
+        status = check_nav(&filter->nav, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_mounting(&filter->mounting, 0);
+        status = check_mounting(&filter->mounting, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_bending(&filter->bending, 0);
+        status = check_bending(&filter->bending, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_triads(&filter->triads, 0);
+        status = check_triads(&filter->triads, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_biases(&filter->biases, 0);
+        status = check_biases(&filter->biases, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_imu_of_measure_dcm(imu);
+        status = check_corrected_imu_of_measure_dcm(corrected_imu);
     }
     if (status == BS_OK) {
         status = check_master_of_measure_euler(master);
     }
     if (status == BS_OK) {
-        vas_euler_z_kernel(filter->nav.position, filter->nav.v_n, filter->nav.q_b2n_wxyz,
-                           filter->nav.q_b2m_wxyz, imu->omega_ib_b, master->euler_m, &master->lag,
-                           filter->bending.flexure, filter->bending.flexure_rate,
+        vas_euler_z_kernel(filter->nav.lat_lon_height, filter->nav.v_n, filter->nav.q_b2n_wxyz,
+                           filter->nav.q_b2m_wxyz, corrected_imu->omega_ib_b, master->euler_m,
+                           &master->lag, filter->bending.flexure, filter->bending.flexure_rate,
                            filter->triads.gyro_scale, filter->triads.gyro_axes, z);
     }
     if (status == BS_OK) {
-        vas_euler_H_kernel(filter->nav.position, filter->nav.v_n, filter->nav.q_b2n_wxyz,
-                           filter->nav.q_b2m_wxyz, imu->omega_ib_b, master->euler_m,
+        vas_euler_H_kernel(filter->nav.lat_lon_height, filter->nav.v_n, filter->nav.q_b2n_wxyz,
+                           filter->nav.q_b2m_wxyz, corrected_imu->omega_ib_b, master->euler_m,
                            filter->bending.flexure_rate, filter->triads.gyro_scale,
                            filter->triads.gyro_axes, filter->work);
     }
     if (status == BS_OK) {
-        turn(&layout, z, filter->work, filter->x);
-        status = take(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
+        unwrap(&layout, z, filter->work, filter->x);
+        status = update_rows(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
     }
-    return finish(filter, &trial, &layout, status, &found, innovation);
+    return end_trial(filter, &trial, &layout, status, &found, innovation);
 }
 
 bs_status vas_filter_measure_velocity(vas_filter *filter,
-                                      const vas_imu *imu,
+                                      const vas_corrected_imu *corrected_imu,
                                       const vas_master *master,
                                       const bs_real R[3],
                                       const bs_gates *gates,
@@ -1282,49 +1299,49 @@ bs_status vas_filter_measure_velocity(vas_filter *filter,
     vas_innovation found;
     bs_real z[3];
     bs_status status;
-    if ((filter == NULL) || (imu == NULL) || (master == NULL) || (R == NULL) ||
+    if ((filter == NULL) || (corrected_imu == NULL) || (master == NULL) || (R == NULL) ||
         (innovation == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = begin(&trial, filter, gates, R, 1, 3);
+    status = begin_trial(&trial, filter, gates, R, 1, 3);
     if (status == BS_OK) {
-        status = check_nav(&filter->nav, 0);
+        status = check_nav(&filter->nav, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_mounting(&filter->mounting, 0);
+        status = check_mounting(&filter->mounting, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_bending(&filter->bending, 0);
+        status = check_bending(&filter->bending, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_triads(&filter->triads, 0);
+        status = check_triads(&filter->triads, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_biases(&filter->biases, 0);
+        status = check_biases(&filter->biases, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_imu_of_measure_dcm(imu);
+        status = check_corrected_imu_of_measure_dcm(corrected_imu);
     }
     if (status == BS_OK) {
         status = check_master_of_measure_velocity(master);
     }
     if (status == BS_OK) {
-        vas_velocity_z_kernel(filter->nav.position, filter->nav.v_n, filter->nav.q_b2n_wxyz,
-                              filter->nav.q_b2m_wxyz, imu->omega_ib_b, filter->mounting.lever_b,
-                              master->v_m_n, master->a_n, &master->lag,
+        vas_velocity_z_kernel(filter->nav.lat_lon_height, filter->nav.v_n, filter->nav.q_b2n_wxyz,
+                              filter->nav.q_b2m_wxyz, corrected_imu->omega_ib_b,
+                              filter->mounting.lever_b, master->v_m_n, master->a_n, &master->lag,
                               filter->bending.flexure_rate, filter->triads.gyro_scale,
                               filter->triads.gyro_axes, z);
     }
     if (status == BS_OK) {
-        vas_velocity_H_kernel(filter->nav.position, filter->nav.v_n, filter->nav.q_b2n_wxyz,
-                              filter->nav.q_b2m_wxyz, imu->omega_ib_b, filter->mounting.lever_b,
-                              master->a_n, filter->bending.flexure_rate, filter->triads.gyro_scale,
-                              filter->triads.gyro_axes, filter->work);
+        vas_velocity_H_kernel(filter->nav.lat_lon_height, filter->nav.v_n, filter->nav.q_b2n_wxyz,
+                              filter->nav.q_b2m_wxyz, corrected_imu->omega_ib_b,
+                              filter->mounting.lever_b, master->a_n, filter->bending.flexure_rate,
+                              filter->triads.gyro_scale, filter->triads.gyro_axes, filter->work);
     }
     if (status == BS_OK) {
-        status = take(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
+        status = update_rows(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
     }
-    return finish(filter, &trial, &layout, status, &found, innovation);
+    return end_trial(filter, &trial, &layout, status, &found, innovation);
 }
 
 bs_status vas_filter_correct(vas_filter *filter)
@@ -1345,19 +1362,19 @@ bs_status vas_filter_correct(vas_filter *filter)
     next_biases = filter->biases;
     status = sound(filter->x, filter->P);
     if (status == BS_OK) {
-        status = check_nav(&filter->nav, 0);
+        status = check_nav(&filter->nav, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_mounting(&filter->mounting, 0);
+        status = check_mounting(&filter->mounting, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_bending(&filter->bending, 0);
+        status = check_bending(&filter->bending, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_triads(&filter->triads, 0);
+        status = check_triads(&filter->triads, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_biases(&filter->biases, 0);
+        status = check_biases(&filter->biases, BS_REFUSE);
     }
     if (status == BS_OK) {
         status = check_x(filter->x);
@@ -1377,19 +1394,19 @@ bs_status vas_filter_correct(vas_filter *filter)
                             next_biases.gyro_turn_on, next_biases.accel_turn_on);
     }
     if (status == BS_OK) {
-        status = check_nav(&next_nav, 0);
+        status = check_nav(&next_nav, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_mounting(&next_mounting, 0);
+        status = check_mounting(&next_mounting, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_bending(&next_bending, 0);
+        status = check_bending(&next_bending, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_triads(&next_triads, 0);
+        status = check_triads(&next_triads, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_biases(&next_biases, 0);
+        status = check_biases(&next_biases, BS_REFUSE);
     }
     if (status == BS_OK) {
         filter->nav = next_nav;
@@ -1404,39 +1421,39 @@ bs_status vas_filter_correct(vas_filter *filter)
     return status;
 }
 
-/* What is wrong with the numbers that the filter holds. */
-static bs_status held(const vas_filter *filter)
+/* Status of all numbers of the filter. */
+static bs_status check_filter(const vas_filter *filter)
 {
-    vas_nav held_nav;
-    vas_mounting held_mounting;
-    vas_bending held_bending;
-    vas_triads held_triads;
-    vas_biases held_biases;
+    vas_nav kept_nav;
+    vas_mounting kept_mounting;
+    vas_bending kept_bending;
+    vas_triads kept_triads;
+    vas_biases kept_biases;
     bs_status status = sound(filter->x, filter->P);
-    held_nav = filter->nav;
+    kept_nav = filter->nav;
     if (status == BS_OK) {
-        status = check_nav(&held_nav, 0);
+        status = check_nav(&kept_nav, BS_REFUSE);
     }
-    held_mounting = filter->mounting;
+    kept_mounting = filter->mounting;
     if (status == BS_OK) {
-        status = check_mounting(&held_mounting, 0);
+        status = check_mounting(&kept_mounting, BS_REFUSE);
     }
-    held_bending = filter->bending;
+    kept_bending = filter->bending;
     if (status == BS_OK) {
-        status = check_bending(&held_bending, 0);
+        status = check_bending(&kept_bending, BS_REFUSE);
     }
-    held_triads = filter->triads;
+    kept_triads = filter->triads;
     if (status == BS_OK) {
-        status = check_triads(&held_triads, 0);
+        status = check_triads(&kept_triads, BS_REFUSE);
     }
-    held_biases = filter->biases;
+    kept_biases = filter->biases;
     if (status == BS_OK) {
-        status = check_biases(&held_biases, 0);
+        status = check_biases(&kept_biases, BS_REFUSE);
     }
     return status;
 }
 
-static void choose(vas_filter *filter, const unsigned char *considered)
+static void set_considered(vas_filter *filter, const unsigned char *considered)
 {
     filter->considering = 0U;
     for (int i = 0; i < VAS_N_STATES; ++i) {
@@ -1454,14 +1471,14 @@ bs_status vas_filter_consider(vas_filter *filter, const unsigned char considered
     if ((filter == NULL) || (considered == NULL)) {
         return BS_NULL_POINTER;
     }
-    status = held(filter);
+    status = check_filter(filter);
     if (status == BS_OK) {
-        choose(filter, considered);
+        set_considered(filter, considered);
     }
     return status;
 }
 
-/* The variances of the states where all that the filter holds of them is sound. */
+/* The variances of the states, where x and P are sound. */
 static bs_status sound_variances(const vas_filter *filter, bs_real *all)
 {
     bs_status status = sound(filter->x, filter->P);
@@ -1524,7 +1541,7 @@ bs_status vas_filter_health(const vas_filter *filter, vas_health *health)
     if ((filter == NULL) || (health == NULL)) {
         return BS_NULL_POINTER;
     }
-    health->state = held(filter);
+    health->state = check_filter(filter);
     health->ceilings = filter->ceilings;
     for (int i = 0; i < VAS_N_MEASUREMENTS; ++i) {
         health->rejected[i] = filter->rejected[i];
@@ -1542,10 +1559,10 @@ size_t vas_snapshot_size(void)
     return (size_t)VAS_SNAPSHOT_SIZE;
 }
 
-/* ---- a snapshot: its head, then what is carried from call to call, number after number as it lies
- * in memory, and a checksum */
+/* ---- a snapshot: its header, the numbers that last from call to call in the order of memory, and
+ * a checksum */
 
-static int put(unsigned char *to, const unsigned char *from, size_t n)
+static int copy_bytes(unsigned char *to, const unsigned char *from, size_t n)
 {
     for (size_t i = 0U; i < n; ++i) {
         to[i] = from[i];
@@ -1553,21 +1570,22 @@ static int put(unsigned char *to, const unsigned char *from, size_t n)
     return (int)n;
 }
 
-static void head(unsigned char *to)
+static void write_header(unsigned char *to)
 {
     static const unsigned char magic[4] = { 0x42U, 0x53U, 0x46U, 0x53U }; /* "BSFS" */
     static const char hash[] = VAS_MODEL_HASH;
     const unsigned short one = 1U;
-    (void)put(to, magic, sizeof(magic));
+    (void)copy_bytes(to, magic, sizeof(magic));
     to[4] = BS_SNAPSHOT_LAYOUT;
     to[5] = (unsigned char)sizeof(bs_real);
     to[6] = BORESIGHT_UD;
-    (void)put(&to[7], (const unsigned char *)&one, 1U); /* 1 where the least byte comes first */
-    (void)put(&to[8], (const unsigned char *)hash, 64U);
+    /* 1 where the least byte comes first */
+    (void)copy_bytes(&to[7], (const unsigned char *)&one, 1U);
+    (void)copy_bytes(&to[8], (const unsigned char *)hash, 64U);
 }
 
 /* CRC-32 (IEEE 802.3) of all that stands before it, its least byte first. */
-static void seal(const unsigned char *bytes, unsigned char checksum[BS_SNAPSHOT_CHECKSUM])
+static void write_checksum(const unsigned char *bytes, unsigned char checksum[BS_SNAPSHOT_CHECKSUM])
 {
     uint32_t left = 0xFFFFFFFFU;
     for (int i = 0; i < (VAS_SNAPSHOT_SIZE - BS_SNAPSHOT_CHECKSUM); ++i) {
@@ -1585,25 +1603,32 @@ static void seal(const unsigned char *bytes, unsigned char checksum[BS_SNAPSHOT_
 
 bs_status vas_filter_snapshot(const vas_filter *filter, unsigned char bytes[VAS_SNAPSHOT_SIZE])
 {
-    int at = BS_SNAPSHOT_HEAD;
+    int offset = BS_SNAPSHOT_HEAD;
     bs_status status;
     if ((filter == NULL) || (bytes == NULL)) {
         return BS_NULL_POINTER;
     }
     status = sound(filter->x, filter->P);
     if (status == BS_OK) {
-        head(bytes);
-        at += put(&bytes[at], (const unsigned char *)&filter->nav, sizeof(filter->nav));
-        at += put(&bytes[at], (const unsigned char *)&filter->mounting, sizeof(filter->mounting));
-        at += put(&bytes[at], (const unsigned char *)&filter->bending, sizeof(filter->bending));
-        at += put(&bytes[at], (const unsigned char *)&filter->triads, sizeof(filter->triads));
-        at += put(&bytes[at], (const unsigned char *)&filter->biases, sizeof(filter->biases));
-        at += put(&bytes[at], (const unsigned char *)filter->x, sizeof(filter->x));
-        at += put(&bytes[at], (const unsigned char *)filter->P, sizeof(filter->P));
-        at += put(&bytes[at], (const unsigned char *)filter->rejected, sizeof(filter->rejected));
-        at += put(&bytes[at], (const unsigned char *)&filter->ceilings, sizeof(filter->ceilings));
-        at += put(&bytes[at], filter->considered, sizeof(filter->considered));
-        seal(bytes, &bytes[at]);
+        write_header(bytes);
+        offset += copy_bytes(&bytes[offset], (const unsigned char *)&filter->nav,
+                             sizeof(filter->nav));
+        offset += copy_bytes(&bytes[offset], (const unsigned char *)&filter->mounting,
+                             sizeof(filter->mounting));
+        offset += copy_bytes(&bytes[offset], (const unsigned char *)&filter->bending,
+                             sizeof(filter->bending));
+        offset += copy_bytes(&bytes[offset], (const unsigned char *)&filter->triads,
+                             sizeof(filter->triads));
+        offset += copy_bytes(&bytes[offset], (const unsigned char *)&filter->biases,
+                             sizeof(filter->biases));
+        offset += copy_bytes(&bytes[offset], (const unsigned char *)filter->x, sizeof(filter->x));
+        offset += copy_bytes(&bytes[offset], (const unsigned char *)filter->P, sizeof(filter->P));
+        offset += copy_bytes(&bytes[offset], (const unsigned char *)filter->rejected,
+                             sizeof(filter->rejected));
+        offset += copy_bytes(&bytes[offset], (const unsigned char *)&filter->ceilings,
+                             sizeof(filter->ceilings));
+        offset += copy_bytes(&bytes[offset], filter->considered, sizeof(filter->considered));
+        write_checksum(bytes, &bytes[offset]);
     }
     return status;
 }
@@ -1618,16 +1643,16 @@ bs_status vas_filter_restore(vas_filter *filter, const unsigned char bytes[VAS_S
     vas_bending next_bending;
     vas_triads next_triads;
     vas_biases next_biases;
-    int at = BS_SNAPSHOT_HEAD;
+    int offset = BS_SNAPSHOT_HEAD;
     bs_status status = bs_probe();
     if ((filter == NULL) || (bytes == NULL)) {
         return BS_NULL_POINTER;
     }
-    head(wanted);
+    write_header(wanted);
     for (int i = 0; i < BS_SNAPSHOT_HEAD; ++i) {
         status = (bytes[i] == wanted[i]) ? status : BS_OUT_OF_RANGE;
     }
-    seal(bytes, checksum);
+    write_checksum(bytes, checksum);
     for (int i = 0; i < BS_SNAPSHOT_CHECKSUM; ++i) {
         status = (bytes[VAS_SNAPSHOT_SIZE - BS_SNAPSHOT_CHECKSUM + i] == checksum[i]) ? status
             : BS_OUT_OF_RANGE;
@@ -1635,30 +1660,30 @@ bs_status vas_filter_restore(vas_filter *filter, const unsigned char bytes[VAS_S
     if (status != BS_OK) {
         return status;
     }
-    at += put((unsigned char *)&next_nav, &bytes[at], sizeof(next_nav));
-    at += put((unsigned char *)&next_mounting, &bytes[at], sizeof(next_mounting));
-    at += put((unsigned char *)&next_bending, &bytes[at], sizeof(next_bending));
-    at += put((unsigned char *)&next_triads, &bytes[at], sizeof(next_triads));
-    at += put((unsigned char *)&next_biases, &bytes[at], sizeof(next_biases));
-    at += put((unsigned char *)x, &bytes[at], sizeof(x));
-    at += put((unsigned char *)filter->Q, &bytes[at], sizeof(filter->Q));
+    offset += copy_bytes((unsigned char *)&next_nav, &bytes[offset], sizeof(next_nav));
+    offset += copy_bytes((unsigned char *)&next_mounting, &bytes[offset], sizeof(next_mounting));
+    offset += copy_bytes((unsigned char *)&next_bending, &bytes[offset], sizeof(next_bending));
+    offset += copy_bytes((unsigned char *)&next_triads, &bytes[offset], sizeof(next_triads));
+    offset += copy_bytes((unsigned char *)&next_biases, &bytes[offset], sizeof(next_biases));
+    offset += copy_bytes((unsigned char *)x, &bytes[offset], sizeof(x));
+    offset += copy_bytes((unsigned char *)filter->Q, &bytes[offset], sizeof(filter->Q));
     if (status == BS_OK) {
-        status = check_nav(&next_nav, 0);
+        status = check_nav(&next_nav, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_mounting(&next_mounting, 0);
+        status = check_mounting(&next_mounting, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_bending(&next_bending, 0);
+        status = check_bending(&next_bending, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_triads(&next_triads, 0);
+        status = check_triads(&next_triads, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = check_biases(&next_biases, 0);
+        status = check_biases(&next_biases, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = judge(x, filter->Q);
+        status = check_step(x, filter->Q);
     }
     if (status == BS_AT_CEILING) {
         status = BS_OUT_OF_RANGE;
@@ -1672,10 +1697,12 @@ bs_status vas_filter_restore(vas_filter *filter, const unsigned char bytes[VAS_S
         filter->biases = next_biases;
         copy(filter->x, x, VAS_N_STATES);
         copy(filter->P, filter->Q, VAS_N_PACKED);
-        at += put((unsigned char *)filter->rejected, &bytes[at], sizeof(filter->rejected));
-        at += put((unsigned char *)&filter->ceilings, &bytes[at], sizeof(filter->ceilings));
-        (void)put(considered, &bytes[at], sizeof(considered));
-        choose(filter, considered);
+        offset += copy_bytes((unsigned char *)filter->rejected, &bytes[offset],
+                             sizeof(filter->rejected));
+        offset += copy_bytes((unsigned char *)&filter->ceilings, &bytes[offset],
+                             sizeof(filter->ceilings));
+        (void)copy_bytes(considered, &bytes[offset], sizeof(considered));
+        set_considered(filter, considered);
     }
     return status;
 }

@@ -11,16 +11,16 @@
 size_t vd_F_batch(size_t n,
                   const vd_nav *nav,
                   size_t nav_stride,
-                  const vd_imu *imu,
-                  size_t imu_stride,
+                  const vd_corrected_imu *corrected_imu,
+                  size_t corrected_imu_stride,
                   bs_real *F,
                   unsigned char *status);
 int vd_F_bound(void *const *at);
 size_t vd_Phi_batch(size_t n,
                     const vd_nav *nav,
                     size_t nav_stride,
-                    const vd_imu *imu,
-                    size_t imu_stride,
+                    const vd_corrected_imu *corrected_imu,
+                    size_t corrected_imu_stride,
                     bs_real *Phi,
                     unsigned char *status);
 int vd_Phi_bound(void *const *at);
@@ -35,8 +35,8 @@ int vd_Qc_bound(void *const *at);
 size_t vd_Q_batch(size_t n,
                   const vd_nav *nav,
                   size_t nav_stride,
-                  const vd_imu *imu,
-                  size_t imu_stride,
+                  const vd_corrected_imu *corrected_imu,
+                  size_t corrected_imu_stride,
                   const vd_noise *noise,
                   size_t noise_stride,
                   bs_real *Q,
@@ -101,11 +101,11 @@ int vd_dcm_exact_H_bound(void *const *at);
 size_t vd_strapdown_batch(size_t n,
                           const vd_nav *nav,
                           size_t nav_stride,
-                          const vd_imu *imu,
-                          size_t imu_stride,
+                          const vd_corrected_imu *corrected_imu,
+                          size_t corrected_imu_stride,
                           const vd_increments *increments,
                           size_t increments_stride,
-                          bs_real *position,
+                          bs_real *lon_lat_height,
                           bs_real *v_n,
                           bs_real *q_b2n_wxyz,
                           unsigned char *status);
@@ -125,14 +125,15 @@ int vd_feedback_bound(void *const *at);
 size_t vd_F_batch(size_t n,
                   const vd_nav *nav,
                   size_t nav_stride,
-                  const vd_imu *imu,
-                  size_t imu_stride,
+                  const vd_corrected_imu *corrected_imu,
+                  size_t corrected_imu_stride,
                   bs_real *F,
                   unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vd_F(&nav[i * nav_stride], &imu[i * imu_stride], &F[i * 100U]);
+        status[i] = (unsigned char)vd_F(&nav[i * nav_stride],
+                                        &corrected_imu[i * corrected_imu_stride], &F[i * 100U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
     return failed;
@@ -140,21 +141,21 @@ size_t vd_F_batch(size_t n,
 
 int vd_F_bound(void *const *at)
 {
-    return (int)vd_F((const vd_nav *)at[0], (const vd_imu *)at[1], (bs_real *)at[2]);
+    return (int)vd_F((const vd_nav *)at[0], (const vd_corrected_imu *)at[1], (bs_real *)at[2]);
 }
 
 size_t vd_Phi_batch(size_t n,
                     const vd_nav *nav,
                     size_t nav_stride,
-                    const vd_imu *imu,
-                    size_t imu_stride,
+                    const vd_corrected_imu *corrected_imu,
+                    size_t corrected_imu_stride,
                     bs_real *Phi,
                     unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vd_Phi(&nav[i * nav_stride], &imu[i * imu_stride],
-                                          &Phi[i * 100U]);
+        status[i] = (unsigned char)vd_Phi(&nav[i * nav_stride],
+                                          &corrected_imu[i * corrected_imu_stride], &Phi[i * 100U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
     return failed;
@@ -162,7 +163,7 @@ size_t vd_Phi_batch(size_t n,
 
 int vd_Phi_bound(void *const *at)
 {
-    return (int)vd_Phi((const vd_nav *)at[0], (const vd_imu *)at[1], (bs_real *)at[2]);
+    return (int)vd_Phi((const vd_nav *)at[0], (const vd_corrected_imu *)at[1], (bs_real *)at[2]);
 }
 
 size_t vd_Qc_batch(size_t n,
@@ -190,8 +191,8 @@ int vd_Qc_bound(void *const *at)
 size_t vd_Q_batch(size_t n,
                   const vd_nav *nav,
                   size_t nav_stride,
-                  const vd_imu *imu,
-                  size_t imu_stride,
+                  const vd_corrected_imu *corrected_imu,
+                  size_t corrected_imu_stride,
                   const vd_noise *noise,
                   size_t noise_stride,
                   bs_real *Q,
@@ -199,7 +200,8 @@ size_t vd_Q_batch(size_t n,
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vd_Q(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)vd_Q(&nav[i * nav_stride],
+                                        &corrected_imu[i * corrected_imu_stride],
                                         &noise[i * noise_stride], &Q[i * 100U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
@@ -208,8 +210,8 @@ size_t vd_Q_batch(size_t n,
 
 int vd_Q_bound(void *const *at)
 {
-    return (int)vd_Q((const vd_nav *)at[0], (const vd_imu *)at[1], (const vd_noise *)at[2],
-                     (bs_real *)at[3]);
+    return (int)vd_Q((const vd_nav *)at[0], (const vd_corrected_imu *)at[1],
+                     (const vd_noise *)at[2], (bs_real *)at[3]);
 }
 
 size_t vd_velocity_z_batch(size_t n,
@@ -369,20 +371,21 @@ int vd_dcm_exact_H_bound(void *const *at)
 size_t vd_strapdown_batch(size_t n,
                           const vd_nav *nav,
                           size_t nav_stride,
-                          const vd_imu *imu,
-                          size_t imu_stride,
+                          const vd_corrected_imu *corrected_imu,
+                          size_t corrected_imu_stride,
                           const vd_increments *increments,
                           size_t increments_stride,
-                          bs_real *position,
+                          bs_real *lon_lat_height,
                           bs_real *v_n,
                           bs_real *q_b2n_wxyz,
                           unsigned char *status)
 {
     size_t failed = 0;
     for (size_t i = 0; i < n; ++i) {
-        status[i] = (unsigned char)vd_strapdown(&nav[i * nav_stride], &imu[i * imu_stride],
+        status[i] = (unsigned char)vd_strapdown(&nav[i * nav_stride],
+                                                &corrected_imu[i * corrected_imu_stride],
                                                 &increments[i * increments_stride],
-                                                &position[i * 3U], &v_n[i * 3U],
+                                                &lon_lat_height[i * 3U], &v_n[i * 3U],
                                                 &q_b2n_wxyz[i * 4U]);
         failed += (status[i] != (unsigned char)BS_OK) ? 1U : 0U;
     }
@@ -391,7 +394,7 @@ size_t vd_strapdown_batch(size_t n,
 
 int vd_strapdown_bound(void *const *at)
 {
-    return (int)vd_strapdown((const vd_nav *)at[0], (const vd_imu *)at[1],
+    return (int)vd_strapdown((const vd_nav *)at[0], (const vd_corrected_imu *)at[1],
                              (const vd_increments *)at[2], (bs_real *)at[3], (bs_real *)at[4],
                              (bs_real *)at[5]);
 }

@@ -84,9 +84,9 @@ size_t vd_F_lanes(size_t n, const bs_given *given, double *const *out, unsigned 
                 status[run] = (unsigned char)BS_OK;
             } else {
                 vd_nav nav = {0};
-                vd_imu imu = {0};
+                vd_corrected_imu corrected_imu = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lon_lat_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -95,9 +95,9 @@ size_t vd_F_lanes(size_t n, const bs_given *given, double *const *out, unsigned 
                     nav.q_b2n_wxyz[i] = in[6 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.f_b[i] = in[10 + i][l];
+                    corrected_imu.f_b[i] = in[10 + i][l];
                 }
-                status[run] = (unsigned char)vd_F(&nav, &imu, &out[0][run * 100U]);
+                status[run] = (unsigned char)vd_F(&nav, &corrected_imu, &out[0][run * 100U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -139,9 +139,9 @@ size_t vd_Phi_lanes(size_t n, const bs_given *given, double *const *out, unsigne
                 status[run] = (unsigned char)BS_OK;
             } else {
                 vd_nav nav = {0};
-                vd_imu imu = {0};
+                vd_corrected_imu corrected_imu = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lon_lat_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -150,10 +150,10 @@ size_t vd_Phi_lanes(size_t n, const bs_given *given, double *const *out, unsigne
                     nav.q_b2n_wxyz[i] = in[6 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.f_b[i] = in[10 + i][l];
+                    corrected_imu.f_b[i] = in[10 + i][l];
                 }
-                imu.dt = in[13][l];
-                status[run] = (unsigned char)vd_Phi(&nav, &imu, &out[0][run * 100U]);
+                corrected_imu.dt = in[13][l];
+                status[run] = (unsigned char)vd_Phi(&nav, &corrected_imu, &out[0][run * 100U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -244,10 +244,10 @@ size_t vd_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned 
                 status[run] = (unsigned char)BS_OK;
             } else {
                 vd_nav nav = {0};
-                vd_imu imu = {0};
+                vd_corrected_imu corrected_imu = {0};
                 vd_noise noise = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lon_lat_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -256,16 +256,17 @@ size_t vd_Q_lanes(size_t n, const bs_given *given, double *const *out, unsigned 
                     nav.q_b2n_wxyz[i] = in[6 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
-                    imu.f_b[i] = in[10 + i][l];
+                    corrected_imu.f_b[i] = in[10 + i][l];
                 }
-                imu.dt = in[13][l];
+                corrected_imu.dt = in[13][l];
                 for (int i = 0; i < 3; ++i) {
                     noise.gyro_noise[i] = in[14 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     noise.accel_noise[i] = in[17 + i][l];
                 }
-                status[run] = (unsigned char)vd_Q(&nav, &imu, &noise, &out[0][run * 100U]);
+                status[run] = (unsigned char)vd_Q(&nav, &corrected_imu, &noise,
+                                                  &out[0][run * 100U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;
             }
         }
@@ -644,7 +645,7 @@ size_t vd_strapdown_lanes(size_t n,
     size_t failed = 0U;
     for (size_t first = 0U; first < n; first += BORESIGHT_LANES) {
         bs_lanes in[23];
-        bs_lanes position_nz[3];
+        bs_lanes lon_lat_height_nz[3];
         bs_lanes v_n_nz[3];
         bs_lanes q_b2n_wxyz_nz[4];
         bs_bits good;
@@ -660,21 +661,21 @@ size_t vd_strapdown_lanes(size_t n,
         good &= bs_normed(&in[6], (0.998001), (1.0020009999999997), 4);
         bs_unusual = (bs_bits)bs_all_of(0.0);
         vd_strapdown_kernel(&in[0], &in[3], &in[6], &in[10], &in[11], &in[14], &in[17], &in[20],
-                            position_nz, v_n_nz, q_b2n_wxyz_nz);
+                            lon_lat_height_nz, v_n_nz, q_b2n_wxyz_nz);
         good &= ~bs_unusual;
         for (size_t l = 0U; (l < BORESIGHT_LANES) && ((first + l) < n); ++l) {
             const size_t run = first + l;
             if (good[l] != 0) {
-                bs_write(&out[0][run * 3U], 3, position_nz, NULL, 3, l);
+                bs_write(&out[0][run * 3U], 3, lon_lat_height_nz, NULL, 3, l);
                 bs_write(&out[1][run * 3U], 3, v_n_nz, NULL, 3, l);
                 bs_write(&out[2][run * 4U], 4, q_b2n_wxyz_nz, NULL, 4, l);
                 status[run] = (unsigned char)BS_OK;
             } else {
                 vd_nav nav = {0};
-                vd_imu imu = {0};
+                vd_corrected_imu corrected_imu = {0};
                 vd_increments increments = {0};
                 for (int i = 0; i < 3; ++i) {
-                    nav.position[i] = in[0 + i][l];
+                    nav.lon_lat_height[i] = in[0 + i][l];
                 }
                 for (int i = 0; i < 3; ++i) {
                     nav.v_n[i] = in[3 + i][l];
@@ -682,7 +683,7 @@ size_t vd_strapdown_lanes(size_t n,
                 for (int i = 0; i < 4; ++i) {
                     nav.q_b2n_wxyz[i] = in[6 + i][l];
                 }
-                imu.dt = in[10][l];
+                corrected_imu.dt = in[10][l];
                 for (int i = 0; i < 3; ++i) {
                     increments.dtheta_ib_b[i] = in[11 + i][l];
                 }
@@ -695,7 +696,7 @@ size_t vd_strapdown_lanes(size_t n,
                 for (int i = 0; i < 3; ++i) {
                     increments.dv_before[i] = in[20 + i][l];
                 }
-                status[run] = (unsigned char)vd_strapdown(&nav, &imu, &increments,
+                status[run] = (unsigned char)vd_strapdown(&nav, &corrected_imu, &increments,
                                                           &out[0][run * 3U], &out[1][run * 3U],
                                                           &out[2][run * 4U]);
                 failed += (status[run] != (unsigned char)BS_OK) ? 1U : 0U;

@@ -38,21 +38,21 @@ extern "C" {
 
 /* What the slave carries and the filter corrects. */
 typedef struct {
-    bs_real position[3];   /* longitude, not wrapped, geodetic latitude, height above the ellipsoid
-                            * (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
-                            * -500 to 30000 */
-    bs_real v_n[3];        /* velocity over the ground (m/s, ENU); -1000 to 1000 */
-    bs_real q_b2n_wxyz[4]; /* attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001 */
-    bs_real mu[3];         /* estimated misalignment, C_b2n = C_m2n exp([mu x]) (rad, master body);
-                            * -0.5 to 0.5 */
-    bs_real tau;           /* estimated age of the master's data (s); -1 to 1 */
+    bs_real lon_lat_height[3]; /* longitude, not wrapped, geodetic latitude, height above the
+                                * ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319,
+                                * -1.48353 to 1.48353, -500 to 30000 */
+    bs_real v_n[3];            /* velocity over the ground (m/s, ENU); -1000 to 1000 */
+    bs_real q_b2n_wxyz[4];     /* attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001 */
+    bs_real mu[3];             /* estimated misalignment, C_b2n = C_m2n exp([mu x])
+                                * (rad, master body); -0.5 to 0.5 */
+    bs_real tau;               /* estimated age of the master's data (s); -1 to 1 */
 } vd_nav;
 
-/* Inertial data over one step. */
+/* Inertial data over one step, estimated biases removed. */
 typedef struct {
     bs_real f_b[3]; /* specific force (m/s^2, body); -500 to 500 */
     bs_real dt;     /* length of the step (s); 1e-06 to 10 */
-} vd_imu;
+} vd_corrected_imu;
 
 /* What the sensors deliver over one step, and over the step before. */
 typedef struct {
@@ -83,32 +83,37 @@ typedef struct {
 
 /* System matrix, x' = F x + G w.
  * Equations: kim-2018 (2), kim-2018 (3).
- * in   nav->position    longitude, not wrapped, geodetic latitude, height above the ellipsoid
- *                       (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
- *                       -500 to 30000
- * in   nav->v_n         velocity over the ground (m/s, ENU); -1000 to 1000
- * in   nav->q_b2n_wxyz  attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->f_b         specific force (m/s^2, body); -500 to 500
- * out  F                system matrix (1/s and mixed); 10 x 10, row-major; 18 of 100 are not zero
+ * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
+ *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
+ *                           -500 to 30000
+ * in   nav->v_n             velocity over the ground (m/s, ENU); -1000 to 1000
+ * in   nav->q_b2n_wxyz      attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->f_b   specific force (m/s^2, body); -500 to 500
+ * out  F                    system matrix (1/s and mixed); 10 x 10, row-major; 18 of 100 are not
+ *                           zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
-bs_status vd_F(const vd_nav *nav, const vd_imu *imu, bs_real F[10 * VD_N_STATES]);
+bs_status vd_F(const vd_nav *nav,
+               const vd_corrected_imu *corrected_imu,
+               bs_real F[10 * VD_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
-bs_status vd_F_nz(const vd_nav *nav, const vd_imu *imu, bs_real F_nz[18]);
+bs_status vd_F_nz(const vd_nav *nav, const vd_corrected_imu *corrected_imu, bs_real F_nz[18]);
 
 /* Transition matrix over dt, I + F dt + (F dt)^2 / 2, with F as it is at the start.
  * Equations: kim-2018 (2), kim-2018 (3).
- * in   nav->position    longitude, not wrapped, geodetic latitude, height above the ellipsoid
- *                       (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
- *                       -500 to 30000
- * in   nav->v_n         velocity over the ground (m/s, ENU); -1000 to 1000
- * in   nav->q_b2n_wxyz  attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->f_b         specific force (m/s^2, body); -500 to 500
- * in   imu->dt          length of the step (s); 1e-06 to 10
- * out  Phi              transition matrix (mixed); 10 x 10, row-major; 31 of 100 are not zero
+ * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
+ *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
+ *                           -500 to 30000
+ * in   nav->v_n             velocity over the ground (m/s, ENU); -1000 to 1000
+ * in   nav->q_b2n_wxyz      attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->f_b   specific force (m/s^2, body); -500 to 500
+ * in   corrected_imu->dt    length of the step (s); 1e-06 to 10
+ * out  Phi                  transition matrix (mixed); 10 x 10, row-major; 31 of 100 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
-bs_status vd_Phi(const vd_nav *nav, const vd_imu *imu, bs_real Phi[10 * VD_N_STATES]);
+bs_status vd_Phi(const vd_nav *nav,
+                 const vd_corrected_imu *corrected_imu,
+                 bs_real Phi[10 * VD_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
-bs_status vd_Phi_nz(const vd_nav *nav, const vd_imu *imu, bs_real Phi_nz[31]);
+bs_status vd_Phi_nz(const vd_nav *nav, const vd_corrected_imu *corrected_imu, bs_real Phi_nz[31]);
 
 /* Noise covariance per second, G W G'.
  * Equations: kim-2018 (2), kim-2018 (3).
@@ -125,26 +130,29 @@ bs_status vd_Qc_nz(const vd_nav *nav, const vd_noise *noise, bs_real Qc_nz[18]);
 
 /* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
  * Equations: kim-2018 (2), kim-2018 (3).
- * in   nav->position       longitude, not wrapped, geodetic latitude, height above the ellipsoid
- *                          (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
- *                          -500 to 30000
- * in   nav->v_n            velocity over the ground (m/s, ENU); -1000 to 1000
- * in   nav->q_b2n_wxyz     attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->f_b            specific force (m/s^2, body); -500 to 500
- * in   imu->dt             length of the step (s); 1e-06 to 10
- * in   noise->gyro_noise   noise density of the gyros (angle random walk, ARW) (rad/sqrt(s), body);
- *                          0 to 0.1
- * in   noise->accel_noise  noise density of the accelerometers (velocity random walk, VRW)
- *                          (m/s/sqrt(s), body); 0 to 10
- * out  Q                   covariance of the noise (mixed); 10 x 10, row-major; 36 of 100 are not
- *                          zero
+ * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
+ *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
+ *                           -500 to 30000
+ * in   nav->v_n             velocity over the ground (m/s, ENU); -1000 to 1000
+ * in   nav->q_b2n_wxyz      attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
+ * in   corrected_imu->f_b   specific force (m/s^2, body); -500 to 500
+ * in   corrected_imu->dt    length of the step (s); 1e-06 to 10
+ * in   noise->gyro_noise    noise density of the gyros (angle random walk, ARW)
+ *                           (rad/sqrt(s), body); 0 to 0.1
+ * in   noise->accel_noise   noise density of the accelerometers (velocity random walk, VRW)
+ *                           (m/s/sqrt(s), body); 0 to 10
+ * out  Q                    covariance of the noise (mixed); 10 x 10, row-major; 36 of 100 are not
+ *                           zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vd_Q(const vd_nav *nav,
-               const vd_imu *imu,
+               const vd_corrected_imu *corrected_imu,
                const vd_noise *noise,
                bs_real Q[10 * VD_N_STATES]);
 /* The same, the non-zeros alone, row after row. */
-bs_status vd_Q_nz(const vd_nav *nav, const vd_imu *imu, const vd_noise *noise, bs_real Q_nz[36]);
+bs_status vd_Q_nz(const vd_nav *nav,
+                  const vd_corrected_imu *corrected_imu,
+                  const vd_noise *noise,
+                  bs_real Q_nz[36]);
 
 /* Velocity of the slave tau_hat ago, where the master's is measured: z = computed - measured;
  * z = H x + noise; rows e, n, u.
@@ -247,26 +255,26 @@ bs_status vd_dcm_exact_H_nz(const bs_real x[VD_N_STATES],
                             bs_real H_nz[21]);
 
 /* Position, velocity and attitude after one step of inertial increments.
- * in   nav->position              longitude, not wrapped, geodetic latitude, height above the
+ * in   nav->lon_lat_height        longitude, not wrapped, geodetic latitude, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319,
  *                                 -1.48353 to 1.48353, -500 to 30000
  * in   nav->v_n                   velocity over the ground (m/s, ENU); -1000 to 1000
  * in   nav->q_b2n_wxyz            attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
- * in   imu->dt                    length of the step (s); 1e-06 to 10
+ * in   corrected_imu->dt          length of the step (s); 1e-06 to 10
  * in   increments->dtheta_ib_b    integral of the measured angular rate over the step (rad, body);
  *                                 -0.5 to 0.5
  * in   increments->dv_b           integral of the measured specific force over the step
  *                                 (m/s, body); -100 to 100
  * in   increments->dtheta_before  dtheta_ib_b of the step before, as long (rad, body); -0.5 to 0.5
  * in   increments->dv_before      dv_b of the step before (m/s, body); -100 to 100
- * out  position                   lon, lat, height, WGS-84 (rad, rad, m); 3
+ * out  lon_lat_height             lon, lat, height, WGS-84 (rad, rad, m); 3
  * out  v_n                        velocity over the ground, ENU (m/s); 3
  * out  q_b2n_wxyz                 attitude, of unit norm, body to ENU (1); 4
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status vd_strapdown(const vd_nav *nav,
-                       const vd_imu *imu,
+                       const vd_corrected_imu *corrected_imu,
                        const vd_increments *increments,
-                       bs_real position[3],
+                       bs_real lon_lat_height[3],
                        bs_real v_n[3],
                        bs_real q_b2n_wxyz[4]);
 

@@ -20,7 +20,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "06fc8d456b7bf96a3ebb9cffaa789c931d1bc6c4d756b57406d293196ce53350"
+#define VD_MODEL_HASH "8fbeca028fd79bab694cdd72dbf37b502b834f8ab38146b606adef551ca444ea"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1

@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lon_lat_height[N_VECTORS][3] = {
     { 0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, -0x1.f400000000000p+8 },
     { -0x1.276f940000000p+2, 0x1.1146bc0000000p+0, 0x1.828c860000000p+13 }
 };
@@ -43,10 +43,10 @@ static const float tol_F[N_VECTORS][18] = {
 static const unsigned short at_F[18] = { 1, 2, 4, 5, 10, 12, 13, 15, 20, 21, 23, 24, 34, 35, 43, 45,
                                          53, 54 };
 
-static void set_point(int v, vd_nav *nav, vd_imu *imu)
+static void set_point(int v, vd_nav *nav, vd_corrected_imu *corrected_imu)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lon_lat_height[i] = (bs_real)in_lon_lat_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -55,7 +55,7 @@ static void set_point(int v, vd_nav *nav, vd_imu *imu)
         nav->q_b2n_wxyz[i] = (bs_real)in_q_b2n_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->f_b[i] = (bs_real)in_f_b[v][i];
+        corrected_imu->f_b[i] = (bs_real)in_f_b[v][i];
     }
 }
 
@@ -63,30 +63,30 @@ int test_vd_F(void)
 {
     int failures = 0;
     vd_nav nav = {0};
-    vd_imu imu = {0};
+    vd_corrected_imu corrected_imu = {0};
     bs_real F[100];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu);
-        if (vd_F(&nav, &imu, F) != BS_OK) {
+        set_point(v, &nav, &corrected_imu);
+        if (vd_F(&nav, &corrected_imu, F) != BS_OK) {
             ++failures;
             continue;
         }
         failures += selftest_compare("vd_F F", v, F, 100, out_F[v], tol_F[v], at_F, 18, 0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -6.286326899833176, -1.4842716291272777, -500.25 };
         static const double beyond_high[3] = { 6.286326899833176, 1.4842716291272777, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu);
+            nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 100);
-            if (vd_F(&nav, &imu, F) != expected) {
-                selftest_print("vd_F: position[%d] bad value %d not refused\n", i, bad);
+            if (vd_F(&nav, &corrected_imu, F) != expected) {
+                selftest_print("vd_F: lon_lat_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_F F", F, 100);
@@ -96,10 +96,10 @@ int test_vd_F(void)
                                             BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(6.283185307179586),
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (vd_F(&nav, &imu, F) != BS_OK) {
-                selftest_print("vd_F: position[%d] end %d refused\n", i, end);
+            set_point(0, &nav, &corrected_imu);
+            nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
+            if (vd_F(&nav, &corrected_imu, F) != BS_OK) {
+                selftest_print("vd_F: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -110,11 +110,11 @@ int test_vd_F(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 100);
-            if (vd_F(&nav, &imu, F) != expected) {
+            if (vd_F(&nav, &corrected_imu, F) != expected) {
                 selftest_print("vd_F: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -123,9 +123,9 @@ int test_vd_F(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vd_F(&nav, &imu, F) != BS_OK) {
+            if (vd_F(&nav, &corrected_imu, F) != BS_OK) {
                 selftest_print("vd_F: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -138,12 +138,12 @@ int test_vd_F(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 100);
-            if (vd_F(&nav, &imu, F) != expected) {
+            if (vd_F(&nav, &corrected_imu, F) != expected) {
                 selftest_print("vd_F: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -153,11 +153,11 @@ int test_vd_F(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vd_F(&nav, &imu, F) != BS_OK) {
+            if (vd_F(&nav, &corrected_imu, F) != BS_OK) {
                 selftest_print("vd_F: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -166,11 +166,11 @@ int test_vd_F(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu);
+        set_point(0, &nav, &corrected_imu);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vd_F(&nav, &imu, F) != BS_OUT_OF_RANGE) {
+        if (vd_F(&nav, &corrected_imu, F) != BS_OUT_OF_RANGE) {
             selftest_print("vd_F: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -181,11 +181,12 @@ int test_vd_F(void)
         static const double beyond_high[3] = { 500.25, 500.25, 500.25 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
-            imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
-                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu);
+            corrected_imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                             : (bad == 1) ? selftest_infinity()
+                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(F, 100);
-            if (vd_F(&nav, &imu, F) != expected) {
+            if (vd_F(&nav, &corrected_imu, F) != expected) {
                 selftest_print("vd_F: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -194,20 +195,20 @@ int test_vd_F(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
-            set_point(0, &nav, &imu);
-            imu.f_b[i] = (end == 0) ? low[i] : high[i];
-            if (vd_F(&nav, &imu, F) != BS_OK) {
+            set_point(0, &nav, &corrected_imu);
+            corrected_imu.f_b[i] = (end == 0) ? low[i] : high[i];
+            if (vd_F(&nav, &corrected_imu, F) != BS_OK) {
                 selftest_print("vd_F: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu);
-    failures += (vd_F(0, &imu, F) != BS_NULL_POINTER);
+    set_point(0, &nav, &corrected_imu);
+    failures += (vd_F(0, &corrected_imu, F) != BS_NULL_POINTER);
     failures += (vd_F(&nav, 0, F) != BS_NULL_POINTER);
-    failures += (vd_F(&nav, &imu, 0) != BS_NULL_POINTER);
-    failures += (vd_F_nz(0, &imu, F) != BS_NULL_POINTER);
+    failures += (vd_F(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
+    failures += (vd_F_nz(0, &corrected_imu, F) != BS_NULL_POINTER);
     failures += (vd_F_nz(&nav, 0, F) != BS_NULL_POINTER);
-    failures += (vd_F_nz(&nav, &imu, 0) != BS_NULL_POINTER);
+    failures += (vd_F_nz(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -8,7 +8,7 @@
 
 #define N_VECTORS 2
 
-static const float in_position[N_VECTORS][3] = {
+static const float in_lon_lat_height[N_VECTORS][3] = {
     { -0x1.921fb40000000p+2, -0x1.7bc89c0000000p+0, 0x1.d4c0000000000p+14 },
     { -0x1.e087120000000p+1, -0x1.29283a0000000p-1, 0x1.ae1bde0000000p+11 }
 };
@@ -48,10 +48,10 @@ static const unsigned short at_Phi[31] = { 0, 1, 2, 3, 4, 5, 10, 11, 12, 13, 14,
                                            24, 25, 33, 34, 35, 43, 44, 45, 53, 54, 55, 66, 77, 88,
                                            99 };
 
-static void set_point(int v, vd_nav *nav, vd_imu *imu)
+static void set_point(int v, vd_nav *nav, vd_corrected_imu *corrected_imu)
 {
     for (int i = 0; i < 3; ++i) {
-        nav->position[i] = (bs_real)in_position[v][i];
+        nav->lon_lat_height[i] = (bs_real)in_lon_lat_height[v][i];
     }
     for (int i = 0; i < 3; ++i) {
         nav->v_n[i] = (bs_real)in_v_n[v][i];
@@ -60,10 +60,10 @@ static void set_point(int v, vd_nav *nav, vd_imu *imu)
         nav->q_b2n_wxyz[i] = (bs_real)in_q_b2n_wxyz[v][i];
     }
     for (int i = 0; i < 3; ++i) {
-        imu->f_b[i] = (bs_real)in_f_b[v][i];
+        corrected_imu->f_b[i] = (bs_real)in_f_b[v][i];
     }
     for (int i = 0; i < 1; ++i) {
-        imu->dt = (bs_real)in_dt[v][i];
+        corrected_imu->dt = (bs_real)in_dt[v][i];
     }
 }
 
@@ -71,31 +71,31 @@ int test_vd_Phi(void)
 {
     int failures = 0;
     vd_nav nav = {0};
-    vd_imu imu = {0};
+    vd_corrected_imu corrected_imu = {0};
     bs_real Phi[100];
     for (int v = 0; v < N_VECTORS; ++v) {
-        set_point(v, &nav, &imu);
-        if (vd_Phi(&nav, &imu, Phi) != BS_OK) {
+        set_point(v, &nav, &corrected_imu);
+        if (vd_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
             ++failures;
             continue;
         }
         failures += selftest_compare("vd_Phi Phi", v, Phi, 100, out_Phi[v], tol_Phi[v], at_Phi, 31,
                                      0);
     }
-    /* position: each component in turn NaN, infinite, beyond either end of its box; and at the
-     * ends. */
+    /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
+     * the ends. */
     for (int i = 0; i < 3; ++i) {
         static const double beyond_low[3] = { -6.286326899833176, -1.4842716291272777, -500.25 };
         static const double beyond_high[3] = { 6.286326899833176, 1.4842716291272777, 30015.0 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
-            nav.position[i] = (bs_real)((bad == 0) ? selftest_nan()
-                                        : (bad == 1) ? selftest_infinity()
-                                        : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu);
+            nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                              : (bad == 1) ? selftest_infinity()
+                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 100);
-            if (vd_Phi(&nav, &imu, Phi) != expected) {
-                selftest_print("vd_Phi: position[%d] bad value %d not refused\n", i, bad);
+            if (vd_Phi(&nav, &corrected_imu, Phi) != expected) {
+                selftest_print("vd_Phi: lon_lat_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
             failures += selftest_painted("vd_Phi Phi", Phi, 100);
@@ -105,10 +105,10 @@ int test_vd_Phi(void)
                                             BS_REAL(-1.4835298641951802), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(6.283185307179586),
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
-            set_point(0, &nav, &imu);
-            nav.position[i] = (end == 0) ? low[i] : high[i];
-            if (vd_Phi(&nav, &imu, Phi) != BS_OK) {
-                selftest_print("vd_Phi: position[%d] end %d refused\n", i, end);
+            set_point(0, &nav, &corrected_imu);
+            nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
+            if (vd_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
+                selftest_print("vd_Phi: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
@@ -119,11 +119,11 @@ int test_vd_Phi(void)
         static const double beyond_high[3] = { 1000.5, 1000.5, 1000.5 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 100);
-            if (vd_Phi(&nav, &imu, Phi) != expected) {
+            if (vd_Phi(&nav, &corrected_imu, Phi) != expected) {
                 selftest_print("vd_Phi: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -132,9 +132,9 @@ int test_vd_Phi(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vd_Phi(&nav, &imu, Phi) != BS_OK) {
+            if (vd_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
                 selftest_print("vd_Phi: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -147,12 +147,12 @@ int test_vd_Phi(void)
         static const double beyond_high[4] = { 1.0015005, 1.0015005, 1.0015005, 1.0015005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 100);
-            if (vd_Phi(&nav, &imu, Phi) != expected) {
+            if (vd_Phi(&nav, &corrected_imu, Phi) != expected) {
                 selftest_print("vd_Phi: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -162,11 +162,11 @@ int test_vd_Phi(void)
         for (int end = 0; end < 4; ++end) {
             static const bs_real norm[4] = { BS_REAL(-1.001), BS_REAL(-0.999), BS_REAL(0.999),
                                              BS_REAL(1.001) };
-            set_point(0, &nav, &imu);
+            set_point(0, &nav, &corrected_imu);
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vd_Phi(&nav, &imu, Phi) != BS_OK) {
+            if (vd_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
                 selftest_print("vd_Phi: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -175,11 +175,11 @@ int test_vd_Phi(void)
     }
     for (int end = 0; end < 3; ++end) {
         static const double beyond[3] = { 0.0, 0.49937512500000003, 0.500625125 };
-        set_point(0, &nav, &imu);
+        set_point(0, &nav, &corrected_imu);
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vd_Phi(&nav, &imu, Phi) != BS_OUT_OF_RANGE) {
+        if (vd_Phi(&nav, &corrected_imu, Phi) != BS_OUT_OF_RANGE) {
             selftest_print("vd_Phi: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -190,11 +190,12 @@ int test_vd_Phi(void)
         static const double beyond_high[3] = { 500.25, 500.25, 500.25 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
-            imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
-                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu);
+            corrected_imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan()
+                                             : (bad == 1) ? selftest_infinity()
+                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 100);
-            if (vd_Phi(&nav, &imu, Phi) != expected) {
+            if (vd_Phi(&nav, &corrected_imu, Phi) != expected) {
                 selftest_print("vd_Phi: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -203,9 +204,9 @@ int test_vd_Phi(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
-            set_point(0, &nav, &imu);
-            imu.f_b[i] = (end == 0) ? low[i] : high[i];
-            if (vd_Phi(&nav, &imu, Phi) != BS_OK) {
+            set_point(0, &nav, &corrected_imu);
+            corrected_imu.f_b[i] = (end == 0) ? low[i] : high[i];
+            if (vd_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
                 selftest_print("vd_Phi: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -217,11 +218,12 @@ int test_vd_Phi(void)
         static const double beyond_high[1] = { 10.005 };
         for (int bad = 0; bad < 4; ++bad) {
             const bs_status expected = (bad < 2) ? BS_NOT_FINITE : BS_OUT_OF_RANGE;
-            set_point(0, &nav, &imu);
-            imu.dt = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
-                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
+            set_point(0, &nav, &corrected_imu);
+            corrected_imu.dt = (bs_real)((bad == 0) ? selftest_nan()
+                                         : (bad == 1) ? selftest_infinity()
+                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
             selftest_paint(Phi, 100);
-            if (vd_Phi(&nav, &imu, Phi) != expected) {
+            if (vd_Phi(&nav, &corrected_imu, Phi) != expected) {
                 selftest_print("vd_Phi: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
@@ -230,20 +232,20 @@ int test_vd_Phi(void)
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
-            set_point(0, &nav, &imu);
-            imu.dt = (end == 0) ? low[i] : high[i];
-            if (vd_Phi(&nav, &imu, Phi) != BS_OK) {
+            set_point(0, &nav, &corrected_imu);
+            corrected_imu.dt = (end == 0) ? low[i] : high[i];
+            if (vd_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
                 selftest_print("vd_Phi: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
-    set_point(0, &nav, &imu);
-    failures += (vd_Phi(0, &imu, Phi) != BS_NULL_POINTER);
+    set_point(0, &nav, &corrected_imu);
+    failures += (vd_Phi(0, &corrected_imu, Phi) != BS_NULL_POINTER);
     failures += (vd_Phi(&nav, 0, Phi) != BS_NULL_POINTER);
-    failures += (vd_Phi(&nav, &imu, 0) != BS_NULL_POINTER);
-    failures += (vd_Phi_nz(0, &imu, Phi) != BS_NULL_POINTER);
+    failures += (vd_Phi(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
+    failures += (vd_Phi_nz(0, &corrected_imu, Phi) != BS_NULL_POINTER);
     failures += (vd_Phi_nz(&nav, 0, Phi) != BS_NULL_POINTER);
-    failures += (vd_Phi_nz(&nav, &imu, 0) != BS_NULL_POINTER);
+    failures += (vd_Phi_nz(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
     return failures;
 }

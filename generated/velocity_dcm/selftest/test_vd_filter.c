@@ -26,7 +26,7 @@ static const double in_nav[POINTS][14] = {
     { 0x1.be9ba66adce08p+0, -0x1.18c3517a7e668p-3, 0x1.6323440729854p+12, -0x1.1ec714f69bd28p+8, -0x1.839e58f54b4bdp+8, 0x1.1890bbc2d0e70p+8, -0x1.a5d674be9f40ep-2, 0x1.8b6a22c8c0d22p-1, -0x1.7cb3f976c5353p-3, -0x1.c81dc0cd40c33p-2, 0x1.2763d1dc4ed96p-2, 0x1.a4325350ddc08p-3, 0x1.17d51df6bdf10p-5, 0x1.a53f76322f55ap-1 },
     { 0x1.544d3c49426a4p+0, 0x1.af853ce44f100p-8, 0x1.8732f91d54272p+14, 0x1.d41106bf58900p+2, -0x1.c7d13a3154600p+7, -0x1.0142208e259a2p+7, 0x1.f0946827a9654p-2, 0x1.9e7ed7550b885p-1, -0x1.c11efa44d212fp-6, -0x1.52e0e16119a8ep-2, -0x1.92dc42bae7310p-2, 0x1.2cb930c57e30ap-2, -0x1.2e36da6aa7c64p-3, -0x1.1b9eba4c04970p-4 }
 };
-static const double in_imu[POINTS][4] = {
+static const double in_corrected_imu[POINTS][4] = {
     { -0x1.890800e8a0740p+2, -0x1.ccb7c38e72640p+3, -0x1.eabdbbf4c06f2p+8, 0x1.04bb4d722b620p+3 },
     { 0x1.043e4f97d0fb8p+4, 0x1.0069162ce85a4p+8, 0x1.37539e24fd9a0p+5, 0x1.0a1738a9e90f7p+1 }
 };
@@ -90,9 +90,9 @@ static const bs_real ceiling[N] = { BS_REAL(10000000000.0), BS_REAL(10000000000.
 static vd_health health;
 static unsigned char bytes[VD_SNAPSHOT_SIZE];
 static unsigned char again[VD_SNAPSHOT_SIZE];
-static int clamp;
+static bs_beyond beyond = BS_REFUSE;
 static vd_nav given_nav;
-static vd_imu given_imu;
+static vd_corrected_imu given_corrected_imu;
 static vd_increments given_increments;
 static vd_noise given_noise;
 static vd_master given_master;
@@ -122,9 +122,11 @@ static int same_state(const vd_filter *a, const vd_filter *b)
 
 /* ---- by hand */
 
-static bs_status hand_propagate(vd_filter *filter, const vd_imu *imu, const vd_noise *noise)
+static bs_status hand_propagate(vd_filter *filter,
+                                const vd_corrected_imu *corrected_imu,
+                                const vd_noise *noise)
 {
-    bs_status status = vd_F(&filter->nav, imu, dense);
+    bs_status status = vd_F(&filter->nav, corrected_imu, dense);
     for (int i = 0; i < VD_N_F; ++i) {
         filter->F[i] = dense[F_places[i]];
     }
@@ -133,7 +135,8 @@ static bs_status hand_propagate(vd_filter *filter, const vd_imu *imu, const vd_n
         filter->Qc[i] = dense[Qc_places[i]];
     }
     if (status == BS_OK) {
-        vd_discretize(filter->F, filter->Qc, imu->dt, filter->Phi, filter->Q, filter->work);
+        vd_discretize(filter->F, filter->Qc, corrected_imu->dt, filter->Phi, filter->Q,
+                      filter->work);
         vd_predict_state(filter->Phi, filter->x);
         PREDICT(filter->P, filter->Phi, filter->Q, next_P, filter->work);
         memcpy(filter->P, next_P, sizeof(next_P));
@@ -350,12 +353,12 @@ static bs_status init(void)
 
 static bs_status propagate(void)
 {
-    return vd_filter_propagate(&flown, &given_imu, &given_noise);
+    return vd_filter_propagate(&flown, &given_corrected_imu, &given_noise);
 }
 
 static bs_status strapdown(void)
 {
-    return vd_filter_strapdown(&flown, &given_imu, &given_increments);
+    return vd_filter_strapdown(&flown, &given_corrected_imu, &given_increments);
 }
 
 static bs_status correct(void)
@@ -377,7 +380,7 @@ static bs_status carried_by_hand(void)
 static bs_status propagate_by_hand(void)
 {
     bs_status status = carried_by_hand();
-    status = (status == BS_OK) ? hand_propagate(&hand, &given_imu, &given_noise) : status;
+    status = (status == BS_OK) ? hand_propagate(&hand, &given_corrected_imu, &given_noise) : status;
     return hand_judge(&hand, status, false);
 }
 
@@ -385,11 +388,12 @@ static bs_status strapdown_by_hand(void)
 {
     const vd_filter *const filter = &flown;
     vd_nav next_nav = flown.nav;
-    const vd_imu *const imu = &given_imu;
+    const vd_corrected_imu *const corrected_imu = &given_corrected_imu;
     const vd_increments *const increments = &given_increments;
     bs_status status = carried_by_hand();
-    status = (status == BS_OK) ? vd_strapdown(&filter->nav, imu, increments, next_nav.position,
-                                              next_nav.v_n, next_nav.q_b2n_wxyz) : status;
+    status = (status == BS_OK) ? vd_strapdown(&filter->nav, corrected_imu, increments,
+                                              next_nav.lon_lat_height, next_nav.v_n,
+                                              next_nav.q_b2n_wxyz) : status;
     return (status == BS_OK) ? vd_filter_set_nav(&hand, &next_nav, 0) : status;
 }
 
@@ -476,7 +480,7 @@ static bs_status measure_dcm_exact(void)
 
 static bs_status set_nav(void)
 {
-    return vd_filter_set_nav(&flown, &given_nav, clamp);
+    return vd_filter_set_nav(&flown, &given_nav, beyond);
 }
 
 
@@ -498,7 +502,7 @@ static bs_status restore(void)
 static void set_point(int k)
 {
     for (int i = 0; i < 3; ++i) {
-        given_nav.position[i] = (bs_real)in_nav[k][0 + i];
+        given_nav.lon_lat_height[i] = (bs_real)in_nav[k][0 + i];
     }
     for (int i = 0; i < 3; ++i) {
         given_nav.v_n[i] = (bs_real)in_nav[k][3 + i];
@@ -511,9 +515,9 @@ static void set_point(int k)
     }
     given_nav.tau = (bs_real)in_nav[k][13];
     for (int i = 0; i < 3; ++i) {
-        given_imu.f_b[i] = (bs_real)in_imu[k][0 + i];
+        given_corrected_imu.f_b[i] = (bs_real)in_corrected_imu[k][0 + i];
     }
-    given_imu.dt = (bs_real)in_imu[k][3];
+    given_corrected_imu.dt = (bs_real)in_corrected_imu[k][3];
     for (int i = 0; i < 3; ++i) {
         given_increments.dtheta_ib_b[i] = (bs_real)in_increments[k][0 + i];
     }
@@ -631,11 +635,12 @@ static int fly(int k_point)
     {
         const vd_filter *const filter = &hand;
         vd_nav next_nav = hand.nav;
-        const vd_imu *const imu = &given_imu;
+        const vd_corrected_imu *const corrected_imu = &given_corrected_imu;
         const vd_increments *const increments = &given_increments;
         failures += expect("strapdown by hand",
-                           vd_strapdown(&filter->nav, imu, increments, next_nav.position,
-                                        next_nav.v_n, next_nav.q_b2n_wxyz) == BS_OK);
+                           vd_strapdown(&filter->nav, corrected_imu, increments,
+                                        next_nav.lon_lat_height, next_nav.v_n,
+                                        next_nav.q_b2n_wxyz) == BS_OK);
         failures += expect("strapdown", memcmp(&flown.nav, &next_nav, sizeof(next_nav)) == 0);
     }
     failures += same("strapdown changes x or P", BS_OK, BS_OK);
@@ -655,7 +660,8 @@ static int fly(int k_point)
     failures += begin();
     hand = flown;
     status = propagate();
-    failures += same("propagate", status, hand_propagate(&hand, &given_imu, &given_noise));
+    failures += same("propagate", status,
+                     hand_propagate(&hand, &given_corrected_imu, &given_noise));
     failures += expect("propagate is refused", status == BS_OK);
     for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
                                    * pass, all of little noise; then with considered states: half,
@@ -938,7 +944,8 @@ static int limits(void)
                                         BS_REAL(-500.0) };
         static const bs_real high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802),
                                          BS_REAL(30000.0) };
-        failures += accepts("init: position", init, NULL, &given_nav.position[i], low[i], high[i]);
+        failures += accepts("init: lon_lat_height", init, NULL, &given_nav.lon_lat_height[i],
+                            low[i], high[i]);
     }
     for (int i = 0; i < 3; ++i) {
         static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
@@ -974,7 +981,7 @@ static int limits(void)
         static const bs_real high[1] = { BS_REAL(1.0) };
         failures += accepts("init: tau", init, NULL, &given_nav.tau, low[i], high[i]);
     }
-    failures += accepts("propagate: dt", propagate, propagate_by_hand, &given_imu.dt,
+    failures += accepts("propagate: dt", propagate, propagate_by_hand, &given_corrected_imu.dt,
                         BS_REAL(1e-06), BS_REAL(10.0));
     rows = 0U;
     failures += accepts("measure_velocity: gate", measure_velocity, NULL, &gate, BS_REAL(0.0),
@@ -1249,10 +1256,10 @@ static int kept(void)
         failures += expect("health: rejected", health.rejected[i] == (unsigned int)(i + 5));
     }
     {
-        bs_real *const value = &flown.nav.position[0];
+        bs_real *const value = &flown.nav.lon_lat_height[0];
         const bs_real good = *value;
         *value = (bs_real)selftest_nan();
-        failures += expect("health: position", (vd_filter_health(&flown, &health) == BS_OK) &&
+        failures += expect("health: lon_lat_height", (vd_filter_health(&flown, &health) == BS_OK) &&
                            (health.state == BS_NOT_FINITE));
         *value = good;
     }
@@ -1350,23 +1357,23 @@ static int kept(void)
         static const bs_real high[3] = { BS_REAL(6.283185307179586), BS_REAL(1.4835298641951802),
                                          BS_REAL(30000.0) };
         for (int i = 0; i < 3; ++i) {
-            const bs_real good = given_nav.position[i];
+            const bs_real good = given_nav.lon_lat_height[i];
             for (int end = 0; end < 2; ++end) {
-                given_nav.position[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
+                given_nav.lon_lat_height[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
-                failures += refuses("set_nav: position", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_REFUSE;
+                failures += refuses("set_nav: lon_lat_height", set_nav, BS_OUT_OF_RANGE);
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
-                                   (flown.nav.position[i] >= low[i]) &&
-                                   (flown.nav.position[i] <= high[i]));
+                                   (flown.nav.lon_lat_height[i] >= low[i]) &&
+                                   (flown.nav.lon_lat_height[i] <= high[i]));
                 failures += expect("set_nav: to the edge",
-                                   equal(&flown.nav.position[i], (end == 0) ? &low[i] : &high[i],
-                                         1));
-                given_nav.position[i] = (bs_real)((end == 0) ? selftest_nan()
-                                                  : selftest_infinity());
-                failures += refuses("set_nav: position", set_nav, BS_NOT_FINITE);
-                given_nav.position[i] = good;
+                                   equal(&flown.nav.lon_lat_height[i], (end == 0) ? &low[i]
+                                         : &high[i], 1));
+                given_nav.lon_lat_height[i] = (bs_real)((end == 0) ? selftest_nan()
+                                                        : selftest_infinity());
+                failures += refuses("set_nav: lon_lat_height", set_nav, BS_NOT_FINITE);
+                given_nav.lon_lat_height[i] = good;
             }
         }
     }
@@ -1378,9 +1385,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.v_n[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: v_n", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.v_n[i] >= low[i]) && (flown.nav.v_n[i] <= high[i]));
                 failures += expect("set_nav: to the edge",
@@ -1401,9 +1408,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.q_b2n_wxyz[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: q_b2n_wxyz", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.q_b2n_wxyz[i] >= low[i]) &&
                                    (flown.nav.q_b2n_wxyz[i] <= high[i]));
@@ -1422,9 +1429,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.mu[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: mu", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.mu[i] >= low[i]) && (flown.nav.mu[i] <= high[i]));
                 failures += expect("set_nav: to the edge",
@@ -1443,9 +1450,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.tau = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                clamp = 0;
+                beyond = BS_REFUSE;
                 failures += refuses("set_nav: tau", set_nav, BS_OUT_OF_RANGE);
-                clamp = 1;
+                beyond = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.tau >= low[i]) && (flown.nav.tau <= high[i]));
                 failures += expect("set_nav: to the edge",
@@ -1456,7 +1463,7 @@ static int kept(void)
             }
         }
     }
-    clamp = 0;
+    beyond = BS_REFUSE;
     failures += expect("set_nav", set_nav() == BS_OK);
     /* where the correction would leave the box, nothing is changed: the way out is set_nav */
     for (int i = 0; i < N; ++i) {
@@ -1488,34 +1495,35 @@ static int guards(void)
                                            { BS_REAL(6.283185307179586),
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) } };
         for (int i = 0; i < 3; ++i) {
-            failures += spoil("init: position", init, &given_nav.position[i], low[i], high[i]);
-            failures += spoil("set_nav: position", set_nav, &given_nav.position[i], low[i],
+            failures += spoil("init: lon_lat_height", init, &given_nav.lon_lat_height[i], low[i],
                               high[i]);
-            failures += spoil("propagate: position", propagate, &flown.nav.position[i], low[i],
-                              high[i]);
-            failures += accepts("propagate: position", propagate, propagate_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("strapdown: position", strapdown, &flown.nav.position[i], low[i],
-                              high[i]);
-            failures += accepts("strapdown: position", strapdown, strapdown_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("correct: position", correct, &flown.nav.position[i], low[i],
-                              high[i]);
-            failures += accepts("correct: position", correct, correct_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("measure_velocity: position", measure_velocity,
-                              &flown.nav.position[i], low[i], high[i]);
-            failures += accepts("measure_velocity: position", measure_velocity,
-                                measure_velocity_by_hand, &flown.nav.position[i], end[0][i],
+            failures += spoil("set_nav: lon_lat_height", set_nav, &given_nav.lon_lat_height[i],
+                              low[i], high[i]);
+            failures += spoil("propagate: lon_lat_height", propagate, &flown.nav.lon_lat_height[i],
+                              low[i], high[i]);
+            failures += accepts("propagate: lon_lat_height", propagate, propagate_by_hand,
+                                &flown.nav.lon_lat_height[i], end[0][i], end[1][i]);
+            failures += spoil("strapdown: lon_lat_height", strapdown, &flown.nav.lon_lat_height[i],
+                              low[i], high[i]);
+            failures += accepts("strapdown: lon_lat_height", strapdown, strapdown_by_hand,
+                                &flown.nav.lon_lat_height[i], end[0][i], end[1][i]);
+            failures += spoil("correct: lon_lat_height", correct, &flown.nav.lon_lat_height[i],
+                              low[i], high[i]);
+            failures += accepts("correct: lon_lat_height", correct, correct_by_hand,
+                                &flown.nav.lon_lat_height[i], end[0][i], end[1][i]);
+            failures += spoil("measure_velocity: lon_lat_height", measure_velocity,
+                              &flown.nav.lon_lat_height[i], low[i], high[i]);
+            failures += accepts("measure_velocity: lon_lat_height", measure_velocity,
+                                measure_velocity_by_hand, &flown.nav.lon_lat_height[i], end[0][i],
                                 end[1][i]);
-            failures += spoil("measure_dcm: position", measure_dcm, &flown.nav.position[i], low[i],
-                              high[i]);
-            failures += accepts("measure_dcm: position", measure_dcm, measure_dcm_by_hand,
-                                &flown.nav.position[i], end[0][i], end[1][i]);
-            failures += spoil("measure_dcm_exact: position", measure_dcm_exact,
-                              &flown.nav.position[i], low[i], high[i]);
-            failures += accepts("measure_dcm_exact: position", measure_dcm_exact,
-                                measure_dcm_exact_by_hand, &flown.nav.position[i], end[0][i],
+            failures += spoil("measure_dcm: lon_lat_height", measure_dcm,
+                              &flown.nav.lon_lat_height[i], low[i], high[i]);
+            failures += accepts("measure_dcm: lon_lat_height", measure_dcm, measure_dcm_by_hand,
+                                &flown.nav.lon_lat_height[i], end[0][i], end[1][i]);
+            failures += spoil("measure_dcm_exact: lon_lat_height", measure_dcm_exact,
+                              &flown.nav.lon_lat_height[i], low[i], high[i]);
+            failures += accepts("measure_dcm_exact: lon_lat_height", measure_dcm_exact,
+                                measure_dcm_exact_by_hand, &flown.nav.lon_lat_height[i], end[0][i],
                                 end[1][i]);
         }
     }
@@ -1653,9 +1661,10 @@ static int guards(void)
         static const bs_real end[2][3] = { { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) },
                                            { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) } };
         for (int i = 0; i < 3; ++i) {
-            failures += spoil("propagate: f_b", propagate, &given_imu.f_b[i], low[i], high[i]);
-            failures += accepts("propagate: f_b", propagate, propagate_by_hand, &given_imu.f_b[i],
-                                end[0][i], end[1][i]);
+            failures += spoil("propagate: f_b", propagate, &given_corrected_imu.f_b[i], low[i],
+                              high[i]);
+            failures += accepts("propagate: f_b", propagate, propagate_by_hand,
+                                &given_corrected_imu.f_b[i], end[0][i], end[1][i]);
         }
     }
     {
@@ -1663,12 +1672,12 @@ static int guards(void)
         static const double high[1] = { 10.005 };
         static const bs_real end[2][1] = { { BS_REAL(1e-06) }, { BS_REAL(10.0) } };
         for (int i = 0; i < 1; ++i) {
-            failures += spoil("propagate: dt", propagate, &given_imu.dt, low[i], high[i]);
-            failures += accepts("propagate: dt", propagate, propagate_by_hand, &given_imu.dt,
-                                end[0][i], end[1][i]);
-            failures += spoil("strapdown: dt", strapdown, &given_imu.dt, low[i], high[i]);
-            failures += accepts("strapdown: dt", strapdown, strapdown_by_hand, &given_imu.dt,
-                                end[0][i], end[1][i]);
+            failures += spoil("propagate: dt", propagate, &given_corrected_imu.dt, low[i], high[i]);
+            failures += accepts("propagate: dt", propagate, propagate_by_hand,
+                                &given_corrected_imu.dt, end[0][i], end[1][i]);
+            failures += spoil("strapdown: dt", strapdown, &given_corrected_imu.dt, low[i], high[i]);
+            failures += accepts("strapdown: dt", strapdown, strapdown_by_hand,
+                                &given_corrected_imu.dt, end[0][i], end[1][i]);
         }
     }
     {
@@ -1915,17 +1924,19 @@ static int guards(void)
     failures += expect("init: a null pointer",
                        vd_filter_init(&flown, &given_nav, 0) == BS_NULL_POINTER);
     failures += expect("propagate: a null pointer",
-                       vd_filter_propagate(0, &given_imu, &given_noise) == BS_NULL_POINTER);
+                       vd_filter_propagate(0, &given_corrected_imu,
+                                           &given_noise) == BS_NULL_POINTER);
     failures += expect("propagate: a null pointer",
                        vd_filter_propagate(&flown, 0, &given_noise) == BS_NULL_POINTER);
     failures += expect("propagate: a null pointer",
-                       vd_filter_propagate(&flown, &given_imu, 0) == BS_NULL_POINTER);
+                       vd_filter_propagate(&flown, &given_corrected_imu, 0) == BS_NULL_POINTER);
     failures += expect("strapdown: a null pointer",
-                       vd_filter_strapdown(0, &given_imu, &given_increments) == BS_NULL_POINTER);
+                       vd_filter_strapdown(0, &given_corrected_imu,
+                                           &given_increments) == BS_NULL_POINTER);
     failures += expect("strapdown: a null pointer",
                        vd_filter_strapdown(&flown, 0, &given_increments) == BS_NULL_POINTER);
     failures += expect("strapdown: a null pointer",
-                       vd_filter_strapdown(&flown, &given_imu, 0) == BS_NULL_POINTER);
+                       vd_filter_strapdown(&flown, &given_corrected_imu, 0) == BS_NULL_POINTER);
     failures += expect("correct: a null pointer", vd_filter_correct(0) == BS_NULL_POINTER);
     failures += expect("init_sigmas: a null pointer",
                        vd_filter_init_sigmas(0, &given_nav, sigmas) == BS_NULL_POINTER);

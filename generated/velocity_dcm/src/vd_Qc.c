@@ -3,6 +3,8 @@
  * 110 operations, list bf93983adf3a766a. */
 #include "velocity_dcm.h"
 
+BS_EXACT_BEGIN
+
 #include "vd_Qc_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */

@@ -5,6 +5,8 @@
  * 27 operations, list 5cbcee67c2b5ee45. */
 #include "velocity_dcm.h"
 
+BS_EXACT_BEGIN
+
 #include "vd_dcm_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */

@@ -5,6 +5,8 @@
  * 1353 operations, list 2005516b03f2db56. */
 #include "velocity_dcm.h"
 
+BS_EXACT_BEGIN
+
 #include "vd_dcm_exact_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */

@@ -5,6 +5,8 @@
  * 531 operations, list 49a47ed144702eda. */
 #include "velocity_dcm.h"
 
+BS_EXACT_BEGIN
+
 #include "vd_dcm_exact_hx_kernel.h"
 
 bs_status vd_dcm_exact_h(const bs_real x[VD_N_STATES],

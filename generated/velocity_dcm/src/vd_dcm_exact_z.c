@@ -5,6 +5,8 @@
  * 199 operations, list 2acda5b2d4566520. */
 #include "velocity_dcm.h"
 
+BS_EXACT_BEGIN
+
 #include "vd_dcm_exact_z_kernel.h"
 
 bs_status vd_dcm_exact_z(const vd_nav *nav, const vd_master *master, bs_real z[3])

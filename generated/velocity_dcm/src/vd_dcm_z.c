@@ -5,6 +5,8 @@
  * 199 operations, list 2e1c24b4a00fc858. */
 #include "velocity_dcm.h"
 
+BS_EXACT_BEGIN
+
 #include "vd_dcm_z_kernel.h"
 
 bs_status vd_dcm_z(const vd_nav *nav, const vd_master *master, bs_real z[3])

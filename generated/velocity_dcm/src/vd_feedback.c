@@ -3,6 +3,8 @@
  * 62 operations, list 01749fa80189a18c. */
 #include "velocity_dcm.h"
 
+BS_EXACT_BEGIN
+
 #include "vd_feedback_kernel.h"
 
 bs_status vd_feedback(const bs_real x[VD_N_STATES],

@@ -5,6 +5,8 @@
  * 3 operations, list a8ac2e1acb4bdfff. */
 #include "velocity_dcm.h"
 
+BS_EXACT_BEGIN
+
 #include "vd_velocity_H_kernel.h"
 
 /* Checks, then the kernel: what both forms below share. */

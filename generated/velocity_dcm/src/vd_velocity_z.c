@@ -4,6 +4,8 @@
  * 3 operations, list ed5a2768f293a68d. */
 #include "velocity_dcm.h"
 
+BS_EXACT_BEGIN
+
 #include "vd_velocity_z_kernel.h"
 
 bs_status vd_velocity_z(const vd_nav *nav, const vd_master *master, bs_real z[3])
