@@ -498,7 +498,7 @@ def wrapped(angle: arb) -> arb:
 # ---------------------------------------------------------------- strapdown
 
 
-NAVIGATION = {frame: (place, "v_n", "q_b2n_wxyz") for frame, place in (("NED", "lat_lon_height"), ("ENU", "lon_lat_height"))}
+NAVIGATION = {"NED": ("lat_lon_height", "v_n", "q_b2n_wxyz"), "ENU": ("lon_lat_height", "v_n", "q_b2n_wxyz")}
 
 
 def navigating(model: Model) -> list[tuple[Function, ellipsoid.Level]]:

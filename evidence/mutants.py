@@ -1,12 +1,15 @@
 """Mutants of the C text of a unit, run through its shipped self-test.
 
-The preprocessed unit is parsed, and each real operation or comparison swapped, each sign flipped, each constant off
-by 1e-3, in loops each statement dropped, becomes a choice that one global number makes: one executable holds all of
-them, and forks for each. What the self-test lets pass is compared with the unit itself at 1e4 points of its box and
-beside the box's edges: a mutant with equal bits throughout is equivalent, and counted apart. A filter's check of what
-it is started with repeats the boxes of the model: there a component's bound a thousandth further out is equivalent if
-the range of the norm ends at the bound, for then the norm refuses with the same status. The elementary functions are
-left out: their last coefficients count in the last bit, which tests/codegen/test_elementary.py judges, no self-test.
+The preprocessed unit is parsed, and each real operation or comparison swapped, each sign flipped, each constant off by
+1e-3 becomes a choice that one global number makes: one executable holds all of them, and forks for each. In loops, of a
+covariance and of a filter, also each statement dropped, each check of a status passed, each operation on integers and
+bits swapped, each integer raised by one, each two neighbouring arguments of a kind swapped; and of the form that the
+other precision has, what the first has not. What the self-test lets pass is compared with the unit itself at 1e4 points
+of its box and beside the box's edges: a mutant with equal bits throughout is equivalent, and counted apart. A filter's
+check of what it is started with repeats the boxes of the model: there a component's bound a thousandth further out is
+equivalent if the range of the norm ends at the bound, for then the norm refuses with the same status. The elementary
+functions are left out: their last coefficients count in the last bit, which tests/codegen/test_elementary.py judges, no
+self-test.
 """
 
 import ctypes
@@ -33,8 +36,12 @@ POINTS, CORNERS = 10_000, 2_000  # at which a survivor is compared
 FLAGS = ("-std=gnu99", "-O1", "-fPIC", "-ffp-contract=off", "-w")
 OFF = 1e-3
 SWAPS = {"+": "-", "-": "+", "*": "/", "/": "*", "<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "=="}
+BITS = {"&": "|", "|": "&", "^": "|", "<<": ">>", ">>": "<<", "%": "/"}
 LOGICAL = {"&&": "||", "||": "&&"}
 ASSIGNING = {"+=": "-=", "-=": "+=", "*=": "/=", "/=": "*="}
+SETTING = {"|=": "&=", "&=": "|=", "^=": "|=", "<<=": ">>=", ">>=": "<<=", "+=": "-=", "-=": "+="}
+SUFFIX = re.compile(r"(?<=[0-9.])F\b")
+FORMS = {"double": (), "float": ("-DBORESIGHT_FLOAT",)}  # of loops: Joseph's and UD
 LIBRARY = {"sqrt", "atan2", "fabs", *tape.LIBRARY}
 CALLS = {name: other for name, other in SWAPPED.items() if name in LIBRARY}
 REAL = {"bs_real", "double"}
@@ -43,14 +50,14 @@ PROBES = {"bs_probe"}  # it sees what a compiler makes of the C, which no self-t
 WORDS = "typedef unsigned int uint32_t; typedef unsigned long uint64_t, size_t;"
 
 
-def parsed(unit: Source) -> Any:
-    """The unit with the headers of its folder, preprocessed for double.
+def parsed(unit: Source, precision: str = "double") -> Any:
+    """The unit with the headers of its folder, preprocessed for this precision.
 
     The elementary functions of a printed one are the library's, so that they can be told by name; a filter is held
     against its parts bit by bit, and keeps its own.
     """
     text, ours = [WORDS], False
-    library = ["-DBORESIGHT_LIBM"] if unit.described else []
+    library = [*FORMS[precision], *(["-DBORESIGHT_LIBM"] if unit.described else [])]
     for line in run(["gcc", "-E", "-std=c99", *library, "-I", unit.folder.include, unit.path]).splitlines():
         mark = re.match(r'# (\d+) "([^"]*)"', line)
         if mark:
@@ -67,6 +74,15 @@ def of_headers(function: Any) -> bool:
     return Path(function.coord.file).parent.name == "include"
 
 
+def inmost(declared: Any) -> tuple[Any, int, tuple[str, ...]]:
+    """What a type is of in the end: its declaration, after how many indexings, and its words."""
+    inner, depth = declared, 0
+    while isinstance(inner, (c_ast.ArrayDecl, c_ast.PtrDecl, c_ast.FuncDecl)):
+        depth += not isinstance(inner, c_ast.FuncDecl)
+        inner = inner.type
+    return inner, depth, tuple(getattr(getattr(inner, "type", None), "names", ()))
+
+
 class Types(c_ast.NodeVisitor):
     """Names that hold, point to, or return real numbers, each with its depth: how often it must be indexed to be one
     (0 for a number and for a function that returns one); and the functions that those of the unit's own files call,
@@ -75,6 +91,7 @@ class Types(c_ast.NodeVisitor):
     def __init__(self, tree: Any):
         self.real: dict[str, int] = dict.fromkeys(LIBRARY, 0)
         self.calls: dict[str, set[str]] = {}
+        self.takes: dict[str, list[tuple[Any, ...]]] = {}  # the types of a function's parameters, and how deep
         self.function = ""
         self.visit(tree)
         left = [f.decl.name for f in tree.ext if isinstance(f, c_ast.FuncDef) and not of_headers(f)]
@@ -89,10 +106,9 @@ class Types(c_ast.NodeVisitor):
         self.generic_visit(node)
 
     def visit_Decl(self, node: Any) -> None:
-        inner, depth = node.type, 0
-        while isinstance(inner, (c_ast.ArrayDecl, c_ast.PtrDecl, c_ast.FuncDecl)):
-            depth += not isinstance(inner, c_ast.FuncDecl)
-            inner = inner.type
+        if isinstance(node.type, c_ast.FuncDecl) and node.type.args is not None:
+            self.takes[node.name] = [inmost(p.type)[1:] for p in node.type.args.params]
+        inner, depth, _ = inmost(node.type)
         if set(getattr(getattr(inner, "type", None), "names", ())) & REAL:
             self.real[node.name] = depth
         self.generic_visit(node)
@@ -141,13 +157,15 @@ class Mutator(c_generator.CGenerator):
         self.unit, self.types, self.chosen = unit, types, chosen
         self.candidates: list[str] = []
         self.statements: set[int] = set()
-        self.inside = False
+        self.inside = self.fixed = False
+        self.function, self.loops = "", unit.described is None
 
     def choice(self, node: Any, what: str, otherwise: str, mutant: str) -> str:
         """`otherwise`, or the mutant's text if its number is up."""
         number = len(self.candidates)
         line = node.coord.line if node.coord else 0
-        self.candidates.append(f"line {line}: {what}")
+        where = f"{self.function}, line {line}" if self.loops else f"line {line}"
+        self.candidates.append(f"{where}: {what}")
         if self.chosen is None or number not in self.chosen:
             return otherwise
         return f"((evidence_mutant == {self.chosen[number]}) ? ({mutant}) : ({otherwise}))"
@@ -157,12 +175,13 @@ class Mutator(c_generator.CGenerator):
         file, own = Path(n.coord.file), (self.unit.path.name, f"{self.unit.name}_kernel.h")
         shared = n.decl.name in self.types.called and n.decl.name not in PROBES
         self.inside = shared if of_headers(n) else file.name in own
+        self.function = n.decl.name
         text = str(super().visit_FuncDef(n))
         self.inside = False
         return text
 
     def visit_Compound(self, n: Any) -> str:
-        if self.unit.described is None:  # in a printed list every statement's value is named again
+        if self.loops:  # in a printed list every statement's value is named again
             alone = (c_ast.Assignment, c_ast.FuncCall)
             self.statements |= {id(item) for item in n.block_items or () if isinstance(item, alone)}
         return str(super().visit_Compound(n))
@@ -186,16 +205,28 @@ class Mutator(c_generator.CGenerator):
         if n.op in LOGICAL:  # the right side may only be looked at if the left one says so
             return self.choice(n, f"{n.op} to {LOGICAL[n.op]}", plain, f"(({left}) {LOGICAL[n.op]} ({right}))")
         pointer = isinstance(n.right, c_ast.Constant) and n.op in ("==", "!=")
-        if n.op not in SWAPS or not (self.types.is_real(n.left) or self.types.is_real(n.right) or pointer):
+        real = self.types.is_real(n.left) or self.types.is_real(n.right)
+        swaps = SWAPS if not self.loops else SWAPS | BITS
+        if n.op not in swaps or self.fixed or not (real or pointer or self.loops):
             return plain
         a, b = f"a{len(self.candidates)}", f"b{len(self.candidates)}"
-        chosen = self.choice(n, f"{n.op} to {SWAPS[n.op]}", f"{a} {n.op} {b}", f"{a} {SWAPS[n.op]} {b}")
+        chosen = self.choice(n, f"{n.op} to {swaps[n.op]}", f"{a} {n.op} {b}", f"{a} {swaps[n.op]} {b}")
+        if n.op == "==" and isinstance(n.right, c_ast.ID) and n.right.name == "BS_OK":
+            chosen = self.choice(n, "check passed", chosen, "1")
         return f"({{ __auto_type {a} = ({left}); __auto_type {b} = ({right}); {chosen}; }})" if "?" in chosen else plain
+
+    def _generate_type(self, *args: Any, **more: Any) -> str:
+        before, self.fixed = self.fixed, True  # how many numbers an array has is no choice
+        text = str(super()._generate_type(*args, **more))
+        self.fixed = before
+        return text
 
     def visit_UnaryOp(self, n: Any) -> str:
         text = str(super().visit_UnaryOp(n))
         if self.inside and n.op == "-" and self.types.is_real(n.expr):
             return self.choice(n, "minus dropped", text, text.split("-", 1)[1])
+        if self.inside and self.loops and n.op in ("!", "~"):
+            return self.choice(n, f"{n.op} dropped", text, text.split(n.op, 1)[1])
         return text
 
     def visit_Constant(self, n: Any) -> str:
@@ -203,20 +234,37 @@ class Mutator(c_generator.CGenerator):
         if self.inside and self.types.is_real(n) and float(n.value.rstrip("fF")) != 0:
             more = self.choice(n, f"{text} * {1 + OFF}", text, f"{text} * {1 + OFF}")
             return self.choice(n, f"{text} * {1 - OFF}", more, f"{text} * {1 - OFF}")
+        if self.inside and self.loops and not self.fixed and "int" in n.type:
+            return self.choice(n, f"{text} + 1", text, f"{text} + 1")
         return text
 
     def visit_FuncCall(self, n: Any) -> str:
         text = str(super().visit_FuncCall(n))
         if not self.inside or not isinstance(n.name, c_ast.ID) or n.name.name not in LIBRARY:
-            return text
+            return self.swapped(n, text) if self.inside and self.loops and n.args else text
         if n.name.name in CALLS:
             other = f"{CALLS[n.name.name]}{text[len(n.name.name) :]}"
             text = self.choice(n, f"{n.name.name} to {CALLS[n.name.name]}", text, other)
         return self.choice(n, f"sign of {n.name.name}", text, f"-({text})")
 
+    def swapped(self, n: Any, text: str) -> str:
+        """A call, or the call with two neighbouring arguments of a kind in each other's place."""
+        takes = self.types.takes.get(n.name.name, [])
+        plain = [c_generator.CGenerator().visit(each) for each in n.args.exprs]
+        for i in range(len(takes) - 1):
+            if takes[i] == takes[i + 1] and plain[i] != plain[i + 1]:
+                other = [*plain[:i], plain[i + 1], plain[i], *plain[i + 2 :]]
+                words = f"{n.name.name}: {plain[i]} and {plain[i + 1]} swapped"
+                text = self.choice(n, words.replace(": ", " "), text, f"{n.name.name}({', '.join(other)})")
+        return text
+
     def visit_Assignment(self, n: Any) -> str:
         if not self.inside or not self.types.is_real(n.lvalue):
-            return str(super().visit_Assignment(n))
+            text = str(super().visit_Assignment(n))
+            if not self.inside or not self.loops or n.op not in SETTING:
+                return text
+            left, right = c_generator.CGenerator().visit(n.lvalue), c_generator.CGenerator().visit(n.rvalue)
+            return self.choice(n, f"{n.op} to {SETTING[n.op]}", text, f"{left} {SETTING[n.op]} ({right})")
         left, right = self.visit(n.lvalue), self.visit(n.rvalue)
         if n.op in ASSIGNING:
             text = f"{left} {n.op} ({right})"
@@ -226,49 +274,60 @@ class Mutator(c_generator.CGenerator):
         return f"{left} {n.op} {self.choice(n, 'sign of what is assigned', right, f'-({right})')}"
 
 
-def candidates(unit: Source) -> list[str]:
+def candidates(unit: Source, precision: str = "double") -> list[str]:
     """Every mutant that there could be, in words."""
-    tree = parsed(unit)
+    tree = parsed(unit, precision)
     mutator = Mutator(unit, Types(tree), None)
     mutator.visit(tree)
     return mutator.candidates
 
 
-def mutated(unit: Source, most: int) -> tuple[str, list[str]]:
-    """The text with at most `most` mutants, drawn evenly, and what they are."""
-    words = candidates(unit)
-    rng = generator("mutants", unit.name)
-    picked = sorted(rng.permutation(len(words))[:most].tolist())
-    tree = parsed(unit)
+def mutated(unit: Source, most: int, precision: str = "double") -> tuple[str, list[str], int]:
+    """The text with at most `most` mutants, drawn evenly; what they are; of how many.  In float those that double has
+    not."""
+    words = candidates(unit, precision)
+    known = set(candidates(unit)) if precision != "double" else set()
+    new = [number for number, word in enumerate(words) if SUFFIX.sub("", word) not in known]
+    picked = sorted(new[i] for i in generator("mutants", unit.name).permutation(len(new))[:most].tolist())
+    tree = parsed(unit, precision)
     mutator = Mutator(unit, Types(tree), {number: i for i, number in enumerate(picked)})
     text = mutator.visit(tree)
-    return "#include <math.h>\nextern int evidence_mutant;\n" + text, [words[number] for number in picked]
+    return "#include <math.h>\nextern int evidence_mutant;\n" + text, [words[number] for number in picked], len(new)
 
 
 def mutants(
     folder: Folder, out: Path, most: int = MOST, names: Collection[str] | None = None
 ) -> dict[str, dict[str, Any]]:
-    """By unit: mutants tried, killed by the shipped self-test, equivalent, and the others by name."""
-    objects = compile_units(folder, GCC, "double", out)
-    common = ["gcc", "-std=c99", "-O1", "-w", "-ffunction-sections", "-I", folder.include]
-    tests = compile_sources(
-        [*common, "-I", folder.path / "selftest"],
-        dict.fromkeys([*folder.files("selftest/*.c"), *folder.identity], ()),
-        out,
-    )
-    run(["objcopy", "--redefine-sym=main=shipped_main", tests["selftest"]])
-    return {
-        unit.name: of_unit(unit, objects, list(tests.values()), out, most)
-        for unit in folder.chosen(names)
-        if unit.test.is_file() and not unit.elementary
-    }
+    """By unit: mutants tried, killed by the shipped self-test, equivalent, and the others by name; of loops also those
+    that their form in float adds."""
+    found: dict[str, dict[str, Any]] = {}
+    for precision, flags in FORMS.items():
+        built = out / precision
+        built.mkdir()
+        objects = compile_units(folder, GCC, precision, built)
+        common = ["gcc", "-std=c99", "-O1", "-w", "-ffunction-sections", *flags, "-I", folder.include]
+        tests = compile_sources(
+            [*common, "-I", folder.path / "selftest"],
+            dict.fromkeys([*folder.files("selftest/*.c"), *folder.identity], ()),
+            built,
+        )
+        run(["objcopy", "--redefine-sym=main=shipped_main", tests["selftest"]])
+        for unit in folder.chosen(names):
+            if unit.test.is_file() and not unit.elementary and (precision == "double" or unit.described is None):
+                of = of_unit(unit, objects, list(tests.values()), built, most, precision)
+                found.setdefault(unit.name, of)
+                if precision != "double":
+                    found[unit.name] |= {key: found[unit.name][key] + value for key, value in of.items()}
+    return found
 
 
-def of_unit(unit: Source, objects: dict[str, Path], tests: list[Path], out: Path, most: int) -> dict[str, Any]:
-    text, words = mutated(unit, most)
+def of_unit(
+    unit: Source, objects: dict[str, Path], tests: list[Path], out: Path, most: int, precision: str
+) -> dict[str, Any]:
+    text, words, count = mutated(unit, most, precision)
     source, made, program = out / "mutated.c", out / "mutated.o", out / "mutants"
     source.write_text(text)
-    run(["gcc", *FLAGS, "-c", source, "-o", made])
+    run(["gcc", *FLAGS, *FORMS[precision], "-c", source, "-o", made])
     others = {name: path for name, path in objects.items() if name != unit.name}
     harness = ["gcc", "-std=gnu99", "-O1", "-fno-builtin", f"-DEVIDENCE_TEST={unit.test_function}"]
     parts = [HARNESS / "mutants.c", HARNESS / "quiet.c", made, *others.values(), *tests]
@@ -280,9 +339,10 @@ def of_unit(unit: Source, objects: dict[str, Path], tests: list[Path], out: Path
     if unit.described:
         alike = set(equivalent(unit, {**others, unit.name: made}, survivors, out))
     else:
-        alike = {i for i in survivors if words[i].split(": ")[1] in implied_by_norms(unit)}
+        alike = {i for i in survivors if SUFFIX.sub("", words[i].split(": ")[1]) in implied_by_norms(unit)}
+        words = [word if precision == "double" else f"{precision}: {word}" for word in words]
     return {
-        "candidates": len(candidates(unit)),
+        "candidates": count,
         "tried": len(words),
         "killed": verdicts.count("1"),
         "equivalent": len(alike),

@@ -102,7 +102,7 @@ GNSS_INS = Model(
     states=(d_position, dv, phi, var.D_BG, var.D_BA),
     structs=(
         Struct("nav", "what is carried and corrected", (position, v_n, q, var.BG, var.BA)),
-        Struct("corrected_imu", "inertial data over one step, estimated biases removed", (var.F_B, var.OMEGA_IB_B, var.DT)),
+        Struct("corrected_imu", "inertial data, estimated biases removed", (var.F_B, var.OMEGA_IB_B, var.DT)),
         Struct("increments", "what the sensors deliver over one step, and over the step before", var.INCREMENTS),
         Struct("noise", "process noise", noises),
         Struct("fix", "what the receiver delivers", (p_fix, v_fix, lever, lag)),

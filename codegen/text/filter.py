@@ -13,7 +13,7 @@ from boresight.codegen.functions.samples import generator, sample
 from boresight.codegen.functions.tape import evaluate
 from boresight.codegen.functions.unit import Unit, state_variable
 from boresight.codegen.text.covariance import Places, arranged, nonzeros, table
-from boresight.codegen.text.names import beyond, norms_beyond, number, rows_of, shared_tables
+from boresight.codegen.text.names import beyond, norms_beyond, norms_near, number, rows_of, shared_tables
 from boresight.derive.model import Measurement, Model, Variable
 
 ENDS = ("low", "high")
@@ -324,6 +324,7 @@ def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, An
                 {
                     "name": a.name, "size": a.size, "functions": readers, "low": beyond(a)[0], "high": beyond(a)[1],
                     "ends": [", ".join(map(number, end)) for end in (a.low, a.high)],
+                    "norm": "" if own else norms_near(a), "vector": f"given_{s.name}.{a.name}",
                 }
             )  # fmt: skip
         rows = np.hstack(points[start : start + len(s.fields)])
@@ -344,6 +345,7 @@ def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, An
             box(a)
             | {part: f"{of}{s.name}.{a.name}{'[i]' * (a.size > 1)}" for part, of in PLACES.items()}
             | {"norms": [f"{number(-v)}, {number(v)}" for v in a.norm or ()], "norms_beyond": norms_beyond(a)}
+            | {"norms_near": norms_near(a), "struct": s.name}
             for s in model.structs
             if s.name in f["carried"]
             for a in s.fields

@@ -87,6 +87,15 @@ def norms_beyond(a: Variable) -> str:
     return ", ".join(repr(norm * (1 + sign * BEYOND / 2) / math.sqrt(a.size)) for norm, sign in ends)
 
 
+def norms_near(a: Variable) -> str:
+    """Squares of a norm just below its range, just in it at either end, and just above."""
+    if not a.norm:
+        return ""
+    low, high = (end * end for end in a.norm)
+    off = min(BEYOND / 2 * high, (high - low) / 4)
+    return ", ".join(map(repr, (low - off if low > off else high + off, low + off, high - off, high + off)))
+
+
 def with_nulls(name: str, arguments: list[str]) -> list[str]:
     """Calls with one pointer null, each in turn."""
     places = range(len(arguments))

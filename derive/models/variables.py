@@ -57,8 +57,8 @@ GYRO_BIAS, ACCEL_BIAS = radians(1.0), 1.0  # rad/s (3600 deg/h) and m/s^2 (0.1 g
 def position(frame: Frame) -> Variable:
     """The geodetic coordinates, named for the frame's order."""
     units, meanings, low, high = zip(*(COORDINATES[name] for name in frame.coordinates), strict=True)
-    return variable("_".join(frame.coordinates), " ".join(frame.coordinates), ", ".join(units), ", ".join(meanings), low, high,
-                    frame="WGS-84")  # fmt: skip
+    name, components = (between.join(frame.coordinates) for between in ("_", " "))
+    return variable(name, components, ", ".join(units), ", ".join(meanings), low, high, frame="WGS-84")
 
 
 def velocity(frame: Frame) -> Variable:

@@ -117,7 +117,7 @@ def increments(step: Unit, position: Array, v_n: Array, q_b2n_wxyz: Array, dt: f
 
 
 def integrate(step: Unit, start: dict[str, Array], dtheta: Array, dv: Array, dt: float, first=None) -> Trajectory:
-    """The integrator over T intervals.  start: the position by its name, v_n, q_b2n_wxyz at the first sample, (..., 3 or 4).
+    """The integrator over T intervals.  start: position, v_n, q_b2n_wxyz by their names at the first sample.
 
     dtheta, dv: (T, ..., 3), or (T, 3) where all runs have the same.  first: (dtheta, dv) of the interval before the
     first one, (..., 3) each, if it is known.  Raises BoresightError on other shapes, and on leaving the box.
@@ -150,4 +150,5 @@ def integrate(step: Unit, start: dict[str, Array], dtheta: Array, dv: Array, dt:
             step(**{name: values[k] if values.ndim > 1 else values for name, values in inputs.items()} | {"dt": dt})
         except BoresightError as error:
             raise BoresightError(f"in interval {k}: {error}") from None
-    return Trajectory(*out.values(), dt, carried[0])
+    position, v_n, q = (out[name] for name in carried)
+    return Trajectory(position, v_n, q, dt, carried[0])

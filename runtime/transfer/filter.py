@@ -663,7 +663,8 @@ class Transfer:
         ready = ready & (self.time - lag - span >= gaps.back_at)
         if given.position is None or len(given.said) < 2:
             return np.zeros(self.runs, bool)
-        ready = ready & ~outside(loop.model, {"lat_lon_height": given.position, "v_n": given.said["v_m_n"]}, self.runs)[0]
+        there = {"lat_lon_height": given.position, "v_n": given.said["v_m_n"]}
+        ready = ready & ~outside(loop.model, there, self.runs)[0]
         if not ready.any():
             return ready
         # what the other runs are given is finite, and what comes of it is not used

@@ -283,7 +283,8 @@ def _flown(
     if history is not None:
         now, begin = history.time[-1], history.time[0]
         part = ((now - then) / (now - begin))[..., None]
-        loop.nav["lat_lon_height"] = start["lat_lon_height"] + part * (loop.nav["lat_lon_height"] - start["lat_lon_height"])
+        begun = start["lat_lon_height"]
+        loop.nav["lat_lon_height"] = begun + part * (loop.nav["lat_lon_height"] - begun)
     return history, beside
 
 

@@ -105,7 +105,8 @@ def run(
         np.full(3, np.radians(START["gyro_bias_deg_s"])),
         np.full(3, START["accel_bias_m_s2"]),
     ])  # fmt: skip
-    nav = {"lon_lat_height": place, "v_n": np.zeros(3), "q_b2n_wxyz": q, "gyro_bias": gyro_bias, "accel_bias": accel_bias}
+    nav = {"lon_lat_height": place, "v_n": np.zeros(3), "q_b2n_wxyz": q}
+    nav |= {"gyro_bias": gyro_bias, "accel_bias": accel_bias}
     loop = Filter(hold, nav, np.diag(sigma**2))
     noise = {
         "gyro_noise": np.full(3, MOTION_FACTOR * found["noise"]["sigma_gyro"] * np.sqrt(dt)),

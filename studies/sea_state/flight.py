@@ -386,7 +386,8 @@ def fly(
         used.append(sum((one.used.sum(-1) for one in taken.values()), start=np.zeros(())))
         # a filter that is lost refuses the messages, and would sink
         flying = loop.loop if isinstance(loop, Headings) else loop
-        flying.nav["lat_lon_height"] = np.broadcast_to(true.slave.position[update * per_update], (*flying.runs, 3)).copy()
+        place = true.slave.position[update * per_update]
+        flying.nav["lat_lon_height"] = np.broadcast_to(place, (*flying.runs, 3)).copy()
         keep(update)
     error, P = map(np.array, zip(*kept, strict=True))
     return Flight(error, P, np.array(nis), drawn.delay, np.array(used), loop.notes, s.update_hz)

@@ -120,8 +120,8 @@ def shared(sea: Sea, seed: int, number: int) -> Shared:
     )  # fmt: skip
     _, P = at_sea.begin(model, opening, s, at_sea.Belief())
     return Shared(
-        true.dtheta[one], true.dv[one], ends["lat_lon_height"][one], ends["v_n"][-1, 0, 0], ends["q_b2n_wxyz"][-1, 0, 0],
-        true.q_b2m_wxyz[-1].reshape(4), delays, np.moveaxis(master, 1, 0), P,
+        true.dtheta[one], true.dv[one], ends["lat_lon_height"][one], ends["v_n"][-1, 0, 0],
+        ends["q_b2n_wxyz"][-1, 0, 0], true.q_b2m_wxyz[-1].reshape(4), delays, np.moveaxis(master, 1, 0), P,
     )  # fmt: skip
 
 

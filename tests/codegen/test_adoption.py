@@ -248,7 +248,7 @@ LEVELS = ("-O0", "-O2", "-O3")
         ("gcc", f"-ffp-contract=off -O3 {FUSED}", Status.OK),
         ("gcc", f"-ffp-contract=fast -O2 {FUSED}", Status.CONTRACTED if FUSED else Status.OK),
         given("clang", f"-ffp-contract=on -O2 {FUSED}", Status.OK),  # the sources' pragma forbids it
-        # the pragma is not read, and where a comparison may be made of the parts of a sum, and nothing is left to be fused
+        # which is not read then; a comparison may be made of the parts of a sum, and nothing is left to be fused
         given("clang", f"-ffp-contract=fast -O2 {FUSED}", Status.CONTRACTED if FUSED else Status.OK),
         given("clang", f"-ffp-contract=off -O2 {REORDERED}", Status.CONTRACTED),
         given("clang", f"-ffp-contract=off -O2 {NO_NAN}", Status.CONTRACTED),

@@ -50,6 +50,17 @@ def test_mutants_are_those_of_the_text():
     assert types.real["omega_in_n"] == types.real["F_nz"] == 1 and "status" not in types.real
 
 
+def test_of_loops_checks_integers_bits_calls_and_arguments_are_mutated_and_the_form_of_float():
+    unit = next(unit for unit in folder_of("euler_matching").units if unit.name == "em_filter")
+    made = {precision: candidates(unit, precision) for precision in ("double", "float")}
+    words = [word.split(": ", 1)[1] for word in made["double"]]
+    kinds = {"check passed", "statement dropped", "& to |", ">> to <<", "! dropped", "1U + 1", "|= to &=", "% to /"}
+    assert kinds - set(words) == set()
+    assert "sound filter->x and filter->P swapped" in words
+    branches = [word for word in made["float"] if word.startswith("variances, ") and word not in made["double"]]
+    assert len(branches) > 20, "the branches of UD"
+
+
 def test_a_function_of_a_header_is_mutated_where_the_unit_calls_it_itself_or_through_others():
     units = {unit.name: unit for unit in folder_of("euler_matching").units}
     by_filter, by_digest = (Types(parsed(units[name])).called for name in ("em_filter", "em_digest"))

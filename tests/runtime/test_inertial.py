@@ -234,7 +234,7 @@ def test_the_generated_error_models_foretell_how_two_strapdown_runs_part(strapdo
     scale = np.array([5e6, 6e6, 1, 1, 1, 1, 1, 1, 1])
     left = []
     for s in (1.0, 0.5):
-        wrong = {name: start[name] + s * x[part] for name, part in (("lon_lat_height", slice(0, 3)), ("v_n", slice(3, 6)))}
+        wrong = {name: start[name] + s * x[part] for name, part in ((true.place, slice(0, 3)), ("v_n", slice(3, 6)))}
         turn = Rotation.from_rotvec(-s * x[6:])  # C_hat = exp(-[phi x]) C
         wrong["q_b2n_wxyz"] = (turn * Rotation.from_quat(start["q_b2n_wxyz"], scalar_first=True)).as_quat(
             scalar_first=True

@@ -126,7 +126,8 @@ def test_phi_and_q_approach_van_loan(align, dt):
     """Against a matrix exponential: Phi drops the third power of the step, Q the fourth, the third of its own size."""
     rng = np.random.default_rng(9)
     q = attitudes(rng, 1)[0]
-    at = {"lat_lon_height": POSITION, "v_n": np.array([3.0, -4.0, 0.5]), "q_b2n_wxyz": q, "f_b": np.array([1.0, -2.0, 9.7])}
+    at = {"lat_lon_height": POSITION, "v_n": np.array([3.0, -4.0, 0.5])}
+    at |= {"q_b2n_wxyz": q, "f_b": np.array([1.0, -2.0, 9.7])}
     noise = {"gyro_noise": np.full(3, 3e-5), "accel_noise": np.full(3, 1e-3), "gyro_bias_noise": np.full(3, 1e-7),
              "accel_bias_noise": np.full(3, 1e-5), "mu_noise": np.full(3, 1e-5), "tau_noise": 1e-4}  # fmt: skip
     F, C = align.F(**at), matrix(q)

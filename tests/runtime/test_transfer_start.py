@@ -113,7 +113,8 @@ def test_an_unknown_motion_opens_attitude_by_rate_times_delay_and_velocity_by_ra
 def test_a_new_beginning_keeps_what_was_estimated_and_its_block_of_P(model):
     rng = np.random.default_rng(4)
     root = rng.standard_normal((16, 16)) * np.repeat([1e-3, 0.1, 1e-5, 1e-2, 1e-3, 1e-3], [3, 3, 3, 3, 3, 1])[:, None]
-    nav = {"lat_lon_height": np.zeros(3), "v_n": np.ones(3), "q_b2n_wxyz": quaternion(matrix(np.array([0.1, 0.2, 0.3]))),
+    q = quaternion(matrix(np.array([0.1, 0.2, 0.3])))
+    nav = {"lat_lon_height": np.zeros(3), "v_n": np.ones(3), "q_b2n_wxyz": q,
            "gyro_bias": np.full(3, 1e-4), "accel_bias": np.full(3, 0.02), "tau": np.array(0.013),
            "q_b2m_wxyz": quaternion(C_B2M)}  # fmt: skip
     begun, P, past = again(message(), model, CONSTANTS, nav, root @ root.T, seconds=100.0, walk={"gyro_bias": 2e-6},
@@ -137,9 +138,10 @@ def test_a_new_beginning_keeps_what_was_estimated_and_its_block_of_P(model):
 def test_a_lever_arm_in_the_masters_axes_enters_H_as_the_mounting_turns_it(model):
     owner = LeverOfMaster(model)
     rng = np.random.default_rng(3)
-    fields = {"lat_lon_height": np.array([0.7, 0.2, 50.0]), "v_n": np.array([7.0, 4.0, 0.1]), "a_n": np.zeros(3), "lag": 0.0,
-              "q_b2n_wxyz": quaternion(turn(rng.standard_normal(3))), "omega_ib_b": np.array([0.2, -0.1, 0.3]),
-              "v_m_n": np.zeros(3), "lever_m": np.array([18.0, -19.0, 14.0])}  # fmt: skip
+    fields = {"lat_lon_height": np.array([0.7, 0.2, 50.0]), "v_n": np.array([7.0, 4.0, 0.1]), "a_n": np.zeros(3),
+              "lag": 0.0, "q_b2n_wxyz": quaternion(turn(rng.standard_normal(3))),
+              "omega_ib_b": np.array([0.2, -0.1, 0.3]), "v_m_n": np.zeros(3),
+              "lever_m": np.array([18.0, -19.0, 14.0])}  # fmt: skip
     error = rng.standard_normal(3)
 
     def z(size):

@@ -44,7 +44,8 @@ def test_the_alignment_is_as_good_as_it_says(models, aligned):
     f_b = alignment.rest_specific_force(models, aligned.position, aligned.q_b2n_wxyz)
     gyro, accel = aligned.drawn.sensors.bias_at(np.zeros_like(f_b), f_b)
     phi = rotation.attitude_error(aligned.nav["q_b2n_wxyz"], aligned.q_b2n_wxyz)
-    x = np.concatenate([aligned.nav["lon_lat_height"] - aligned.position, aligned.nav["v_n"], phi, -gyro, -accel], axis=-1)
+    away = aligned.nav["lon_lat_height"] - aligned.position
+    x = np.concatenate([away, aligned.nav["v_n"], phi, -gyro, -accel], axis=-1)
     nees = np.einsum("ri,rij,rj->r", x, np.linalg.inv(aligned.P), x)
     assert inside(nees.mean(), 15, 40)
     assert np.isfinite(aligned.complete_s).all()

@@ -33,7 +33,8 @@ def test_the_reference_in_double_is_that_of_sixty_digits(start):
 
     flint.ctx.prec = 200
     model, path = load("azimuth-hold"), study.motion("rest", 3, study.STEP_S)[0]
-    fields = {"lon_lat_height": path[:3], "v_n": path[3:6], "q_b2n_wxyz": path[6:10], "f_b": path[10:], "dt": study.STEP_S}
+    fields = {"lon_lat_height": path[:3], "v_n": path[3:6], "q_b2n_wxyz": path[6:10]}
+    fields |= {"f_b": path[10:], "dt": study.STEP_S}
     names = ("gyro_noise", "accel_noise", "gyro_bias_noise", "accel_bias_noise")
     noise = dict(zip(names, NOISE.reshape(4, 3), strict=True))
     Phi = flint.arb_mat(model.Phi(**fields).tolist())

@@ -85,6 +85,7 @@ static ahr_innovation said_by_hand;
 static bs_real P0[N * N];
 static bs_real next_P[AHR_N_PACKED];
 static bs_real dense[16 * N];
+static bs_real before_ceiling[N * N];
 static bs_real residual[AHR_MAX_ROWS];
 static bs_real R[AHR_MAX_ROWS];
 static bs_real was[N];
@@ -106,7 +107,7 @@ static const bs_real ceiling[N] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(1000
 static ahr_health health;
 static unsigned char bytes[AHR_SNAPSHOT_SIZE];
 static unsigned char again[AHR_SNAPSHOT_SIZE];
-static bs_beyond beyond = BS_REFUSE;
+static bs_beyond policy = BS_REFUSE;
 static ahr_nav given_nav;
 static ahr_corrected_imu given_corrected_imu;
 static ahr_increments given_increments;
@@ -186,6 +187,17 @@ static bs_status hand_settle(ahr_filter *filter, bs_status status)
         memcpy(filter->P, unmeasured.P, sizeof(filter->P));
     }
     return end;
+}
+
+/* State i of `flown` in another unit, `scale` to the one that it has. */
+static void scale_state(int i, bs_real scale)
+{
+    for (int j = 0; j < N; ++j) {
+        const int low = (i < j) ? i : j;
+        const int high = (i < j) ? j : i;
+        flown.P[((high * (high + 1)) / 2) + low] *= (i == j) ? (scale * scale)
+            : ((BORESIGHT_UD && (j < i)) ? (BS_REAL(1.0) / scale) : scale);
+    }
 }
 
 static int considering(void)
@@ -325,7 +337,7 @@ static bs_status carried_by_hand(void)
 {
     bs_status status = BS_OK;
     hand = flown;
-    status = ahr_filter_set_nav(&hand, &flown.nav, &flown.reference, 0);
+    status = ahr_filter_set_nav(&hand, &flown.nav, &flown.reference, BS_REFUSE);
     hand = flown;
     return status;
 }
@@ -347,7 +359,8 @@ static bs_status strapdown_by_hand(void)
     status = (status == BS_OK) ? ahr_strapdown(&filter->nav, corrected_imu, increments,
                                                next_nav.lon_lat_height, next_nav.v_n,
                                                next_nav.q_b2n_wxyz) : status;
-    return (status == BS_OK) ? ahr_filter_set_nav(&hand, &next_nav, &hand.reference, 0) : status;
+    return (status == BS_OK) ? ahr_filter_set_nav(&hand, &next_nav, &hand.reference, BS_REFUSE)
+        : status;
 }
 
 static bs_status correct_by_hand(void)
@@ -362,7 +375,8 @@ static bs_status correct_by_hand(void)
                                               next_nav.accel_bias, &next_reference.reference_error)
         : status;
     status = hand_judge(&flown, status, true);
-    return (status == BS_OK) ? ahr_filter_set_nav(&hand, &next_nav, &next_reference, 0) : status;
+    return (status == BS_OK) ? ahr_filter_set_nav(&hand, &next_nav, &next_reference, BS_REFUSE)
+        : status;
 }
 
 static bs_status measure_zupt_by_hand(void)
@@ -436,7 +450,7 @@ static bs_status measure_azimuth(void)
 
 static bs_status set_nav(void)
 {
-    return ahr_filter_set_nav(&flown, &given_nav, &given_reference, beyond);
+    return ahr_filter_set_nav(&flown, &given_nav, &given_reference, policy);
 }
 
 
@@ -617,9 +631,9 @@ static int fly(void)
     failures += same("propagate", status,
                      hand_propagate(&hand, &given_corrected_imu, &given_noise));
     failures += expect("propagate is refused", status == BS_OK);
-    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+    for (int k = 0; k < 9; ++k) { /* all rows, one masked, none, all through a gate that lets none
                                    * pass, all of little noise; then with considered states: half,
-                                   * two, none again by init */
+                                   * two, none again by init, half and one row masked */
         failures += begin();
         failures += (k > 4) ? consider(N / 2) : 0;
         failures += (k == 6) ? consider(1) : 0;
@@ -628,7 +642,7 @@ static int fly(void)
             failures += begin();
         }
         hand = flown;
-        rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
+        rows = ((k == 1) || (k == 8)) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
         set_noise(BS_REAL(1.0));
         if (k > 3) {
@@ -640,6 +654,7 @@ static int fly(void)
         failures += expect("zupt is refused", status == BS_OK) + same_said("zupt: innovation", 3);
         failures += expect("zupt: used", (k == 3) || (said.used == (rows & 7U)));
     }
+    memset(considered, 0, sizeof(considered));
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     for (int k = 0; k < 6; ++k) { /* of little noise, where x may be led out of its box; a z that is
@@ -656,9 +671,9 @@ static int fly(void)
     for (int i = 0; i < AHR_MAX_ROWS; ++i) {
         residual[i] = BS_REAL(0.01) * (bs_real)(i + 1);
     }
-    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+    for (int k = 0; k < 9; ++k) { /* all rows, one masked, none, all through a gate that lets none
                                    * pass, all of little noise; then with considered states: half,
-                                   * two, none again by init */
+                                   * two, none again by init, half and one row masked */
         failures += begin();
         failures += (k > 4) ? consider(N / 2) : 0;
         failures += (k == 6) ? consider(1) : 0;
@@ -667,7 +682,7 @@ static int fly(void)
             failures += begin();
         }
         hand = flown;
-        rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
+        rows = ((k == 1) || (k == 8)) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
         set_noise(BS_REAL(1.0));
         if (k > 3) {
@@ -679,6 +694,7 @@ static int fly(void)
         failures += expect("zaru is refused", status == BS_OK) + same_said("zaru: innovation", 3);
         failures += expect("zaru: used", (k == 3) || (said.used == (rows & 7U)));
     }
+    memset(considered, 0, sizeof(considered));
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     for (int k = 0; k < 6; ++k) { /* of little noise, where x may be led out of its box; a z that is
@@ -695,9 +711,9 @@ static int fly(void)
     for (int i = 0; i < AHR_MAX_ROWS; ++i) {
         residual[i] = BS_REAL(0.01) * (bs_real)(i + 1);
     }
-    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+    for (int k = 0; k < 9; ++k) { /* all rows, one masked, none, all through a gate that lets none
                                    * pass, all of little noise; then with considered states: half,
-                                   * two, none again by init */
+                                   * two, none again by init, half and one row masked */
         failures += begin();
         failures += (k > 4) ? consider(N / 2) : 0;
         failures += (k == 6) ? consider(1) : 0;
@@ -706,7 +722,7 @@ static int fly(void)
             failures += begin();
         }
         hand = flown;
-        rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
+        rows = ((k == 1) || (k == 8)) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
         set_noise(BS_REAL(1.0));
         if (k > 3) {
@@ -719,6 +735,7 @@ static int fly(void)
             same_said("azimuth: innovation", 1);
         failures += expect("azimuth: used", (k == 3) || (said.used == (rows & 1U)));
     }
+    memset(considered, 0, sizeof(considered));
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     for (int k = 0; k < 6; ++k) { /* of little noise, where x may be led out of its box; a z that is
@@ -939,9 +956,12 @@ static int limits(void)
  * sigmas, beginnings. */
 static int kept(void)
 {
+    const unsigned short one = 1U;
     int failures = begin();
     int from = 0;
     int state = 0;
+    selftest_paint(sigmas, N);
+    selftest_paint(dense, N * N);
     failures += expect("sigmas", ahr_filter_sigmas(&flown, sigmas) == BS_OK) +
         expect("covariance", ahr_filter_covariance(&flown, dense) == BS_OK);
     for (int i = 0; i < N; ++i) {
@@ -961,6 +981,10 @@ static int kept(void)
     flown.rejected[0] = 7U;
     flown.ceilings = 3U;
     failures += expect("snapshot", ahr_filter_snapshot(&flown, bytes) == BS_OK);
+    failures += expect("snapshot: header", (memcmp(bytes, "BSFS\2", 5U) == 0) &&
+                       (bytes[5] == sizeof(bs_real)) && (bytes[6] == BORESIGHT_UD) &&
+                       (bytes[7] == *(const unsigned char *)&one) &&
+                       (memcmp(&bytes[8], AHR_MODEL_HASH, 64U) == 0));
     before = flown;
     memset(&flown, 0x5a, sizeof(flown));
     failures += expect("restore", (restore() == BS_OK) && same_state(&flown, &before));
@@ -1010,8 +1034,8 @@ static int kept(void)
         const int n = size_of_block[b];
         for (int i = 0; i < (n * n); ++i) {
             const int at = ((state + (i / n)) * N) + state + (i % n);
-            blocks[from + i] = P0[at];
-            dense[at] = P0[at];
+            blocks[from + i] = P0[at] / (bs_real)(b + 1);
+            dense[at] = blocks[from + i];
         }
         from += n * n;
         state += n;
@@ -1056,7 +1080,9 @@ static int kept(void)
         rows = 0U;
         failures += expect("at the ceiling", measure_zupt() == BS_AT_CEILING) +
             same("lowered", BS_OK, BS_OK);
-        failures += expect("then below it", measure_zupt() == BS_OK);
+        failures += expect("ceilings of measurements", flown.ceilings == 1U);
+        failures += expect("then below it", measure_zupt() == BS_OK) +
+            expect("ceilings of measurements", flown.ceilings == 1U);
         flown.P[(i * (i + 3)) / 2] = BS_REAL(64.0) * ceiling[i];
         state = (int)propagate();
         failures += expect("propagate at the ceiling", bs_good((bs_status)state) &&
@@ -1066,8 +1092,27 @@ static int kept(void)
                                (was[j] * was[j]) <= (BS_REAL(1.00001) * ceiling[j]));
         }
         failures += expect("ceilings", flown.ceilings == ((state == (int)BS_AT_CEILING) ? 2U : 1U));
+        for (int k = 0; k < 2; ++k) { /* with correlations, and no more counted than a count
+                                       * holds */
+            failures += begin();
+            scale_state(i, BS_SQRT(BS_REAL(3.0) * ceiling[i]) / BS_SQRT(P0[i * (N + 1)]));
+            flown.ceilings = 65535U;
+            DENSE(flown.P, before_ceiling);
+            failures += expect("at the ceiling", (k == 0) ? (measure_zupt() == BS_AT_CEILING)
+                               : bs_good(propagate())) +
+                expect("ceilings at most", flown.ceilings == 65535U);
+            DENSE(flown.P, dense);
+            for (int j = 0; (j < (N * N)) && (k == 0); ++j) {
+                before_ceiling[j] *= (((j / N) == i) ? BS_REAL(0.5) : BS_REAL(1.0)) *
+                    (((j % N) == i) ? BS_REAL(0.5) : BS_REAL(1.0));
+            }
+            failures += expect("lowered with its correlations", (k == 1) ||
+                               equal(dense, before_ceiling, N * N));
+        }
         rows = BS_ALL_ROWS;
     }
+    failures += begin() + expect("propagate", propagate() == BS_OK) +
+        expect("no ceiling", flown.ceilings == 0U);
     /* the joint gate just above nis, and just below */
     failures += begin();
     iterations = 1;
@@ -1096,6 +1141,13 @@ static int kept(void)
     }
     set_point(0);
     failures += begin();
+    gate = BS_REAL(1e-9); /* and is nothing left of these by another call's memory */
+    joint = BS_REAL(1e-9);
+    iterations = 5;
+    before = flown;
+    failures += expect("zupt: gated", measure_zupt() == BS_OK);
+    flown = before;
+    set_point(0);
     failures += expect("without gates", ahr_filter_measure_zupt(&flown, R, NULL, &said) == BS_OK) +
         expect("all rows", said.used == 7U);
     /* the joint gate just above nis, and just below */
@@ -1126,6 +1178,13 @@ static int kept(void)
     }
     set_point(0);
     failures += begin();
+    gate = BS_REAL(1e-9); /* and is nothing left of these by another call's memory */
+    joint = BS_REAL(1e-9);
+    iterations = 5;
+    before = flown;
+    failures += expect("zaru: gated", measure_zaru() == BS_OK);
+    flown = before;
+    set_point(0);
     failures += expect("without gates",
                        ahr_filter_measure_zaru(&flown, &given_corrected_imu, R, NULL,
                                                &said) == BS_OK) +
@@ -1160,6 +1219,13 @@ static int kept(void)
     }
     set_point(0);
     failures += begin();
+    gate = BS_REAL(1e-9); /* and is nothing left of these by another call's memory */
+    joint = BS_REAL(1e-9);
+    iterations = 5;
+    before = flown;
+    failures += expect("azimuth: gated", measure_azimuth() == BS_OK);
+    flown = before;
+    set_point(0);
     failures += expect("without gates",
                        ahr_filter_measure_azimuth(&flown, R, NULL, &said) == BS_OK) +
         expect("all rows", said.used == 1U);
@@ -1297,9 +1363,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.lon_lat_height[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: lon_lat_height", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.lon_lat_height[i] >= low[i]) &&
                                    (flown.nav.lon_lat_height[i] <= high[i]));
@@ -1321,9 +1387,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.v_n[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: v_n", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.v_n[i] >= low[i]) && (flown.nav.v_n[i] <= high[i]));
                 failures += expect("set_nav: to the edge",
@@ -1344,9 +1410,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.q_b2n_wxyz[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: q_b2n_wxyz", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.q_b2n_wxyz[i] >= low[i]) &&
                                    (flown.nav.q_b2n_wxyz[i] <= high[i]));
@@ -1356,6 +1422,35 @@ static int kept(void)
                 given_nav.q_b2n_wxyz[i] = good;
             }
         }
+    }
+    for (int k = 0; k < 5; ++k) { /* a norm just outside and just inside either end of its range;
+                                   * and one whose square overflows */
+        static const double squares[4] = { 0.9977504997500001, 0.99825150025, 1.0017504997499997,
+                                           1.0022515002499996 };
+        ahr_nav good = given_nav;
+        bs_real *const value = given_nav.q_b2n_wxyz;
+        bs_real scale = BS_REAL(0.0);
+        bs_real sum = BS_REAL(0.0);
+        for (int i = 0; i < 4; ++i) {
+            scale += value[i] * value[i];
+        }
+        scale = (k == 4) ? (BS_REAL(0.25) * BS_LARGEST) : BS_SQRT((bs_real)squares[k % 4] / scale);
+        for (int i = 0; i < 4; ++i) {
+            value[i] *= scale;
+        }
+        failures += expect("set_nav: norm", set_nav() == BS_OK);
+        if ((k == 1) || (k == 2)) {
+            failures += expect("set_nav: a norm in its range",
+                               equal(flown.nav.q_b2n_wxyz, value, 4));
+        } else {
+            for (int i = 0; i < 4; ++i) {
+                sum += flown.nav.q_b2n_wxyz[i] * flown.nav.q_b2n_wxyz[i];
+            }
+            failures += expect("set_nav: a norm set to its length",
+                               BS_FABS(BS_SQRT(sum) - BS_REAL(1.0)) <= (BS_REAL(1e-6) *
+                                                                        BS_REAL(1.0)));
+        }
+        given_nav = good;
     }
     {
         static const bs_real low[3] = { BS_REAL(-0.017453292519943295),
@@ -1369,9 +1464,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.gyro_bias[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: gyro_bias", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.gyro_bias[i] >= low[i]) &&
                                    (flown.nav.gyro_bias[i] <= high[i]));
@@ -1393,9 +1488,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.accel_bias[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: accel_bias", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.accel_bias[i] >= low[i]) &&
                                    (flown.nav.accel_bias[i] <= high[i]));
@@ -1419,9 +1514,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_reference.q_ref_wxyz[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: q_ref_wxyz", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.reference.q_ref_wxyz[i] >= low[i]) &&
                                    (flown.reference.q_ref_wxyz[i] <= high[i]));
@@ -1432,6 +1527,35 @@ static int kept(void)
             }
         }
     }
+    for (int k = 0; k < 5; ++k) { /* a norm just outside and just inside either end of its range;
+                                   * and one whose square overflows */
+        static const double squares[4] = { 0.9977504997500001, 0.99825150025, 1.0017504997499997,
+                                           1.0022515002499996 };
+        ahr_reference good = given_reference;
+        bs_real *const value = given_reference.q_ref_wxyz;
+        bs_real scale = BS_REAL(0.0);
+        bs_real sum = BS_REAL(0.0);
+        for (int i = 0; i < 4; ++i) {
+            scale += value[i] * value[i];
+        }
+        scale = (k == 4) ? (BS_REAL(0.25) * BS_LARGEST) : BS_SQRT((bs_real)squares[k % 4] / scale);
+        for (int i = 0; i < 4; ++i) {
+            value[i] *= scale;
+        }
+        failures += expect("set_nav: norm", set_nav() == BS_OK);
+        if ((k == 1) || (k == 2)) {
+            failures += expect("set_nav: a norm in its range",
+                               equal(flown.reference.q_ref_wxyz, value, 4));
+        } else {
+            for (int i = 0; i < 4; ++i) {
+                sum += flown.reference.q_ref_wxyz[i] * flown.reference.q_ref_wxyz[i];
+            }
+            failures += expect("set_nav: a norm set to its length",
+                               BS_FABS(BS_SQRT(sum) - BS_REAL(1.0)) <= (BS_REAL(1e-6) *
+                                                                        BS_REAL(1.0)));
+        }
+        given_reference = good;
+    }
     {
         static const bs_real low[1] = { BS_REAL(-0.5) };
         static const bs_real high[1] = { BS_REAL(0.5) };
@@ -1440,9 +1564,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_reference.reference_error = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: reference_error", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.reference.reference_error >= low[i]) &&
                                    (flown.reference.reference_error <= high[i]));
@@ -1456,7 +1580,7 @@ static int kept(void)
             }
         }
     }
-    beyond = BS_REFUSE;
+    policy = BS_REFUSE;
     failures += expect("set_nav", set_nav() == BS_OK);
     /* where the correction would leave the box, nothing is changed: the way out is set_nav */
     for (int i = 0; i < N; ++i) {
@@ -2007,11 +2131,13 @@ static int guards(void)
                        ahr_filter_init_blocks(&flown, &given_nav, &given_reference,
                                               0) == BS_NULL_POINTER);
     failures += expect("set_nav: a null pointer",
-                       ahr_filter_set_nav(0, &given_nav, &given_reference, 1) == BS_NULL_POINTER);
+                       ahr_filter_set_nav(0, &given_nav, &given_reference,
+                                          BS_CLAMP) == BS_NULL_POINTER);
     failures += expect("set_nav: a null pointer",
-                       ahr_filter_set_nav(&flown, 0, &given_reference, 1) == BS_NULL_POINTER);
+                       ahr_filter_set_nav(&flown, 0, &given_reference,
+                                          BS_CLAMP) == BS_NULL_POINTER);
     failures += expect("set_nav: a null pointer",
-                       ahr_filter_set_nav(&flown, &given_nav, 0, 1) == BS_NULL_POINTER);
+                       ahr_filter_set_nav(&flown, &given_nav, 0, BS_CLAMP) == BS_NULL_POINTER);
     failures += expect("sigmas: a null pointer", ahr_filter_sigmas(0, sigmas) == BS_NULL_POINTER);
     failures += expect("sigmas: a null pointer", ahr_filter_sigmas(&flown, 0) == BS_NULL_POINTER);
     failures += expect("variance: a null pointer",

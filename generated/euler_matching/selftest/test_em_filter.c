@@ -62,6 +62,7 @@ static em_innovation said_by_hand;
 static bs_real P0[N * N];
 static bs_real next_P[EM_N_PACKED];
 static bs_real dense[6 * N];
+static bs_real before_ceiling[N * N];
 static bs_real residual[EM_MAX_ROWS];
 static bs_real R[EM_MAX_ROWS];
 static em_filter first;
@@ -83,7 +84,7 @@ static const bs_real ceiling[N] = { BS_REAL(1000000.0), BS_REAL(1000000.0), BS_R
 static em_health health;
 static unsigned char bytes[EM_SNAPSHOT_SIZE];
 static unsigned char again[EM_SNAPSHOT_SIZE];
-static bs_beyond beyond = BS_REFUSE;
+static bs_beyond policy = BS_REFUSE;
 static em_nav given_nav;
 static em_step given_step;
 static em_noise given_noise;
@@ -159,6 +160,17 @@ static bs_status hand_settle(em_filter *filter, bs_status status)
         memcpy(filter->P, unmeasured.P, sizeof(filter->P));
     }
     return end;
+}
+
+/* State i of `flown` in another unit, `scale` to the one that it has. */
+static void scale_state(int i, bs_real scale)
+{
+    for (int j = 0; j < N; ++j) {
+        const int low = (i < j) ? i : j;
+        const int high = (i < j) ? j : i;
+        flown.P[((high * (high + 1)) / 2) + low] *= (i == j) ? (scale * scale)
+            : ((BORESIGHT_UD && (j < i)) ? (BS_REAL(1.0) / scale) : scale);
+    }
 }
 
 static int considering(void)
@@ -272,7 +284,6 @@ static bs_status hand_measure_euler_exact(em_filter *filter, const em_angles *an
     bs_real last_ = BS_REAL(0.0);
     int diverges_ = 0;
     unmeasured = *filter;
-    before = *filter;
     memcpy(from_, filter->x, sizeof(from_));
     for (int k = 0; k < iterations; ++k) {
         bs_real step_;
@@ -289,8 +300,8 @@ static bs_status hand_measure_euler_exact(em_filter *filter, const em_angles *an
                     target_[i] += dense[(i * N) + j] * from_[j];
                 }
             }
-            memcpy(filter->x, before.x, sizeof(before.x));
-            memcpy(filter->P, before.P, sizeof(before.P));
+            memcpy(filter->x, unmeasured.x, sizeof(unmeasured.x));
+            memcpy(filter->P, unmeasured.P, sizeof(unmeasured.P));
             status = hand_rows(filter, target_, R, 3, (k == 0) ? rows : first_said.used,
                                (k == 0) ? gate : BS_REAL(0.0));
         }
@@ -355,7 +366,7 @@ static bs_status carried_by_hand(void)
 {
     bs_status status = BS_OK;
     hand = flown;
-    status = em_filter_set_nav(&hand, &flown.nav, 0);
+    status = em_filter_set_nav(&hand, &flown.nav, BS_REFUSE);
     hand = flown;
     return status;
 }
@@ -374,7 +385,7 @@ static bs_status strapdown_by_hand(void)
     const em_step *const step = &given_step;
     bs_status status = carried_by_hand();
     status = (status == BS_OK) ? em_strapdown(&filter->nav, step, next_nav.q_b2n_wxyz) : status;
-    return (status == BS_OK) ? em_filter_set_nav(&hand, &next_nav, 0) : status;
+    return (status == BS_OK) ? em_filter_set_nav(&hand, &next_nav, BS_REFUSE) : status;
 }
 
 static bs_status correct_by_hand(void)
@@ -385,7 +396,7 @@ static bs_status correct_by_hand(void)
     status = (status == BS_OK) ? em_feedback(filter->x, &filter->nav, next_nav.q_b2n_wxyz,
                                              next_nav.mu) : status;
     status = hand_judge(&flown, status, true);
-    return (status == BS_OK) ? em_filter_set_nav(&hand, &next_nav, 0) : status;
+    return (status == BS_OK) ? em_filter_set_nav(&hand, &next_nav, BS_REFUSE) : status;
 }
 
 static bs_status measure_euler_by_hand(void)
@@ -436,7 +447,7 @@ static bs_status measure_euler_exact(void)
 
 static bs_status set_nav(void)
 {
-    return em_filter_set_nav(&flown, &given_nav, beyond);
+    return em_filter_set_nav(&flown, &given_nav, policy);
 }
 
 
@@ -595,9 +606,9 @@ static int fly(int k_point)
     status = propagate();
     failures += same("propagate", status, hand_propagate(&hand, &given_step, &given_noise));
     failures += expect("propagate is refused", status == BS_OK);
-    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+    for (int k = 0; k < 9; ++k) { /* all rows, one masked, none, all through a gate that lets none
                                    * pass, all of little noise; then with considered states: half,
-                                   * two, none again by init */
+                                   * two, none again by init, half and one row masked */
         failures += begin();
         failures += (k > 4) ? consider(N / 2) : 0;
         failures += (k == 6) ? consider(1) : 0;
@@ -606,7 +617,7 @@ static int fly(int k_point)
             failures += begin();
         }
         hand = flown;
-        rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
+        rows = ((k == 1) || (k == 8)) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
         set_noise(BS_REAL(1.0));
         if (k > 3) {
@@ -618,6 +629,7 @@ static int fly(int k_point)
         failures += expect("euler is refused", status == BS_OK) + same_said("euler: innovation", 3);
         failures += expect("euler: used", (k == 3) || (said.used == (rows & 7U)));
     }
+    memset(considered, 0, sizeof(considered));
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     for (int k = 0; k < 6; ++k) { /* of little noise, where x may be led out of its box; a z that is
@@ -666,9 +678,9 @@ static int fly(int k_point)
             failures += bs_good(status) ? same_said("euler: turned", 3) : 0;
         }
     }
-    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+    for (int k = 0; k < 9; ++k) { /* all rows, one masked, none, all through a gate that lets none
                                    * pass, all of little noise; then with considered states: half,
-                                   * two, none again by init */
+                                   * two, none again by init, half and one row masked */
         failures += begin();
         failures += (k > 4) ? consider(N / 2) : 0;
         failures += (k == 6) ? consider(1) : 0;
@@ -677,7 +689,7 @@ static int fly(int k_point)
             failures += begin();
         }
         hand = flown;
-        rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
+        rows = ((k == 1) || (k == 8)) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
         set_noise(BS_REAL(1.0));
         iterations = (k > 3) ? 5 : 2;
@@ -691,6 +703,7 @@ static int fly(int k_point)
             same_said("euler_exact: innovation", 3);
         failures += expect("euler_exact: used", (k == 3) || (said.used == (rows & 7U)));
     }
+    memset(considered, 0, sizeof(considered));
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     for (int k = 0; k < 6; ++k) { /* of little noise, where x may be led out of its box; a z that is
@@ -921,9 +934,12 @@ static int limits(void)
  * sigmas, beginnings. */
 static int kept(void)
 {
+    const unsigned short one = 1U;
     int failures = begin();
     int from = 0;
     int state = 0;
+    selftest_paint(sigmas, N);
+    selftest_paint(dense, N * N);
     failures += expect("sigmas", em_filter_sigmas(&flown, sigmas) == BS_OK) +
         expect("covariance", em_filter_covariance(&flown, dense) == BS_OK);
     for (int i = 0; i < N; ++i) {
@@ -943,6 +959,10 @@ static int kept(void)
     flown.rejected[0] = 7U;
     flown.ceilings = 3U;
     failures += expect("snapshot", em_filter_snapshot(&flown, bytes) == BS_OK);
+    failures += expect("snapshot: header", (memcmp(bytes, "BSFS\2", 5U) == 0) &&
+                       (bytes[5] == sizeof(bs_real)) && (bytes[6] == BORESIGHT_UD) &&
+                       (bytes[7] == *(const unsigned char *)&one) &&
+                       (memcmp(&bytes[8], EM_MODEL_HASH, 64U) == 0));
     before = flown;
     memset(&flown, 0x5a, sizeof(flown));
     failures += expect("restore", (restore() == BS_OK) && same_state(&flown, &before));
@@ -992,8 +1012,8 @@ static int kept(void)
         const int n = size_of_block[b];
         for (int i = 0; i < (n * n); ++i) {
             const int at = ((state + (i / n)) * N) + state + (i % n);
-            blocks[from + i] = P0[at];
-            dense[at] = P0[at];
+            blocks[from + i] = P0[at] / (bs_real)(b + 1);
+            dense[at] = blocks[from + i];
         }
         from += n * n;
         state += n;
@@ -1036,7 +1056,9 @@ static int kept(void)
         rows = 0U;
         failures += expect("at the ceiling", measure_euler() == BS_AT_CEILING) +
             same("lowered", BS_OK, BS_OK);
-        failures += expect("then below it", measure_euler() == BS_OK);
+        failures += expect("ceilings of measurements", flown.ceilings == 1U);
+        failures += expect("then below it", measure_euler() == BS_OK) +
+            expect("ceilings of measurements", flown.ceilings == 1U);
         flown.P[(i * (i + 3)) / 2] = BS_REAL(64.0) * ceiling[i];
         state = (int)propagate();
         failures += expect("propagate at the ceiling", bs_good((bs_status)state) &&
@@ -1046,8 +1068,27 @@ static int kept(void)
                                (was[j] * was[j]) <= (BS_REAL(1.00001) * ceiling[j]));
         }
         failures += expect("ceilings", flown.ceilings == ((state == (int)BS_AT_CEILING) ? 2U : 1U));
+        for (int k = 0; k < 2; ++k) { /* with correlations, and no more counted than a count
+                                       * holds */
+            failures += begin();
+            scale_state(i, BS_SQRT(BS_REAL(3.0) * ceiling[i]) / BS_SQRT(P0[i * (N + 1)]));
+            flown.ceilings = 65535U;
+            DENSE(flown.P, before_ceiling);
+            failures += expect("at the ceiling", (k == 0) ? (measure_euler() == BS_AT_CEILING)
+                               : bs_good(propagate())) +
+                expect("ceilings at most", flown.ceilings == 65535U);
+            DENSE(flown.P, dense);
+            for (int j = 0; (j < (N * N)) && (k == 0); ++j) {
+                before_ceiling[j] *= (((j / N) == i) ? BS_REAL(0.5) : BS_REAL(1.0)) *
+                    (((j % N) == i) ? BS_REAL(0.5) : BS_REAL(1.0));
+            }
+            failures += expect("lowered with its correlations", (k == 1) ||
+                               equal(dense, before_ceiling, N * N));
+        }
         rows = BS_ALL_ROWS;
     }
+    failures += begin() + expect("propagate", propagate() == BS_OK) +
+        expect("no ceiling", flown.ceilings == 0U);
     /* the joint gate just above nis, and just below */
     failures += begin();
     iterations = 1;
@@ -1076,6 +1117,13 @@ static int kept(void)
     }
     set_point(0);
     failures += begin();
+    gate = BS_REAL(1e-9); /* and is nothing left of these by another call's memory */
+    joint = BS_REAL(1e-9);
+    iterations = 5;
+    before = flown;
+    failures += expect("euler: gated", measure_euler() == BS_OK);
+    flown = before;
+    set_point(0);
     failures += expect("without gates",
                        em_filter_measure_euler(&flown, &given_angles, R, NULL, &said) == BS_OK) +
         expect("all rows", said.used == 7U);
@@ -1109,6 +1157,13 @@ static int kept(void)
     }
     set_point(0);
     failures += begin();
+    gate = BS_REAL(1e-9); /* and is nothing left of these by another call's memory */
+    joint = BS_REAL(1e-9);
+    iterations = 5;
+    before = flown;
+    failures += expect("euler_exact: gated", measure_euler_exact() == BS_OK);
+    flown = before;
+    set_point(0);
     failures += expect("without gates",
                        em_filter_measure_euler_exact(&flown, &given_angles, R, NULL,
                                                      &said) == BS_OK) +
@@ -1203,9 +1258,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.q_b2n_wxyz[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: q_b2n_wxyz", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.q_b2n_wxyz[i] >= low[i]) &&
                                    (flown.nav.q_b2n_wxyz[i] <= high[i]));
@@ -1216,6 +1271,35 @@ static int kept(void)
             }
         }
     }
+    for (int k = 0; k < 5; ++k) { /* a norm just outside and just inside either end of its range;
+                                   * and one whose square overflows */
+        static const double squares[4] = { 0.9977504997500001, 0.99825150025, 1.0017504997499997,
+                                           1.0022515002499996 };
+        em_nav good = given_nav;
+        bs_real *const value = given_nav.q_b2n_wxyz;
+        bs_real scale = BS_REAL(0.0);
+        bs_real sum = BS_REAL(0.0);
+        for (int i = 0; i < 4; ++i) {
+            scale += value[i] * value[i];
+        }
+        scale = (k == 4) ? (BS_REAL(0.25) * BS_LARGEST) : BS_SQRT((bs_real)squares[k % 4] / scale);
+        for (int i = 0; i < 4; ++i) {
+            value[i] *= scale;
+        }
+        failures += expect("set_nav: norm", set_nav() == BS_OK);
+        if ((k == 1) || (k == 2)) {
+            failures += expect("set_nav: a norm in its range",
+                               equal(flown.nav.q_b2n_wxyz, value, 4));
+        } else {
+            for (int i = 0; i < 4; ++i) {
+                sum += flown.nav.q_b2n_wxyz[i] * flown.nav.q_b2n_wxyz[i];
+            }
+            failures += expect("set_nav: a norm set to its length",
+                               BS_FABS(BS_SQRT(sum) - BS_REAL(1.0)) <= (BS_REAL(1e-6) *
+                                                                        BS_REAL(1.0)));
+        }
+        given_nav = good;
+    }
     {
         static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
         static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
@@ -1224,9 +1308,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.mu[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: mu", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.mu[i] >= low[i]) && (flown.nav.mu[i] <= high[i]));
                 failures += expect("set_nav: to the edge",
@@ -1237,7 +1321,7 @@ static int kept(void)
             }
         }
     }
-    beyond = BS_REFUSE;
+    policy = BS_REFUSE;
     failures += expect("set_nav", set_nav() == BS_OK);
     /* where the correction would leave the box, nothing is changed: the way out is set_nav */
     for (int i = 0; i < N; ++i) {
@@ -1523,9 +1607,9 @@ static int guards(void)
     failures += expect("init_blocks: a null pointer",
                        em_filter_init_blocks(&flown, &given_nav, 0) == BS_NULL_POINTER);
     failures += expect("set_nav: a null pointer",
-                       em_filter_set_nav(0, &given_nav, 1) == BS_NULL_POINTER);
+                       em_filter_set_nav(0, &given_nav, BS_CLAMP) == BS_NULL_POINTER);
     failures += expect("set_nav: a null pointer",
-                       em_filter_set_nav(&flown, 0, 1) == BS_NULL_POINTER);
+                       em_filter_set_nav(&flown, 0, BS_CLAMP) == BS_NULL_POINTER);
     failures += expect("sigmas: a null pointer", em_filter_sigmas(0, sigmas) == BS_NULL_POINTER);
     failures += expect("sigmas: a null pointer", em_filter_sigmas(&flown, 0) == BS_NULL_POINTER);
     failures += expect("variance: a null pointer",

@@ -129,6 +129,7 @@ static vas_innovation said_by_hand;
 static bs_real P0[N * N];
 static bs_real next_P[VAS_N_PACKED];
 static bs_real dense[46 * N];
+static bs_real before_ceiling[N * N];
 static bs_real residual[VAS_MAX_ROWS];
 static bs_real R[VAS_MAX_ROWS];
 static vas_filter first;
@@ -164,7 +165,7 @@ static const bs_real ceiling[N] = { BS_REAL(1000000.0), BS_REAL(1000000.0), BS_R
 static vas_health health;
 static unsigned char bytes[VAS_SNAPSHOT_SIZE];
 static unsigned char again[VAS_SNAPSHOT_SIZE];
-static bs_beyond beyond = BS_REFUSE;
+static bs_beyond policy = BS_REFUSE;
 static vas_nav given_nav;
 static vas_corrected_imu given_corrected_imu;
 static vas_increments given_increments;
@@ -253,6 +254,17 @@ static bs_status hand_settle(vas_filter *filter, bs_status status)
         memcpy(filter->P, unmeasured.P, sizeof(filter->P));
     }
     return end;
+}
+
+/* State i of `flown` in another unit, `scale` to the one that it has. */
+static void scale_state(int i, bs_real scale)
+{
+    for (int j = 0; j < N; ++j) {
+        const int low = (i < j) ? i : j;
+        const int high = (i < j) ? j : i;
+        flown.P[((high * (high + 1)) / 2) + low] *= (i == j) ? (scale * scale)
+            : ((BORESIGHT_UD && (j < i)) ? (BS_REAL(1.0) / scale) : scale);
+    }
 }
 
 static int considering(void)
@@ -366,7 +378,6 @@ static bs_status hand_measure_quaternion(vas_filter *filter,
     bs_real last_ = BS_REAL(0.0);
     int diverges_ = 0;
     unmeasured = *filter;
-    before = *filter;
     memcpy(from_, filter->x, sizeof(from_));
     for (int k = 0; k < iterations; ++k) {
         bs_real step_;
@@ -383,8 +394,8 @@ static bs_status hand_measure_quaternion(vas_filter *filter,
                     target_[i] += dense[(i * N) + j] * from_[j];
                 }
             }
-            memcpy(filter->x, before.x, sizeof(before.x));
-            memcpy(filter->P, before.P, sizeof(before.P));
+            memcpy(filter->x, unmeasured.x, sizeof(unmeasured.x));
+            memcpy(filter->P, unmeasured.P, sizeof(unmeasured.P));
             status = hand_rows(filter, target_, R, 3, (k == 0) ? rows : first_said.used,
                                (k == 0) ? gate : BS_REAL(0.0));
         }
@@ -499,7 +510,7 @@ static bs_status carried_by_hand(void)
     bs_status status = BS_OK;
     hand = flown;
     status = vas_filter_set_nav(&hand, &flown.nav, &flown.mounting, &flown.bending, &flown.triads,
-                                &flown.biases, 0);
+                                &flown.biases, BS_REFUSE);
     hand = flown;
     return status;
 }
@@ -526,7 +537,7 @@ static bs_status strapdown_by_hand(void)
                                                next_bending.flexure_rate, next_nav.gyro_bias,
                                                next_nav.accel_bias) : status;
     return (status == BS_OK) ? vas_filter_set_nav(&hand, &next_nav, &hand.mounting, &next_bending,
-                                                  &hand.triads, &hand.biases, 0) : status;
+                                                  &hand.triads, &hand.biases, BS_REFUSE) : status;
 }
 
 static bs_status correct_by_hand(void)
@@ -550,7 +561,7 @@ static bs_status correct_by_hand(void)
         : status;
     status = hand_judge(&flown, status, true);
     return (status == BS_OK) ? vas_filter_set_nav(&hand, &next_nav, &next_mounting, &next_bending,
-                                                  &next_triads, &next_biases, 0) : status;
+                                                  &next_triads, &next_biases, BS_REFUSE) : status;
 }
 
 static bs_status measure_dcm_by_hand(void)
@@ -654,7 +665,7 @@ static bs_status measure_velocity(void)
 static bs_status set_nav(void)
 {
     return vas_filter_set_nav(&flown, &given_nav, &given_mounting, &given_bending, &given_triads,
-                              &given_biases, beyond);
+                              &given_biases, policy);
 }
 
 
@@ -933,9 +944,9 @@ static int fly(int k_point)
     failures += same("propagate", status,
                      hand_propagate(&hand, &given_corrected_imu, &given_noise));
     failures += expect("propagate is refused", status == BS_OK);
-    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+    for (int k = 0; k < 9; ++k) { /* all rows, one masked, none, all through a gate that lets none
                                    * pass, all of little noise; then with considered states: half,
-                                   * two, none again by init */
+                                   * two, none again by init, half and one row masked */
         failures += begin();
         failures += (k > 4) ? consider(N / 2) : 0;
         failures += (k == 6) ? consider(1) : 0;
@@ -944,7 +955,7 @@ static int fly(int k_point)
             failures += begin();
         }
         hand = flown;
-        rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
+        rows = ((k == 1) || (k == 8)) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
         set_noise(BS_REAL(1.0));
         if (k > 3) {
@@ -957,6 +968,7 @@ static int fly(int k_point)
         failures += expect("dcm is refused", status == BS_OK) + same_said("dcm: innovation", 3);
         failures += expect("dcm: used", (k == 3) || (said.used == (rows & 7U)));
     }
+    memset(considered, 0, sizeof(considered));
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     for (int k = 0; k < 6; ++k) { /* of little noise, where x may be led out of its box; a z that is
@@ -974,9 +986,9 @@ static int fly(int k_point)
     for (int i = 0; i < VAS_MAX_ROWS; ++i) {
         residual[i] = BS_REAL(0.01) * (bs_real)(i + 1);
     }
-    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+    for (int k = 0; k < 9; ++k) { /* all rows, one masked, none, all through a gate that lets none
                                    * pass, all of little noise; then with considered states: half,
-                                   * two, none again by init */
+                                   * two, none again by init, half and one row masked */
         failures += begin();
         failures += (k > 4) ? consider(N / 2) : 0;
         failures += (k == 6) ? consider(1) : 0;
@@ -985,7 +997,7 @@ static int fly(int k_point)
             failures += begin();
         }
         hand = flown;
-        rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
+        rows = ((k == 1) || (k == 8)) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
         set_noise(BS_REAL(1.0));
         iterations = (k > 3) ? 5 : 2;
@@ -1000,6 +1012,7 @@ static int fly(int k_point)
             same_said("quaternion: innovation", 3);
         failures += expect("quaternion: used", (k == 3) || (said.used == (rows & 7U)));
     }
+    memset(considered, 0, sizeof(considered));
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     for (int k = 0; k < 6; ++k) { /* of little noise, where x may be led out of its box; a z that is
@@ -1071,9 +1084,9 @@ static int fly(int k_point)
         }
     }
     set_point(k_point);
-    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+    for (int k = 0; k < 9; ++k) { /* all rows, one masked, none, all through a gate that lets none
                                    * pass, all of little noise; then with considered states: half,
-                                   * two, none again by init */
+                                   * two, none again by init, half and one row masked */
         failures += begin();
         failures += (k > 4) ? consider(N / 2) : 0;
         failures += (k == 6) ? consider(1) : 0;
@@ -1082,7 +1095,7 @@ static int fly(int k_point)
             failures += begin();
         }
         hand = flown;
-        rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
+        rows = ((k == 1) || (k == 8)) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
         set_noise(BS_REAL(1.0));
         if (k > 3) {
@@ -1095,6 +1108,7 @@ static int fly(int k_point)
         failures += expect("euler is refused", status == BS_OK) + same_said("euler: innovation", 3);
         failures += expect("euler: used", (k == 3) || (said.used == (rows & 7U)));
     }
+    memset(considered, 0, sizeof(considered));
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     for (int k = 0; k < 6; ++k) { /* of little noise, where x may be led out of its box; a z that is
@@ -1145,9 +1159,9 @@ static int fly(int k_point)
             failures += bs_good(status) ? same_said("euler: turned", 3) : 0;
         }
     }
-    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+    for (int k = 0; k < 9; ++k) { /* all rows, one masked, none, all through a gate that lets none
                                    * pass, all of little noise; then with considered states: half,
-                                   * two, none again by init */
+                                   * two, none again by init, half and one row masked */
         failures += begin();
         failures += (k > 4) ? consider(N / 2) : 0;
         failures += (k == 6) ? consider(1) : 0;
@@ -1156,7 +1170,7 @@ static int fly(int k_point)
             failures += begin();
         }
         hand = flown;
-        rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
+        rows = ((k == 1) || (k == 8)) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
         set_noise(BS_REAL(1.0));
         if (k > 3) {
@@ -1170,6 +1184,7 @@ static int fly(int k_point)
             same_said("velocity: innovation", 3);
         failures += expect("velocity: used", (k == 3) || (said.used == (rows & 7U)));
     }
+    memset(considered, 0, sizeof(considered));
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     for (int k = 0; k < 6; ++k) { /* of little noise, where x may be led out of its box; a z that is
@@ -1496,9 +1511,12 @@ static int limits(void)
  * sigmas, beginnings. */
 static int kept(void)
 {
+    const unsigned short one = 1U;
     int failures = begin();
     int from = 0;
     int state = 0;
+    selftest_paint(sigmas, N);
+    selftest_paint(dense, N * N);
     failures += expect("sigmas", vas_filter_sigmas(&flown, sigmas) == BS_OK) +
         expect("covariance", vas_filter_covariance(&flown, dense) == BS_OK);
     for (int i = 0; i < N; ++i) {
@@ -1518,6 +1536,10 @@ static int kept(void)
     flown.rejected[0] = 7U;
     flown.ceilings = 3U;
     failures += expect("snapshot", vas_filter_snapshot(&flown, bytes) == BS_OK);
+    failures += expect("snapshot: header", (memcmp(bytes, "BSFS\2", 5U) == 0) &&
+                       (bytes[5] == sizeof(bs_real)) && (bytes[6] == BORESIGHT_UD) &&
+                       (bytes[7] == *(const unsigned char *)&one) &&
+                       (memcmp(&bytes[8], VAS_MODEL_HASH, 64U) == 0));
     before = flown;
     memset(&flown, 0x5a, sizeof(flown));
     failures += expect("restore", (restore() == BS_OK) && same_state(&flown, &before));
@@ -1567,8 +1589,8 @@ static int kept(void)
         const int n = size_of_block[b];
         for (int i = 0; i < (n * n); ++i) {
             const int at = ((state + (i / n)) * N) + state + (i % n);
-            blocks[from + i] = P0[at];
-            dense[at] = P0[at];
+            blocks[from + i] = P0[at] / (bs_real)(b + 1);
+            dense[at] = blocks[from + i];
         }
         from += n * n;
         state += n;
@@ -1615,7 +1637,9 @@ static int kept(void)
         rows = 0U;
         failures += expect("at the ceiling", measure_dcm() == BS_AT_CEILING) +
             same("lowered", BS_OK, BS_OK);
-        failures += expect("then below it", measure_dcm() == BS_OK);
+        failures += expect("ceilings of measurements", flown.ceilings == 1U);
+        failures += expect("then below it", measure_dcm() == BS_OK) +
+            expect("ceilings of measurements", flown.ceilings == 1U);
         flown.P[(i * (i + 3)) / 2] = BS_REAL(64.0) * ceiling[i];
         state = (int)propagate();
         failures += expect("propagate at the ceiling", bs_good((bs_status)state) &&
@@ -1625,8 +1649,27 @@ static int kept(void)
                                (was[j] * was[j]) <= (BS_REAL(1.00001) * ceiling[j]));
         }
         failures += expect("ceilings", flown.ceilings == ((state == (int)BS_AT_CEILING) ? 2U : 1U));
+        for (int k = 0; k < 2; ++k) { /* with correlations, and no more counted than a count
+                                       * holds */
+            failures += begin();
+            scale_state(i, BS_SQRT(BS_REAL(3.0) * ceiling[i]) / BS_SQRT(P0[i * (N + 1)]));
+            flown.ceilings = 65535U;
+            DENSE(flown.P, before_ceiling);
+            failures += expect("at the ceiling", (k == 0) ? (measure_dcm() == BS_AT_CEILING)
+                               : bs_good(propagate())) +
+                expect("ceilings at most", flown.ceilings == 65535U);
+            DENSE(flown.P, dense);
+            for (int j = 0; (j < (N * N)) && (k == 0); ++j) {
+                before_ceiling[j] *= (((j / N) == i) ? BS_REAL(0.5) : BS_REAL(1.0)) *
+                    (((j % N) == i) ? BS_REAL(0.5) : BS_REAL(1.0));
+            }
+            failures += expect("lowered with its correlations", (k == 1) ||
+                               equal(dense, before_ceiling, N * N));
+        }
         rows = BS_ALL_ROWS;
     }
+    failures += begin() + expect("propagate", propagate() == BS_OK) +
+        expect("no ceiling", flown.ceilings == 0U);
     /* the joint gate just above nis, and just below */
     failures += begin();
     iterations = 1;
@@ -1655,6 +1698,13 @@ static int kept(void)
     }
     set_point(0);
     failures += begin();
+    gate = BS_REAL(1e-9); /* and is nothing left of these by another call's memory */
+    joint = BS_REAL(1e-9);
+    iterations = 5;
+    before = flown;
+    failures += expect("dcm: gated", measure_dcm() == BS_OK);
+    flown = before;
+    set_point(0);
     failures += expect("without gates",
                        vas_filter_measure_dcm(&flown, &given_corrected_imu, &given_master, R, NULL,
                                               &said) == BS_OK) +
@@ -1689,6 +1739,13 @@ static int kept(void)
     }
     set_point(0);
     failures += begin();
+    gate = BS_REAL(1e-9); /* and is nothing left of these by another call's memory */
+    joint = BS_REAL(1e-9);
+    iterations = 5;
+    before = flown;
+    failures += expect("quaternion: gated", measure_quaternion() == BS_OK);
+    flown = before;
+    set_point(0);
     failures += expect("without gates",
                        vas_filter_measure_quaternion(&flown, &given_corrected_imu, &given_master, R,
                                                      NULL, &said) == BS_OK) +
@@ -1721,6 +1778,13 @@ static int kept(void)
     }
     set_point(0);
     failures += begin();
+    gate = BS_REAL(1e-9); /* and is nothing left of these by another call's memory */
+    joint = BS_REAL(1e-9);
+    iterations = 5;
+    before = flown;
+    failures += expect("euler: gated", measure_euler() == BS_OK);
+    flown = before;
+    set_point(0);
     failures += expect("without gates",
                        vas_filter_measure_euler(&flown, &given_corrected_imu, &given_master, R,
                                                 NULL, &said) == BS_OK) +
@@ -1755,6 +1819,13 @@ static int kept(void)
     }
     set_point(0);
     failures += begin();
+    gate = BS_REAL(1e-9); /* and is nothing left of these by another call's memory */
+    joint = BS_REAL(1e-9);
+    iterations = 5;
+    before = flown;
+    failures += expect("velocity: gated", measure_velocity() == BS_OK);
+    flown = before;
+    set_point(0);
     failures += expect("without gates",
                        vas_filter_measure_velocity(&flown, &given_corrected_imu, &given_master, R,
                                                    NULL, &said) == BS_OK) +
@@ -2010,9 +2081,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.lat_lon_height[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: lat_lon_height", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.lat_lon_height[i] >= low[i]) &&
                                    (flown.nav.lat_lon_height[i] <= high[i]));
@@ -2034,9 +2105,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.v_n[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: v_n", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.v_n[i] >= low[i]) && (flown.nav.v_n[i] <= high[i]));
                 failures += expect("set_nav: to the edge",
@@ -2057,9 +2128,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.q_b2n_wxyz[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: q_b2n_wxyz", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.q_b2n_wxyz[i] >= low[i]) &&
                                    (flown.nav.q_b2n_wxyz[i] <= high[i]));
@@ -2069,6 +2140,35 @@ static int kept(void)
                 given_nav.q_b2n_wxyz[i] = good;
             }
         }
+    }
+    for (int k = 0; k < 5; ++k) { /* a norm just outside and just inside either end of its range;
+                                   * and one whose square overflows */
+        static const double squares[4] = { 0.9977504997500001, 0.99825150025, 1.0017504997499997,
+                                           1.0022515002499996 };
+        vas_nav good = given_nav;
+        bs_real *const value = given_nav.q_b2n_wxyz;
+        bs_real scale = BS_REAL(0.0);
+        bs_real sum = BS_REAL(0.0);
+        for (int i = 0; i < 4; ++i) {
+            scale += value[i] * value[i];
+        }
+        scale = (k == 4) ? (BS_REAL(0.25) * BS_LARGEST) : BS_SQRT((bs_real)squares[k % 4] / scale);
+        for (int i = 0; i < 4; ++i) {
+            value[i] *= scale;
+        }
+        failures += expect("set_nav: norm", set_nav() == BS_OK);
+        if ((k == 1) || (k == 2)) {
+            failures += expect("set_nav: a norm in its range",
+                               equal(flown.nav.q_b2n_wxyz, value, 4));
+        } else {
+            for (int i = 0; i < 4; ++i) {
+                sum += flown.nav.q_b2n_wxyz[i] * flown.nav.q_b2n_wxyz[i];
+            }
+            failures += expect("set_nav: a norm set to its length",
+                               BS_FABS(BS_SQRT(sum) - BS_REAL(1.0)) <= (BS_REAL(1e-6) *
+                                                                        BS_REAL(1.0)));
+        }
+        given_nav = good;
     }
     {
         static const bs_real low[3] = { BS_REAL(-0.017453292519943295),
@@ -2082,9 +2182,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.gyro_bias[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: gyro_bias", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.gyro_bias[i] >= low[i]) &&
                                    (flown.nav.gyro_bias[i] <= high[i]));
@@ -2106,9 +2206,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.accel_bias[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: accel_bias", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.accel_bias[i] >= low[i]) &&
                                    (flown.nav.accel_bias[i] <= high[i]));
@@ -2132,9 +2232,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.q_b2m_wxyz[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: q_b2m_wxyz", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.q_b2m_wxyz[i] >= low[i]) &&
                                    (flown.nav.q_b2m_wxyz[i] <= high[i]));
@@ -2145,6 +2245,35 @@ static int kept(void)
             }
         }
     }
+    for (int k = 0; k < 5; ++k) { /* a norm just outside and just inside either end of its range;
+                                   * and one whose square overflows */
+        static const double squares[4] = { 0.9977504997500001, 0.99825150025, 1.0017504997499997,
+                                           1.0022515002499996 };
+        vas_nav good = given_nav;
+        bs_real *const value = given_nav.q_b2m_wxyz;
+        bs_real scale = BS_REAL(0.0);
+        bs_real sum = BS_REAL(0.0);
+        for (int i = 0; i < 4; ++i) {
+            scale += value[i] * value[i];
+        }
+        scale = (k == 4) ? (BS_REAL(0.25) * BS_LARGEST) : BS_SQRT((bs_real)squares[k % 4] / scale);
+        for (int i = 0; i < 4; ++i) {
+            value[i] *= scale;
+        }
+        failures += expect("set_nav: norm", set_nav() == BS_OK);
+        if ((k == 1) || (k == 2)) {
+            failures += expect("set_nav: a norm in its range",
+                               equal(flown.nav.q_b2m_wxyz, value, 4));
+        } else {
+            for (int i = 0; i < 4; ++i) {
+                sum += flown.nav.q_b2m_wxyz[i] * flown.nav.q_b2m_wxyz[i];
+            }
+            failures += expect("set_nav: a norm set to its length",
+                               BS_FABS(BS_SQRT(sum) - BS_REAL(1.0)) <= (BS_REAL(1e-6) *
+                                                                        BS_REAL(1.0)));
+        }
+        given_nav = good;
+    }
     {
         static const bs_real low[1] = { BS_REAL(-1.0) };
         static const bs_real high[1] = { BS_REAL(1.0) };
@@ -2153,9 +2282,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.tau = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: tau", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.tau >= low[i]) && (flown.nav.tau <= high[i]));
                 failures += expect("set_nav: to the edge",
@@ -2174,9 +2303,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_mounting.lever_b[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: lever_b", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.mounting.lever_b[i] >= low[i]) &&
                                    (flown.mounting.lever_b[i] <= high[i]));
@@ -2198,9 +2327,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_bending.flexure[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: flexure", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.bending.flexure[i] >= low[i]) &&
                                    (flown.bending.flexure[i] <= high[i]));
@@ -2222,9 +2351,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_bending.flexure_rate[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: flexure_rate", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.bending.flexure_rate[i] >= low[i]) &&
                                    (flown.bending.flexure_rate[i] <= high[i]));
@@ -2246,9 +2375,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_bending.flexure_omega[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: flexure_omega", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.bending.flexure_omega[i] >= low[i]) &&
                                    (flown.bending.flexure_omega[i] <= high[i]));
@@ -2270,9 +2399,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_bending.flexure_damping[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: flexure_damping", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.bending.flexure_damping[i] >= low[i]) &&
                                    (flown.bending.flexure_damping[i] <= high[i]));
@@ -2294,9 +2423,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_bending.flexure_noise[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: flexure_noise", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.bending.flexure_noise[i] >= low[i]) &&
                                    (flown.bending.flexure_noise[i] <= high[i]));
@@ -2318,9 +2447,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_triads.gyro_scale[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: gyro_scale", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.triads.gyro_scale[i] >= low[i]) &&
                                    (flown.triads.gyro_scale[i] <= high[i]));
@@ -2342,9 +2471,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_triads.accel_scale[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: accel_scale", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.triads.accel_scale[i] >= low[i]) &&
                                    (flown.triads.accel_scale[i] <= high[i]));
@@ -2368,9 +2497,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_triads.gyro_axes[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: gyro_axes", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.triads.gyro_axes[i] >= low[i]) &&
                                    (flown.triads.gyro_axes[i] <= high[i]));
@@ -2392,9 +2521,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_triads.accel_axes[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: accel_axes", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.triads.accel_axes[i] >= low[i]) &&
                                    (flown.triads.accel_axes[i] <= high[i]));
@@ -2420,9 +2549,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_biases.gyro_turn_on[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: gyro_turn_on", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.biases.gyro_turn_on[i] >= low[i]) &&
                                    (flown.biases.gyro_turn_on[i] <= high[i]));
@@ -2444,9 +2573,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_biases.accel_turn_on[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: accel_turn_on", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.biases.accel_turn_on[i] >= low[i]) &&
                                    (flown.biases.accel_turn_on[i] <= high[i]));
@@ -2468,9 +2597,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_biases.gyro_bias_beta[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: gyro_bias_beta", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.biases.gyro_bias_beta[i] >= low[i]) &&
                                    (flown.biases.gyro_bias_beta[i] <= high[i]));
@@ -2492,9 +2621,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_biases.accel_bias_beta[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: accel_bias_beta", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.biases.accel_bias_beta[i] >= low[i]) &&
                                    (flown.biases.accel_bias_beta[i] <= high[i]));
@@ -2508,7 +2637,7 @@ static int kept(void)
             }
         }
     }
-    beyond = BS_REFUSE;
+    policy = BS_REFUSE;
     failures += expect("set_nav", set_nav() == BS_OK);
     /* where the correction would leave the box, nothing is changed: the way out is set_nav */
     for (int i = 0; i < N; ++i) {
@@ -3063,6 +3192,33 @@ static int guards(void)
             failures += accepts("measure_quaternion: q_m2n_wxyz", measure_quaternion,
                                 measure_quaternion_by_hand, &given_master.q_m2n_wxyz[i], end[0][i],
                                 end[1][i]);
+        }
+        for (int k = 0; k < 4; ++k) { /* a norm just outside and just inside either end of its
+                                       * range */
+            static const double squares[4] = { 0.9977504997500001, 0.99825150025,
+                                               1.0017504997499997, 1.0022515002499996 };
+            bs_real good[4];
+            bs_real sum = BS_REAL(0.0);
+            memcpy(good, given_master.q_m2n_wxyz, sizeof(good));
+            for (int i = 0; i < 4; ++i) {
+                sum += good[i] * good[i];
+            }
+            for (int i = 0; i < 4; ++i) {
+                given_master.q_m2n_wxyz[i] *= BS_SQRT((bs_real)squares[k] / sum);
+            }
+            before = flown;
+            failures += ((k == 0) || (k == 3)) ? refuses("measure_dcm: q_m2n_wxyz, norm",
+                                                         measure_dcm, BS_OUT_OF_RANGE)
+                : expect("measure_dcm: q_m2n_wxyz, norm",
+                         bs_good(measure_dcm_by_hand()) == bs_good(measure_dcm()));
+            flown = before;
+            before = flown;
+            failures += ((k == 0) || (k == 3)) ? refuses("measure_quaternion: q_m2n_wxyz, norm",
+                                                         measure_quaternion, BS_OUT_OF_RANGE)
+                : expect("measure_quaternion: q_m2n_wxyz, norm",
+                         bs_good(measure_quaternion_by_hand()) == bs_good(measure_quaternion()));
+            flown = before;
+            memcpy(given_master.q_m2n_wxyz, good, sizeof(good));
         }
     }
     {
@@ -3910,22 +4066,23 @@ static int guards(void)
                                               &given_triads, &given_biases, 0) == BS_NULL_POINTER);
     failures += expect("set_nav: a null pointer",
                        vas_filter_set_nav(0, &given_nav, &given_mounting, &given_bending,
-                                          &given_triads, &given_biases, 1) == BS_NULL_POINTER);
+                                          &given_triads, &given_biases,
+                                          BS_CLAMP) == BS_NULL_POINTER);
     failures += expect("set_nav: a null pointer",
                        vas_filter_set_nav(&flown, 0, &given_mounting, &given_bending, &given_triads,
-                                          &given_biases, 1) == BS_NULL_POINTER);
+                                          &given_biases, BS_CLAMP) == BS_NULL_POINTER);
     failures += expect("set_nav: a null pointer",
                        vas_filter_set_nav(&flown, &given_nav, 0, &given_bending, &given_triads,
-                                          &given_biases, 1) == BS_NULL_POINTER);
+                                          &given_biases, BS_CLAMP) == BS_NULL_POINTER);
     failures += expect("set_nav: a null pointer",
                        vas_filter_set_nav(&flown, &given_nav, &given_mounting, 0, &given_triads,
-                                          &given_biases, 1) == BS_NULL_POINTER);
+                                          &given_biases, BS_CLAMP) == BS_NULL_POINTER);
     failures += expect("set_nav: a null pointer",
                        vas_filter_set_nav(&flown, &given_nav, &given_mounting, &given_bending, 0,
-                                          &given_biases, 1) == BS_NULL_POINTER);
+                                          &given_biases, BS_CLAMP) == BS_NULL_POINTER);
     failures += expect("set_nav: a null pointer",
                        vas_filter_set_nav(&flown, &given_nav, &given_mounting, &given_bending,
-                                          &given_triads, 0, 1) == BS_NULL_POINTER);
+                                          &given_triads, 0, BS_CLAMP) == BS_NULL_POINTER);
     failures += expect("sigmas: a null pointer", vas_filter_sigmas(0, sigmas) == BS_NULL_POINTER);
     failures += expect("sigmas: a null pointer", vas_filter_sigmas(&flown, 0) == BS_NULL_POINTER);
     failures += expect("variance: a null pointer",

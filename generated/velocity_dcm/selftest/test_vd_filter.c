@@ -67,6 +67,7 @@ static vd_innovation said_by_hand;
 static bs_real P0[N * N];
 static bs_real next_P[VD_N_PACKED];
 static bs_real dense[10 * N];
+static bs_real before_ceiling[N * N];
 static bs_real residual[VD_MAX_ROWS];
 static bs_real R[VD_MAX_ROWS];
 static vd_filter first;
@@ -90,7 +91,7 @@ static const bs_real ceiling[N] = { BS_REAL(10000000000.0), BS_REAL(10000000000.
 static vd_health health;
 static unsigned char bytes[VD_SNAPSHOT_SIZE];
 static unsigned char again[VD_SNAPSHOT_SIZE];
-static bs_beyond beyond = BS_REFUSE;
+static bs_beyond policy = BS_REFUSE;
 static vd_nav given_nav;
 static vd_corrected_imu given_corrected_imu;
 static vd_increments given_increments;
@@ -169,6 +170,17 @@ static bs_status hand_settle(vd_filter *filter, bs_status status)
         memcpy(filter->P, unmeasured.P, sizeof(filter->P));
     }
     return end;
+}
+
+/* State i of `flown` in another unit, `scale` to the one that it has. */
+static void scale_state(int i, bs_real scale)
+{
+    for (int j = 0; j < N; ++j) {
+        const int low = (i < j) ? i : j;
+        const int high = (i < j) ? j : i;
+        flown.P[((high * (high + 1)) / 2) + low] *= (i == j) ? (scale * scale)
+            : ((BORESIGHT_UD && (j < i)) ? (BS_REAL(1.0) / scale) : scale);
+    }
 }
 
 static int considering(void)
@@ -291,7 +303,6 @@ static bs_status hand_measure_dcm_exact(vd_filter *filter, const vd_master *mast
     bs_real last_ = BS_REAL(0.0);
     int diverges_ = 0;
     unmeasured = *filter;
-    before = *filter;
     memcpy(from_, filter->x, sizeof(from_));
     for (int k = 0; k < iterations; ++k) {
         bs_real step_;
@@ -306,8 +317,8 @@ static bs_status hand_measure_dcm_exact(vd_filter *filter, const vd_master *mast
                     target_[i] += dense[(i * N) + j] * from_[j];
                 }
             }
-            memcpy(filter->x, before.x, sizeof(before.x));
-            memcpy(filter->P, before.P, sizeof(before.P));
+            memcpy(filter->x, unmeasured.x, sizeof(unmeasured.x));
+            memcpy(filter->P, unmeasured.P, sizeof(unmeasured.P));
             status = hand_rows(filter, target_, R, 3, (k == 0) ? rows : first_said.used,
                                (k == 0) ? gate : BS_REAL(0.0));
         }
@@ -372,7 +383,7 @@ static bs_status carried_by_hand(void)
 {
     bs_status status = BS_OK;
     hand = flown;
-    status = vd_filter_set_nav(&hand, &flown.nav, 0);
+    status = vd_filter_set_nav(&hand, &flown.nav, BS_REFUSE);
     hand = flown;
     return status;
 }
@@ -394,7 +405,7 @@ static bs_status strapdown_by_hand(void)
     status = (status == BS_OK) ? vd_strapdown(&filter->nav, corrected_imu, increments,
                                               next_nav.lon_lat_height, next_nav.v_n,
                                               next_nav.q_b2n_wxyz) : status;
-    return (status == BS_OK) ? vd_filter_set_nav(&hand, &next_nav, 0) : status;
+    return (status == BS_OK) ? vd_filter_set_nav(&hand, &next_nav, BS_REFUSE) : status;
 }
 
 static bs_status correct_by_hand(void)
@@ -406,7 +417,7 @@ static bs_status correct_by_hand(void)
                                              next_nav.q_b2n_wxyz, next_nav.mu, &next_nav.tau)
         : status;
     status = hand_judge(&flown, status, true);
-    return (status == BS_OK) ? vd_filter_set_nav(&hand, &next_nav, 0) : status;
+    return (status == BS_OK) ? vd_filter_set_nav(&hand, &next_nav, BS_REFUSE) : status;
 }
 
 static bs_status measure_velocity_by_hand(void)
@@ -480,7 +491,7 @@ static bs_status measure_dcm_exact(void)
 
 static bs_status set_nav(void)
 {
-    return vd_filter_set_nav(&flown, &given_nav, beyond);
+    return vd_filter_set_nav(&flown, &given_nav, policy);
 }
 
 
@@ -663,9 +674,9 @@ static int fly(int k_point)
     failures += same("propagate", status,
                      hand_propagate(&hand, &given_corrected_imu, &given_noise));
     failures += expect("propagate is refused", status == BS_OK);
-    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+    for (int k = 0; k < 9; ++k) { /* all rows, one masked, none, all through a gate that lets none
                                    * pass, all of little noise; then with considered states: half,
-                                   * two, none again by init */
+                                   * two, none again by init, half and one row masked */
         failures += begin();
         failures += (k > 4) ? consider(N / 2) : 0;
         failures += (k == 6) ? consider(1) : 0;
@@ -674,7 +685,7 @@ static int fly(int k_point)
             failures += begin();
         }
         hand = flown;
-        rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
+        rows = ((k == 1) || (k == 8)) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
         set_noise(BS_REAL(1.0));
         if (k > 3) {
@@ -687,6 +698,7 @@ static int fly(int k_point)
             same_said("velocity: innovation", 3);
         failures += expect("velocity: used", (k == 3) || (said.used == (rows & 7U)));
     }
+    memset(considered, 0, sizeof(considered));
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     for (int k = 0; k < 6; ++k) { /* of little noise, where x may be led out of its box; a z that is
@@ -703,9 +715,9 @@ static int fly(int k_point)
     for (int i = 0; i < VD_MAX_ROWS; ++i) {
         residual[i] = BS_REAL(0.01) * (bs_real)(i + 1);
     }
-    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+    for (int k = 0; k < 9; ++k) { /* all rows, one masked, none, all through a gate that lets none
                                    * pass, all of little noise; then with considered states: half,
-                                   * two, none again by init */
+                                   * two, none again by init, half and one row masked */
         failures += begin();
         failures += (k > 4) ? consider(N / 2) : 0;
         failures += (k == 6) ? consider(1) : 0;
@@ -714,7 +726,7 @@ static int fly(int k_point)
             failures += begin();
         }
         hand = flown;
-        rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
+        rows = ((k == 1) || (k == 8)) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
         set_noise(BS_REAL(1.0));
         if (k > 3) {
@@ -726,6 +738,7 @@ static int fly(int k_point)
         failures += expect("dcm is refused", status == BS_OK) + same_said("dcm: innovation", 3);
         failures += expect("dcm: used", (k == 3) || (said.used == (rows & 7U)));
     }
+    memset(considered, 0, sizeof(considered));
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     for (int k = 0; k < 6; ++k) { /* of little noise, where x may be led out of its box; a z that is
@@ -742,9 +755,9 @@ static int fly(int k_point)
     for (int i = 0; i < VD_MAX_ROWS; ++i) {
         residual[i] = BS_REAL(0.01) * (bs_real)(i + 1);
     }
-    for (int k = 0; k < 8; ++k) { /* all rows, one masked, none, all through a gate that lets none
+    for (int k = 0; k < 9; ++k) { /* all rows, one masked, none, all through a gate that lets none
                                    * pass, all of little noise; then with considered states: half,
-                                   * two, none again by init */
+                                   * two, none again by init, half and one row masked */
         failures += begin();
         failures += (k > 4) ? consider(N / 2) : 0;
         failures += (k == 6) ? consider(1) : 0;
@@ -753,7 +766,7 @@ static int fly(int k_point)
             failures += begin();
         }
         hand = flown;
-        rows = (k == 1) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
+        rows = ((k == 1) || (k == 8)) ? ~2U : (k == 2) ? 0U : BS_ALL_ROWS;
         gate = (k == 3) ? BS_REAL(1e-9) : BS_REAL(0.0);
         set_noise(BS_REAL(1.0));
         iterations = (k > 3) ? 5 : 2;
@@ -767,6 +780,7 @@ static int fly(int k_point)
             same_said("dcm_exact: innovation", 3);
         failures += expect("dcm_exact: used", (k == 3) || (said.used == (rows & 7U)));
     }
+    memset(considered, 0, sizeof(considered));
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     for (int k = 0; k < 6; ++k) { /* of little noise, where x may be led out of its box; a z that is
@@ -1020,9 +1034,12 @@ static int limits(void)
  * sigmas, beginnings. */
 static int kept(void)
 {
+    const unsigned short one = 1U;
     int failures = begin();
     int from = 0;
     int state = 0;
+    selftest_paint(sigmas, N);
+    selftest_paint(dense, N * N);
     failures += expect("sigmas", vd_filter_sigmas(&flown, sigmas) == BS_OK) +
         expect("covariance", vd_filter_covariance(&flown, dense) == BS_OK);
     for (int i = 0; i < N; ++i) {
@@ -1042,6 +1059,10 @@ static int kept(void)
     flown.rejected[0] = 7U;
     flown.ceilings = 3U;
     failures += expect("snapshot", vd_filter_snapshot(&flown, bytes) == BS_OK);
+    failures += expect("snapshot: header", (memcmp(bytes, "BSFS\2", 5U) == 0) &&
+                       (bytes[5] == sizeof(bs_real)) && (bytes[6] == BORESIGHT_UD) &&
+                       (bytes[7] == *(const unsigned char *)&one) &&
+                       (memcmp(&bytes[8], VD_MODEL_HASH, 64U) == 0));
     before = flown;
     memset(&flown, 0x5a, sizeof(flown));
     failures += expect("restore", (restore() == BS_OK) && same_state(&flown, &before));
@@ -1091,8 +1112,8 @@ static int kept(void)
         const int n = size_of_block[b];
         for (int i = 0; i < (n * n); ++i) {
             const int at = ((state + (i / n)) * N) + state + (i % n);
-            blocks[from + i] = P0[at];
-            dense[at] = P0[at];
+            blocks[from + i] = P0[at] / (bs_real)(b + 1);
+            dense[at] = blocks[from + i];
         }
         from += n * n;
         state += n;
@@ -1135,7 +1156,9 @@ static int kept(void)
         rows = 0U;
         failures += expect("at the ceiling", measure_velocity() == BS_AT_CEILING) +
             same("lowered", BS_OK, BS_OK);
-        failures += expect("then below it", measure_velocity() == BS_OK);
+        failures += expect("ceilings of measurements", flown.ceilings == 1U);
+        failures += expect("then below it", measure_velocity() == BS_OK) +
+            expect("ceilings of measurements", flown.ceilings == 1U);
         flown.P[(i * (i + 3)) / 2] = BS_REAL(64.0) * ceiling[i];
         state = (int)propagate();
         failures += expect("propagate at the ceiling", bs_good((bs_status)state) &&
@@ -1145,8 +1168,27 @@ static int kept(void)
                                (was[j] * was[j]) <= (BS_REAL(1.00001) * ceiling[j]));
         }
         failures += expect("ceilings", flown.ceilings == ((state == (int)BS_AT_CEILING) ? 2U : 1U));
+        for (int k = 0; k < 2; ++k) { /* with correlations, and no more counted than a count
+                                       * holds */
+            failures += begin();
+            scale_state(i, BS_SQRT(BS_REAL(3.0) * ceiling[i]) / BS_SQRT(P0[i * (N + 1)]));
+            flown.ceilings = 65535U;
+            DENSE(flown.P, before_ceiling);
+            failures += expect("at the ceiling", (k == 0) ? (measure_velocity() == BS_AT_CEILING)
+                               : bs_good(propagate())) +
+                expect("ceilings at most", flown.ceilings == 65535U);
+            DENSE(flown.P, dense);
+            for (int j = 0; (j < (N * N)) && (k == 0); ++j) {
+                before_ceiling[j] *= (((j / N) == i) ? BS_REAL(0.5) : BS_REAL(1.0)) *
+                    (((j % N) == i) ? BS_REAL(0.5) : BS_REAL(1.0));
+            }
+            failures += expect("lowered with its correlations", (k == 1) ||
+                               equal(dense, before_ceiling, N * N));
+        }
         rows = BS_ALL_ROWS;
     }
+    failures += begin() + expect("propagate", propagate() == BS_OK) +
+        expect("no ceiling", flown.ceilings == 0U);
     /* the joint gate just above nis, and just below */
     failures += begin();
     iterations = 1;
@@ -1177,6 +1219,13 @@ static int kept(void)
     }
     set_point(0);
     failures += begin();
+    gate = BS_REAL(1e-9); /* and is nothing left of these by another call's memory */
+    joint = BS_REAL(1e-9);
+    iterations = 5;
+    before = flown;
+    failures += expect("velocity: gated", measure_velocity() == BS_OK);
+    flown = before;
+    set_point(0);
     failures += expect("without gates",
                        vd_filter_measure_velocity(&flown, &given_master, R, NULL, &said) == BS_OK) +
         expect("all rows", said.used == 7U);
@@ -1208,6 +1257,13 @@ static int kept(void)
     }
     set_point(0);
     failures += begin();
+    gate = BS_REAL(1e-9); /* and is nothing left of these by another call's memory */
+    joint = BS_REAL(1e-9);
+    iterations = 5;
+    before = flown;
+    failures += expect("dcm: gated", measure_dcm() == BS_OK);
+    flown = before;
+    set_point(0);
     failures += expect("without gates",
                        vd_filter_measure_dcm(&flown, &given_master, R, NULL, &said) == BS_OK) +
         expect("all rows", said.used == 7U);
@@ -1241,6 +1297,13 @@ static int kept(void)
     }
     set_point(0);
     failures += begin();
+    gate = BS_REAL(1e-9); /* and is nothing left of these by another call's memory */
+    joint = BS_REAL(1e-9);
+    iterations = 5;
+    before = flown;
+    failures += expect("dcm_exact: gated", measure_dcm_exact() == BS_OK);
+    flown = before;
+    set_point(0);
     failures += expect("without gates",
                        vd_filter_measure_dcm_exact(&flown, &given_master, R, NULL,
                                                    &said) == BS_OK) +
@@ -1361,9 +1424,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.lon_lat_height[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: lon_lat_height", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.lon_lat_height[i] >= low[i]) &&
                                    (flown.nav.lon_lat_height[i] <= high[i]));
@@ -1385,9 +1448,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.v_n[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: v_n", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.v_n[i] >= low[i]) && (flown.nav.v_n[i] <= high[i]));
                 failures += expect("set_nav: to the edge",
@@ -1408,9 +1471,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.q_b2n_wxyz[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: q_b2n_wxyz", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.q_b2n_wxyz[i] >= low[i]) &&
                                    (flown.nav.q_b2n_wxyz[i] <= high[i]));
@@ -1421,6 +1484,35 @@ static int kept(void)
             }
         }
     }
+    for (int k = 0; k < 5; ++k) { /* a norm just outside and just inside either end of its range;
+                                   * and one whose square overflows */
+        static const double squares[4] = { 0.9977504997500001, 0.99825150025, 1.0017504997499997,
+                                           1.0022515002499996 };
+        vd_nav good = given_nav;
+        bs_real *const value = given_nav.q_b2n_wxyz;
+        bs_real scale = BS_REAL(0.0);
+        bs_real sum = BS_REAL(0.0);
+        for (int i = 0; i < 4; ++i) {
+            scale += value[i] * value[i];
+        }
+        scale = (k == 4) ? (BS_REAL(0.25) * BS_LARGEST) : BS_SQRT((bs_real)squares[k % 4] / scale);
+        for (int i = 0; i < 4; ++i) {
+            value[i] *= scale;
+        }
+        failures += expect("set_nav: norm", set_nav() == BS_OK);
+        if ((k == 1) || (k == 2)) {
+            failures += expect("set_nav: a norm in its range",
+                               equal(flown.nav.q_b2n_wxyz, value, 4));
+        } else {
+            for (int i = 0; i < 4; ++i) {
+                sum += flown.nav.q_b2n_wxyz[i] * flown.nav.q_b2n_wxyz[i];
+            }
+            failures += expect("set_nav: a norm set to its length",
+                               BS_FABS(BS_SQRT(sum) - BS_REAL(1.0)) <= (BS_REAL(1e-6) *
+                                                                        BS_REAL(1.0)));
+        }
+        given_nav = good;
+    }
     {
         static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
         static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
@@ -1429,9 +1521,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.mu[i] = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: mu", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.mu[i] >= low[i]) && (flown.nav.mu[i] <= high[i]));
                 failures += expect("set_nav: to the edge",
@@ -1450,9 +1542,9 @@ static int kept(void)
             for (int end = 0; end < 2; ++end) {
                 given_nav.tau = (end == 0) ? (BS_REAL(2.0) * low[i]) - high[i]
                     : (BS_REAL(2.0) * high[i]) - low[i];
-                beyond = BS_REFUSE;
+                policy = BS_REFUSE;
                 failures += refuses("set_nav: tau", set_nav, BS_OUT_OF_RANGE);
-                beyond = BS_CLAMP;
+                policy = BS_CLAMP;
                 failures += expect("set_nav: clamped", (set_nav() == BS_OK) &&
                                    (flown.nav.tau >= low[i]) && (flown.nav.tau <= high[i]));
                 failures += expect("set_nav: to the edge",
@@ -1463,7 +1555,7 @@ static int kept(void)
             }
         }
     }
-    beyond = BS_REFUSE;
+    policy = BS_REFUSE;
     failures += expect("set_nav", set_nav() == BS_OK);
     /* where the correction would leave the box, nothing is changed: the way out is set_nav */
     for (int i = 0; i < N; ++i) {
@@ -1783,6 +1875,33 @@ static int guards(void)
                                 measure_dcm_exact_by_hand, &given_master.q_m2n_wxyz[i], end[0][i],
                                 end[1][i]);
         }
+        for (int k = 0; k < 4; ++k) { /* a norm just outside and just inside either end of its
+                                       * range */
+            static const double squares[4] = { 0.9977504997500001, 0.99825150025,
+                                               1.0017504997499997, 1.0022515002499996 };
+            bs_real good[4];
+            bs_real sum = BS_REAL(0.0);
+            memcpy(good, given_master.q_m2n_wxyz, sizeof(good));
+            for (int i = 0; i < 4; ++i) {
+                sum += good[i] * good[i];
+            }
+            for (int i = 0; i < 4; ++i) {
+                given_master.q_m2n_wxyz[i] *= BS_SQRT((bs_real)squares[k] / sum);
+            }
+            before = flown;
+            failures += ((k == 0) || (k == 3)) ? refuses("measure_dcm: q_m2n_wxyz, norm",
+                                                         measure_dcm, BS_OUT_OF_RANGE)
+                : expect("measure_dcm: q_m2n_wxyz, norm",
+                         bs_good(measure_dcm_by_hand()) == bs_good(measure_dcm()));
+            flown = before;
+            before = flown;
+            failures += ((k == 0) || (k == 3)) ? refuses("measure_dcm_exact: q_m2n_wxyz, norm",
+                                                         measure_dcm_exact, BS_OUT_OF_RANGE)
+                : expect("measure_dcm_exact: q_m2n_wxyz, norm",
+                         bs_good(measure_dcm_exact_by_hand()) == bs_good(measure_dcm_exact()));
+            flown = before;
+            memcpy(given_master.q_m2n_wxyz, good, sizeof(good));
+        }
     }
     {
         static const double low[3] = { -500.25, -500.25, -500.25 };
@@ -1951,9 +2070,9 @@ static int guards(void)
     failures += expect("init_blocks: a null pointer",
                        vd_filter_init_blocks(&flown, &given_nav, 0) == BS_NULL_POINTER);
     failures += expect("set_nav: a null pointer",
-                       vd_filter_set_nav(0, &given_nav, 1) == BS_NULL_POINTER);
+                       vd_filter_set_nav(0, &given_nav, BS_CLAMP) == BS_NULL_POINTER);
     failures += expect("set_nav: a null pointer",
-                       vd_filter_set_nav(&flown, 0, 1) == BS_NULL_POINTER);
+                       vd_filter_set_nav(&flown, 0, BS_CLAMP) == BS_NULL_POINTER);
     failures += expect("sigmas: a null pointer", vd_filter_sigmas(0, sigmas) == BS_NULL_POINTER);
     failures += expect("sigmas: a null pointer", vd_filter_sigmas(&flown, 0) == BS_NULL_POINTER);
     failures += expect("variance: a null pointer",
