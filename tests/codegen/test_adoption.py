@@ -236,6 +236,7 @@ PROBE = '#include "boresight.h"\nint main(void)\n{\n    return (int)bs_probe();\
 FUSED = "-mfma" if " fma " in Path("/proc/cpuinfo").read_text() else ""
 REORDERED = "-fassociative-math -fno-signed-zeros -fno-trapping-math"
 NO_NAN = "-Xclang -menable-no-nans"
+TRAPS = "-fsanitize=undefined -fsanitize-trap=undefined"
 LEVELS = ("-O0", "-O2", "-O3")
 
 
@@ -250,6 +251,7 @@ LEVELS = ("-O0", "-O2", "-O3")
         given("clang", f"-ffp-contract=on -O2 {FUSED}", Status.OK),  # the sources' pragma forbids it
         # which is not read then; a comparison may be made of the parts of a sum, and nothing is left to be fused
         given("clang", f"-ffp-contract=fast -O2 {FUSED}", Status.CONTRACTED if FUSED else Status.OK),
+        given("clang", f"-ffp-contract=fast -O0 {TRAPS} {FUSED}", Status.CONTRACTED if FUSED else Status.OK),
         given("clang", f"-ffp-contract=off -O2 {REORDERED}", Status.CONTRACTED),
         given("clang", f"-ffp-contract=off -O2 {NO_NAN}", Status.CONTRACTED),
         given("clang", "-ffp-contract=off -O2 -fno-honor-nans", Status.CONTRACTED),

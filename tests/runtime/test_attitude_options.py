@@ -20,13 +20,13 @@ RUNS = 24
 
 NONE = {"lat_lon_height": POSITION, "v_n": np.zeros(3), "q_b2n_wxyz": np.eye(4)[0], "q_b2m_wxyz": np.eye(4)[0],
         "tau": 0.0, "gyro_bias": np.zeros(3), "accel_bias": np.zeros(3), "gyro_turn_on": np.zeros(3),
-        "accel_turn_on": np.zeros(3), "gyro_bias_beta": np.zeros(3), "accel_bias_beta": np.zeros(3), "lever_b": np.zeros(3),
-        "a_n": np.zeros(3), "lag": 0.0, "omega_ib_b": np.zeros(3), "f_b": np.array([0, 0, -9.8]), "dtheta_ib_b": np.zeros(3),
-        "dv_b": np.zeros(3), "dtheta_before": np.zeros(3), "dv_before": np.zeros(3), "flexure": np.zeros(3),
+        "accel_turn_on": np.zeros(3), "gyro_bias_beta": np.zeros(3), "accel_bias_beta": np.zeros(3),
+        "lever_b": np.zeros(3), "a_n": np.zeros(3), "lag": 0.0, "omega_ib_b": np.zeros(3),
+        "f_b": np.array([0, 0, -9.8]), "dtheta_ib_b": np.zeros(3), "dv_b": np.zeros(3),
+        "dtheta_before": np.zeros(3), "dv_before": np.zeros(3), "flexure": np.zeros(3),
         "flexure_rate": np.zeros(3), "flexure_omega": np.ones(3), "flexure_damping": np.zeros(3),
-        "flexure_noise": np.zeros(3),
-        "gyro_scale": np.zeros(3), "accel_scale": np.zeros(3), "gyro_axes": np.zeros(6), "accel_axes": np.zeros(3),
-        "x": np.zeros(46)}  # fmt: skip
+        "flexure_noise": np.zeros(3), "gyro_scale": np.zeros(3), "accel_scale": np.zeros(3),
+        "gyro_axes": np.zeros(6), "accel_axes": np.zeros(3), "x": np.zeros(46)}  # fmt: skip
 LEVER, BENT, SCALED = slice(16, 19), slice(19, 25), slice(25, 40)  # of the states of the model with all of it
 
 

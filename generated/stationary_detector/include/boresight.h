@@ -185,6 +185,13 @@ static inline bs_status bs_check_finite(const bs_real *value, int n)
     return finite ? BS_OK : BS_NOT_FINITE;
 }
 
+/* value[i] loses factor times other[i]. */
+static inline void bs_take_off(bs_real *value, bs_real factor, const bs_real *other, int i)
+{
+    const bs_real left = value[i] - (factor * other[i]);
+    value[i] = left;
+}
+
 /* Whether this file's arithmetic is as it is written.
  * returns BS_OK, or BS_CONTRACTED: a product and a sum are rounded once
  * (compile with -ffp-contract=off), sums are reordered, constants are cut to single precision, a
@@ -208,22 +215,25 @@ static inline bs_status bs_probe(void)
     const bs_real by = three;
     const bs_real left[2] = { unit, a };
     const bs_real right[2] = { b, a };
-    volatile bs_real off[7]; /* stored, since a comparison may be made of the parts of a sum
+    bs_real minuend[2] = { BS_REAL(0.0), -b };
+    volatile bs_real off[8]; /* stored, since a comparison may be made of the parts of a sum
                               * instead */
     bs_real dot = BS_REAL(0.0);
     bs_real most = BS_REAL(0.0);
     for (int i = 0; i < 2; ++i) { /* as the loops of a covariance */
         dot += left[i] * right[i];
     }
+    bs_take_off(minuend, a, right, 1); /* as those of its factors */
     off[0] = dot;                                /* 0, or e * e where it is contracted */
     off[1] = (a * a) + b;                        /* likewise */
+    off[7] = minuend[1];                         /* 0, or -e * e */
     off[2] = (unit + quarter) - unit;            /* 0, or e / 4 where it is reordered */
     off[3] = (ten * BS_REAL(0.1)) - unit;        /* 0, or 1e-8 where the constant is a float */
     /* each 0, or half a step */
     off[4] = ((BS_REAL(5.0) * unit) / by) - BS_REAL(1.6666666666666667);
     off[5] = ((BS_REAL(7.0) * unit) / by) - BS_REAL(2.3333333333333335);
     off[6] = (ten / by) - BS_REAL(3.3333333333333335);
-    for (int i = 0; i < 7; ++i) {
+    for (int i = 0; i < 8; ++i) {
         most += BS_FABS(off[i]);
     }
     return ((most > BS_REAL(0.0)) || (!isunordered(nan, unit))) ? BS_CONTRACTED : BS_OK;

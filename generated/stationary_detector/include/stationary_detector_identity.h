@@ -18,7 +18,7 @@
 #endif
 
 #define DET_MODEL "stationary-detector"
-#define DET_MODEL_HASH "f58505726e26737f5d78205d7859d0a10a31f4ac523efaa99a08832d7f324220"
+#define DET_MODEL_HASH "c5bd21f2e44a417c13e01f1ff24a6346a46c3bec3790889240bdf51d58d4c5ae"
 #define DET_VERSION "0.1.0" /* of the Boresight that printed it */
 #define DET_VERSION_MAJOR 0
 #define DET_VERSION_MINOR 1

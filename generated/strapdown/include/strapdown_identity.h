@@ -18,7 +18,7 @@
 #endif
 
 #define SD_MODEL "strapdown"
-#define SD_MODEL_HASH "c11229a2e8e220a6f8be1a54e38fa7bb9a4aa7461b61d731548b58b4984fe252"
+#define SD_MODEL_HASH "1189dafd52573373814023825ab7c53865f06880126d27ce7c54413c255440c8"
 #define SD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define SD_VERSION_MAJOR 0
 #define SD_VERSION_MINOR 1

@@ -20,7 +20,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "4b5d3e223cb83072cff6fe78fa2f2e4ecf8190cee5f2d37bc914fc65ffe5f639"
+#define VA_MODEL_HASH "0eeb8eff13a3effb212f11c2dfe2b5d4cf3ffbb3e035cd882deaf8f46e7fa67c"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

@@ -20,7 +20,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "ef90d0f145f1661859cb44f0b42af727daf6ee89ab406b92d797f53987004317"
+#define VAL_MODEL_HASH "f519dfc8f1a074439f265a4d5aef2ac31736b4eb93da301019ba94d0ebc3358a"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

@@ -20,7 +20,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "f00d6b7ea95079631553cd3746bd36f9a95cc9ab95a6b20d2e31984f42c5a0c9"
+#define VAS_MODEL_HASH "992e9f16d8f8ce3c173625d5e9ca59d8162b334be0f5209d37cfe00dfd91e876"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1
