@@ -14,6 +14,7 @@ from boresight.evidence.attack import attack
 from boresight.evidence.bits import MISSING as BITS_MISSING
 from boresight.evidence.bits import MODEL, bits
 from boresight.evidence.bits import version as bits_version
+from boresight.evidence.drawn import NUMBERS, drawn_models
 from boresight.evidence.eva import MISSING as EVA_MISSING
 from boresight.evidence.eva import eva
 from boresight.evidence.eva import version as eva_version
@@ -27,7 +28,7 @@ from boresight.evidence.misra import version as misra_version
 from boresight.evidence.mutants import mutants
 from boresight.evidence.riscv import riscv
 from boresight.evidence.rounding import rounding
-from boresight.evidence.sources import Derivations, Examples, Flights, Folder, derivations, folders
+from boresight.evidence.sources import Derivations, Drawn, Examples, Flights, Folder, derivations, folders
 from boresight.evidence.spoilt import spoilt
 from boresight.evidence.steps import steps
 from boresight.evidence.targets import CLANG, GCC, HARNESS, M4F, RV32
@@ -35,7 +36,7 @@ from boresight.evidence.trace import trace
 from boresight.evidence.verified import made_of, verified
 
 UNITS = dict[str, dict[str, Any]]
-Subject = Folder | Derivations | Examples | Flights
+Subject = Folder | Derivations | Drawn | Examples | Flights
 
 
 @dataclass(frozen=True)
@@ -135,6 +136,9 @@ PAPER_KINDS = (
 # Of the examples.
 FLOWN = Kind("flown", examples, GCC.missing, lambda: "", lambda of: {name: of.hash(name) for name in NAMES})
 
+# Of drawn models.
+DRAWN = Kind("drawn", drawn_models, GCC.missing, lambda: "", lambda drawn: dict.fromkeys(NUMBERS, drawn.hash))
+
 # Of the transfer alignment.
 TRIED = Kind("tried", campaign, GCC.missing, lambda: "", lambda flights: {flights.name: flights.hash}, by_unit=False)
 
@@ -151,7 +155,7 @@ def all_kinds() -> list[tuple[Kind, Subject]]:
         (kind, folder) for kind in KINDS for folder in every if kind in kinds_for(folder)
     ]
     pairs += [(kind, paper) for paper in derivations() for kind in kinds_of(paper)]
-    return [*pairs, (FLOWN, Examples()), (TRIED, Flights())]
+    return [*pairs, (FLOWN, Examples()), (DRAWN, Drawn()), (TRIED, Flights())]
 
 
 def of_another_text(subject: Subject, kind: Kind) -> list[str]:
@@ -191,7 +195,7 @@ def keep(subject: Subject, kind: Kind, made: UNITS) -> None:
 def make(subject: Subject, name: str, units: list[str]) -> tuple[UNITS, float]:
     """One kind of evidence of one subject, of these of its units if it is made by unit; and the processor time that it
     took, with compilers and tools."""
-    kind = next(kind for kind in (*KINDS, *PAPER_KINDS, FLOWN, TRIED) if kind.name == name)
+    kind = next(kind for kind in (*KINDS, *PAPER_KINDS, FLOWN, DRAWN, TRIED) if kind.name == name)
     start = sum(os.times()[:4])
     with tempfile.TemporaryDirectory() as out:
         found = kind.make(subject, Path(out), **({"names": units} if kind.by_unit else {}))

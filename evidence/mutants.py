@@ -15,6 +15,7 @@ self-test.
 import ctypes
 import re
 from collections.abc import Collection, Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -67,6 +68,11 @@ def parsed(unit: Source, precision: str = "double") -> Any:
         elif ours:
             text.append(line)
     return c_parser.CParser().parse("\n".join(text) + "\n", filename=str(unit.path))
+
+
+@cache
+def lines_of(file: str) -> list[str]:
+    return Path(file).read_text().splitlines()
 
 
 def of_headers(function: Any) -> bool:
@@ -164,8 +170,10 @@ class Mutator(c_generator.CGenerator):
         """`otherwise`, or the mutant's text if its number is up."""
         number = len(self.candidates)
         line = node.coord.line if node.coord else 0
-        where = f"{self.function}, line {line}" if self.loops else f"line {line}"
-        self.candidates.append(f"{where}: {what}")
+        words = f"line {line}: {what}"
+        if self.loops:  # by its text: a line's number moves with each change before it
+            words = f"{self.function}: {what}, in `{lines_of(node.coord.file)[line - 1].strip()}`"
+        self.candidates.append(words)
         if self.chosen is None or number not in self.chosen:
             return otherwise
         return f"((evidence_mutant == {self.chosen[number]}) ? ({mutant}) : ({otherwise}))"
@@ -339,7 +347,8 @@ def of_unit(
     if unit.described:
         alike = set(equivalent(unit, {**others, unit.name: made}, survivors, out))
     else:
-        alike = {i for i in survivors if SUFFIX.sub("", words[i].split(": ")[1]) in implied_by_norms(unit)}
+        implied = implied_by_norms(unit)
+        alike = {i for i in survivors if SUFFIX.sub("", words[i].split(": ")[1].split(", in `")[0]) in implied}
         words = [word if precision == "double" else f"{precision}: {word}" for word in words]
     return {
         "candidates": count,

@@ -4,13 +4,13 @@ import json
 from pathlib import Path
 from typing import Any
 
-from boresight.evidence.sources import Derivations, Examples, Flights, Folder
+from boresight.evidence.sources import Derivations, Drawn, Examples, Flights, Folder
 
 PLACE = Path(__file__).resolve().parent / "results"
 OPEN = PLACE / "open.txt"  # which results are of another text than what is here now, a line each
 
 
-def read(folder: Folder | Derivations | Examples | Flights) -> dict[str, Any]:
+def read(folder: Folder | Derivations | Drawn | Examples | Flights) -> dict[str, Any]:
     """By kind of evidence: `sources`, by unit a hash of all that its result depends on, `tools`, `units` by name, and
     of a folder `folder`, the hash of all its C that was there when each was found to be of it.  Empty if nothing is
     committed."""
@@ -18,7 +18,7 @@ def read(folder: Folder | Derivations | Examples | Flights) -> dict[str, Any]:
     return dict(json.loads(path.read_text())) if path.is_file() else {}
 
 
-def write(folder: Folder | Derivations | Examples | Flights, results: dict[str, Any]) -> None:
+def write(folder: Folder | Derivations | Drawn | Examples | Flights, results: dict[str, Any]) -> None:
     PLACE.mkdir(exist_ok=True)
     text = json.dumps(results, indent=1, sort_keys=True) + "\n"
     (PLACE / f"{folder.name}.json").write_text(text)

@@ -116,6 +116,19 @@ class Examples:
 
 
 @dataclass(frozen=True)
+class Drawn:
+    """Models drawn by a number, and the self-test that is printed of each."""
+
+    name: str = "drawn"
+
+    @property
+    def hash(self) -> str:
+        """Of all that draws and generates them: the templates and their views, and what reads a model."""
+        begin = {path for folder in GENERATOR for path in folder.rglob("*") if path.suffix in (".py", ".j2")}
+        return hashed(reached({path.resolve() for path in begin | {HERE / "drawn.py"}}))
+
+
+@dataclass(frozen=True)
 class Flights:
     """The transfer alignment in every condition that it was tried in."""
 

@@ -9,7 +9,7 @@ from boresight.evidence import results
 from boresight.evidence.bits import MODEL, NOT_FLOWN
 from boresight.evidence.misra import DEVIATED
 from boresight.evidence.proofs import kept as proved
-from boresight.evidence.sources import Flights, Source, derivations, folders
+from boresight.evidence.sources import Drawn, Flights, Source, derivations, folders
 
 PAGE = Path(__file__).resolve().parent.parent / "docs" / "evidence.md"
 BEGIN, END = "<!-- from here on written by make evidence -->\n", "<!-- to here -->\n"
@@ -36,7 +36,8 @@ def tables() -> str:
         kept = results.read(folder)
         rows = [row(unit, {kind: of["units"].get(unit.name, {}) for kind, of in kept.items()}) for unit in folder.units]
         parts.append(section(folder.name, HEAD, rows))
-    return "".join(parts) + verifications() + one_flight() + hostile() + proofs() + steps() + shown() + flights() + "\n"
+    more = (verifications, one_flight, hostile, drawn, proofs, steps, shown, flights)
+    return "".join(parts) + "".join(made() for made in more) + "\n"
 
 
 def section(title: str, head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
@@ -183,6 +184,16 @@ def without(unit: str, outputs: list[proved.Output]) -> list[tuple[str, ...]]:
 
 def listed(names: list[str]) -> str:
     return " ".join(name.replace(", ", ",") for name in names)
+
+
+MODELS = ("number", "kind", "states", "double", "float")
+
+
+def drawn() -> str:
+    """Of models drawn by a number, whether the self-test that is printed of each passes."""
+    kept = results.read(Drawn()).get("drawn", {}).get("units", {})
+    rows = [(name, *(str(of[key]) for key in ("kind", "states", "double", "float"))) for name, of in kept.items()]
+    return section("Self-tests of drawn models", MODELS, rows) if rows else ""
 
 
 FLOWN = ("condition", "asked", "NEES at the start", "second half", "end", "band", "NIS", "refused",

@@ -1,14 +1,16 @@
 """A shipped self-test assumes of a model what every model has, not what the built-in ones happen to have.
 
-`python tests/codegen/drawn.py` tries fifty of them.
+`python -m boresight.evidence.drawn` tries fifty of them, of which ten are evidence.
 """
 
 import pytest
 from conftest import PENDULUM
-from drawn import drawn
 
 from boresight import BoresightError, export, generate
 from boresight.codegen import export as exporting
+from boresight.evidence import results
+from boresight.evidence.drawn import NUMBERS, drawn
+from boresight.evidence.sources import Drawn
 
 
 @pytest.mark.usefixtures("quickly")
@@ -17,6 +19,11 @@ def test_the_self_test_of_a_drawn_model_passes(precision, tmp_path):
     model = drawn(6)  # total, in little time
     generate(model, tmp_path / "made")
     assert export(model, tmp_path / "out", precision, tmp_path / "made").files  # which runs it
+
+
+def test_ten_passed_when_the_evidence_was_made():
+    kept = results.read(Drawn())["drawn"]["units"]
+    assert set(kept) == set(NUMBERS) and {of[p] for of in kept.values() for p in ("double", "float")} == {"passes"}
 
 
 def test_an_export_whose_self_test_fails_is_refused_and_nothing_is_written(pendulum_folder, tmp_path, monkeypatch):

@@ -1490,12 +1490,12 @@ static int kept(void)
                                            1.0022515002499996 };
         vd_nav good = given_nav;
         bs_real *const value = given_nav.q_b2n_wxyz;
-        bs_real scale = BS_REAL(0.0);
         bs_real sum = BS_REAL(0.0);
+        bs_real scale;
         for (int i = 0; i < 4; ++i) {
-            scale += value[i] * value[i];
+            sum += value[i] * value[i];
         }
-        scale = (k == 4) ? (BS_REAL(0.25) * BS_LARGEST) : BS_SQRT((bs_real)squares[k % 4] / scale);
+        scale = (k == 4) ? (BS_REAL(0.25) * BS_LARGEST) : BS_SQRT((bs_real)squares[k % 4] / sum);
         for (int i = 0; i < 4; ++i) {
             value[i] *= scale;
         }
@@ -1505,11 +1505,11 @@ static int kept(void)
                                equal(flown.nav.q_b2n_wxyz, value, 4));
         } else {
             for (int i = 0; i < 4; ++i) {
-                sum += flown.nav.q_b2n_wxyz[i] * flown.nav.q_b2n_wxyz[i];
+                const bs_real wanted = (BS_REAL(1.0) * good.q_b2n_wxyz[i]) / BS_SQRT(sum);
+                failures += expect("set_nav: a norm set to its length",
+                                   BS_FABS(flown.nav.q_b2n_wxyz[i] - wanted) <= (BS_REAL(1e-6) *
+                                                                                 BS_REAL(1.0)));
             }
-            failures += expect("set_nav: a norm set to its length",
-                               BS_FABS(BS_SQRT(sum) - BS_REAL(1.0)) <= (BS_REAL(1e-6) *
-                                                                        BS_REAL(1.0)));
         }
         given_nav = good;
     }

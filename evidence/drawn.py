@@ -2,16 +2,24 @@
 
 import random
 import sys
+from collections.abc import Collection, Iterable
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
 
 from sympy import Matrix, cos, sin, zeros
 
-from boresight import BoresightError, Measurement, Model, Struct, constant, variable
+from boresight import BoresightError, Measurement, Model, Struct, constant, export, generate, variable
+from boresight.derive.model import Variable
+from boresight.evidence.sources import Drawn
+
+NUMBERS = tuple(map(str, range(10)))
 
 PI = 3.141592653589793
 PER_S = constant("per_s", "1", "1/s", "one per second")
 
 
-def drawn(number):
+def drawn(number: int) -> Model:
     """A model of 1 to 20 states: total or error, in continuous or discrete time, with rows that are angles, seen
     through functions or matrices, brought or computed, of noise that may hang on the state."""
     rng = random.Random(number)
@@ -27,7 +35,7 @@ def drawn(number):
     ]
     w = [v.scalar for v in given]
 
-    def rate(i):
+    def rate(i: int) -> Any:
         """What a state changes by per second: a small part of its box, of others, of inputs."""
         part = sum(rng.uniform(-0.1, 0.1) * size[x[i]] * term for term in rng.sample(terms(x, size, w, rng), 2))
         return PER_S * (part - rng.uniform(0, 0.1) * x[i])
@@ -50,7 +58,7 @@ def drawn(number):
     return Model(**parts, F=Matrix(n, n, lambda i, j: flow[i].diff(x[j])).subs({s: 0 for s in x}), G=G, noise=q)
 
 
-def state(rng, i, total):
+def state(rng: random.Random, i: int, total: bool) -> Variable:
     if total and rng.random() < 0.2:
         return variable(f"angle_{i}", f"x{i}", "rad", "an angle", -PI, PI, wraps=True)
     size = 10.0 ** rng.randint(-3, 5)
@@ -58,19 +66,21 @@ def state(rng, i, total):
     return variable(f"state_{i}", f"x{i}", "rad", "a state", low, high, wide=True)
 
 
-def terms(x, size, w, rng):
+def terms(x: list[Any], size: dict[Any, float], w: list[Any], rng: random.Random) -> list[Any]:
     unit = [s / size[s] for s in x]
     return [sin(unit[rng.randrange(len(x))]), unit[rng.randrange(len(x))] * w[0] / 9, w[1] / 9, cos(w[2]) * unit[0]]
 
 
-def measured(rng, k, x, size, w, total, states):
+def measured(
+    rng: random.Random, k: int, x: list[Any], size: dict[Any, float], w: list[Any], total: bool, states: list[Variable]
+) -> Measurement:
     """Rows that see some states; a function of them, or a matrix."""
     m = rng.randint(1, min(4, len(x)))
     seen = rng.sample(range(len(x)), m)
     rows = tuple(f"row_{i}" for i in range(m))
     linear = Matrix([x[i] + int(total) * w[0] / 9 * size[x[i]] * 0.01 for i in seen])
     curved = Matrix([x[i] + size[x[i]] * 0.2 * sin(x[i] / size[x[i]]) * cos(w[1]) for i in seen])
-    more = {"correlated": True} if m > 1 and rng.random() < 0.3 else {}
+    more: dict[str, Any] = {"correlated": True} if m > 1 and rng.random() < 0.3 else {}
     more |= {"angle": tuple(row for row, i in zip(rows, seen, strict=True) if states[i].wraps)}
     if not total and rng.random() < 0.5:
         H = zeros(m, len(x))
@@ -82,24 +92,33 @@ def measured(rng, k, x, size, w, total, states):
     return Measurement(f"seen_{k}", rows, "rad", "some states", h=h, **more)
 
 
-def main(numbers):
-    """Of each model whether the self-test of its export passes, in both precisions: `export` runs it."""
-    from tempfile import TemporaryDirectory
+def tried(number: int, out: Path) -> dict[str, Any]:
+    """A drawn model, and of each precision whether the self-test of its export passes: `export` runs it."""
+    model = drawn(number)
+    generate(model, out / f"made-{number}")
+    found = {"kind": model.kind, "states": len(model.x)}
+    for precision in ("double", "float"):
+        try:
+            export(model, out / f"{number}-{precision}", precision, out / f"made-{number}")
+            found[precision] = "passes"
+        except BoresightError as error:
+            found[precision] = str(error)
+    return found
 
-    from boresight import export, generate
 
+def drawn_models(of: Drawn, out: Path, names: Collection[str] = NUMBERS) -> dict[str, dict[str, Any]]:
+    """By number: kind, states, and what the self-test says in each precision."""
+    return {name: tried(int(name), out) for name in names}
+
+
+def main(numbers: Iterable[int]) -> int:
+    """How many of these fail, each named as it is tried."""
     failed = 0
     for number in numbers:
-        model = drawn(number)
-        with TemporaryDirectory() as place:
-            generate(model, f"{place}/{number}")
-            for precision in ("double", "float"):
-                try:
-                    export(model, f"{place}/{precision}", precision, f"{place}/{number}")
-                    found = "passes"
-                except BoresightError as error:
-                    failed, found = failed + 1, str(error)
-                print(f"{number}: {model.kind}, {len(model.x)} states, {precision}: {found}", flush=True)
+        with TemporaryDirectory() as out:
+            found = tried(number, Path(out))
+        failed += sum(found[precision] != "passes" for precision in ("double", "float"))
+        print(f"{number}: {', '.join(map(str, found.values()))}", flush=True)
     return failed
 
 
