@@ -1,8 +1,8 @@
 """Boresight: from the equations of an inertial-navigation filter to C that can be flown.
 
 State a model
-    `Model`, `Variable`, `variable`, `constant`, `Struct`, `Measurement`, `Function`, `Output`, `Mechanics`, the frames
-    `NED` and `ENU`; ready parts in `mechanics`, `variables` and `models`.
+    `Model`, `Variable`, `variable`, `constant`, `named`, `Struct`, `Measurement`, `Function`, `Output`, `Mechanics`,
+    the frames `NED` and `ENU`; ready parts in `mechanics`, `variables` and `models`.
 Make C
     `generate`, `verify`, `export`.
 Fly
@@ -45,6 +45,7 @@ PUBLIC = {
     "Variable": "boresight.derive.model:Variable",
     "variable": "boresight.derive.model:variable",
     "constant": "boresight.derive.constant:constant",
+    "named": "boresight.derive.named:named",
     "Struct": "boresight.derive.model:Struct",
     "Measurement": "boresight.derive.model:Measurement",
     "Function": "boresight.derive.model:Function",

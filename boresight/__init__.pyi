@@ -17,6 +17,7 @@ from boresight.derive.model import Struct as Struct
 from boresight.derive.model import Variable as Variable
 from boresight.derive.model import variable as variable
 from boresight.derive.models import variables as variables
+from boresight.derive.named import named as named
 from boresight.errors import BoresightError as BoresightError
 from boresight.runtime import detector as detector
 from boresight.runtime import frames as frames

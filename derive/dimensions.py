@@ -33,6 +33,7 @@ from boresight.derive.checks import Expressions, expressions, fail
 from boresight.derive.constant import Constant, behind
 from boresight.derive.expressions import constants_in, symbols_in
 from boresight.derive.model import Function, Measurement, Model, Output, Variable
+from boresight.derive.named import Named
 from boresight.derive.units import ONE, RADIAN, SECOND, Unit, unit, units
 
 TURNS = 2  # of an angle: a box that is wider looks like one in degrees
@@ -64,6 +65,8 @@ class Terms:
     def _unit(self, e: Any) -> Unit | None:
         if isinstance(e, Constant):
             return unit(e.unit)
+        if isinstance(e, Named):
+            return self(e.value)
         if e.is_Symbol:
             raise Mismatch(f"reads {e}, of which no unit is known")
         if e.is_Number or e.is_NumberSymbol:

@@ -4,8 +4,15 @@ from collections.abc import Mapping
 from typing import Any
 
 from sympy import Matrix, Symbol
+from sympy.matrices import MatrixBase
 
 from boresight.derive.constant import Constant
+from boresight.derive.named import Named, Quantity
+
+
+def below(part: Any) -> tuple[Any, ...]:
+    """What an expression is made of: of a name its value."""
+    return (part.value,) if isinstance(part, Named) else part.args
 
 
 def parts_of(*matrices: Matrix) -> set[Any]:
@@ -17,7 +24,7 @@ def parts_of(*matrices: Matrix) -> set[Any]:
         part = stack.pop()
         if part not in seen:
             seen.add(part)
-            stack += part.args
+            stack += below(part)
     return seen
 
 
@@ -31,20 +38,56 @@ def constants_in(*matrices: Matrix) -> set[Constant]:
     return {part for part in parts_of(*matrices) if isinstance(part, Constant)}
 
 
-def numeric(matrix: Matrix) -> Matrix:
-    """The matrix with numbers in the place of its constants, as it is printed and flown."""
+def names_in(*matrices: Matrix) -> list[Named]:
+    """All named entries that the matrices read, each after those in its value, in the order of reading."""
+    found: dict[Any, None] = {}
+
+    def visit(part: Any) -> None:
+        if part not in found:
+            for inner in below(part):
+                visit(inner)
+            found[part] = None
+
+    for matrix in matrices:
+        for entry in matrix:
+            visit(entry)
+    return [part for part in found if isinstance(part, Named)]
+
+
+def numeric(matrix: Matrix, names: bool = False) -> Matrix:
+    """The matrix with numbers in the place of its constants, and without names if these are not to stay."""
     found = constants_in(matrix)
-    return substituted(matrix, {one: one.exact for one in found}) if found else matrix
+    if not found and (names or not names_in(matrix)):
+        return matrix
+    return substituted(matrix, {one: one.exact for one in found}, names)
 
 
-def substituted(matrix: Matrix, mapping: Mapping[Any, Any]) -> Matrix:
-    """The matrix with expressions in the place of symbols or constants; what is held many times is done once."""
+def unnamed(value: Any) -> Any:
+    """An expression or a matrix with what its names stand for in their places."""
+    made = substituted(value if isinstance(value, MatrixBase) else Matrix([value]), {}, names=False)
+    return made if isinstance(value, MatrixBase) else made[0]
+
+
+def substituted(matrix: Matrix, mapping: Mapping[Any, Any], names: bool = True) -> Matrix:
+    """The matrix with expressions in the place of symbols, constants or names; what is held many times is done once.
+
+    names: False to put what they stand for in the place of all others too.
+    """
     known: dict[Any, Any] = dict(mapping)
+
+    def quantity(one: Quantity) -> Quantity:
+        if one not in known:
+            known[one] = one.mapped(visit)
+        made: Quantity = known[one]
+        return made
 
     def visit(part: Any) -> Any:
         if part not in known:
-            args = tuple(map(visit, part.args))
-            known[part] = part if args == part.args else part.func(*args)
+            if isinstance(part, Named):
+                known[part] = part.within(quantity(part.quantity)) if names else visit(part.value)
+            else:
+                args = tuple(map(visit, part.args))
+                known[part] = part if args == part.args else part.func(*args)
         return known[part]
 
     return Matrix(*matrix.shape, [visit(entry) for entry in matrix])

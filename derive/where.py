@@ -8,7 +8,10 @@ from typing import Any
 
 OURS = "boresight."
 # Their frames stand between a part and the line that makes it: its class, what builds it, and dataclasses.replace.
-BUILDERS = ("boresight.derive.constant", "boresight.derive.model", "boresight.derive.where", "dataclasses", "functools")
+BUILDERS = (
+    *(f"boresight.derive.{name}" for name in ("constant", "model", "named", "where")),
+    *("dataclasses", "functools"),
+)
 
 
 def written_at() -> str:

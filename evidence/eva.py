@@ -20,6 +20,7 @@ from boresight.codegen.functions.tape import evaluate
 from boresight.codegen.functions.unit import Unit
 from boresight.codegen.functions.units import units
 from boresight.codegen.generate import load_model
+from boresight.codegen.text.names import temporaries
 from boresight.evidence.calls import layout, points_of
 from boresight.evidence.sources import Folder, Source
 from boresight.evidence.targets import HARNESS
@@ -78,11 +79,12 @@ def norms(unit: Source, made: Unit) -> dict[str, list[float]]:
     low, high = min(n[0] for n in ranges) ** 4 * (1 - SLACK), max(n[1] for n in ranges) ** 4 * (1 + SLACK)
     points = points_of(unit, POINTS, 1000, generator("norms", unit.name))
     inputs = [points[arg.name] for arg in made.args]
+    names = temporaries(made, made.tape)
     for step in made.tape.steps:
         if step.op == "sqrt":
             (values,), _ = evaluate(replace(made.tape, results=((0, 0, step.args[0]),)), inputs)
             if values.min() >= low and values.max() <= high and np.ptp(values) > 0:
-                found[f"t{step.args[0]}"] = [low, high]
+                found[names[step.args[0]]] = [low, high]
     return found
 
 

@@ -22,6 +22,7 @@ FUNCTION = re.compile(r"^(?:static|BS_INSIDE) void (\w+)\(([^)]*)\)\n\{\n(.*?)\n
 PARAMETER = re.compile(r"(\w+)(?:\[\d+\])?(?:,|$)")
 STATEMENT = re.compile(r"^    (?:const bs_real |shared->)(\w+) = (.*);$")
 DECLARED = re.compile(r"^    bs_real \w+;$")
+COMMENT = re.compile(r"^ */\*.*?\*/\n?", re.MULTILINE | re.DOTALL)
 PAIR = re.compile(r"^    BS_SINCOS\((.*), &((?:shared->)?\w+), &((?:shared->)?\w+)\);$")
 OUTPUT = re.compile(r"^    (\w+)_nz\[(\d+)\] = (.*); /\* (.*) \*/$")
 READ = re.compile(r"([A-Za-z_]\w*)(\[\d+\])?")
@@ -100,9 +101,10 @@ def statements(path: Path) -> list[str]:
 
 
 def single(body: str) -> list[str]:
-    """The lines with each call that gives a sine and a cosine as the two statements that it stands for."""
+    """The statements, without the comments before outputs, and with each call that gives a sine and a cosine as the two
+    statements that it stands for."""
     lines = []
-    for line in body.splitlines():
+    for line in COMMENT.sub("", body).splitlines():
         pair = PAIR.match(line)
         if pair:
             for name, value in zip(("BS_SIN", "BS_COS"), pair.groups()[1:], strict=True):

@@ -12,7 +12,8 @@ import sympy as sp
 from sympy.core import sorting
 
 from boresight import BoresightError
-from boresight.derive.expressions import numeric
+from boresight.derive.expressions import names_in, numeric
+from boresight.derive.named import Named
 
 MOST = sys.float_info.max
 FUNCTIONS: dict[Any, Any] = {
@@ -42,35 +43,46 @@ COMPARED: dict[Any, Any] = {
 }
 
 
-def to_casadi(matrices: list[sp.Matrix], symbols: Mapping[sp.Symbol, Any]) -> list[Any]:
+def to_casadi(
+    matrices: list[sp.Matrix], symbols: Mapping[sp.Symbol, Any], names: dict[Named, Any] | None = None
+) -> list[Any]:
     """Each matrix as a sparse SX of the same shape.  symbols: SX scalar for each free symbol.
+
+    names: gets the SX of each named entry, with numbers in the place of its constants.
 
     A power that is neither whole nor half is the exponential of a logarithm: its base must be positive.  Raises
     BoresightError on a function that flight C does not have.
     """
+    matrices = [numeric(matrix, names=True) for matrix in matrices]
+    named = names_in(*matrices)
+    values = sp.Matrix([entry.value for entry in named])
     with nodes_counted_once():
-        replacements, reduced = sp.cse([sp.Matrix(numeric(matrix)) for matrix in matrices], order="canonical")
-    walk = Walk(symbols)
-    for symbol, expression in replacements:
-        walk.known[symbol] = walk(expression)
+        replacements, reduced = sp.cse([*map(sp.Matrix, matrices), values], order="canonical")
+    walk = Walk(symbols, dict([*replacements, *zip(named, reduced.pop(), strict=True)]))
     result = []
     for matrix in reduced:
         out = ca.SX(*matrix.shape)
         for (row, column), value in matrix.todok().items():
             out[row, column] = walk(value)
         result.append(out)
+    if names is not None:
+        names |= {entry: walk(entry) for entry in named}
     return result
 
 
 class Walk:
-    """An expression's SX, made of those of its arguments; each is made once."""
+    """An expression's SX, made of those of its arguments; each is made once.
 
-    def __init__(self, symbols: Mapping[sp.Symbol, Any]):
+    values: of common subexpressions and of names.
+    """
+
+    def __init__(self, symbols: Mapping[sp.Symbol, Any], values: Mapping[Any, Any]):
         self.known: dict[Any, Any] = dict(symbols)
+        self.values = values
 
     def __call__(self, e: Any) -> Any:
         if e not in self.known:
-            self.known[e] = self.built(e)
+            self.known[e] = self(self.values[e]) if e in self.values else self.built(e)
         return self.known[e]
 
     def built(self, e: Any) -> Any:
@@ -120,6 +132,8 @@ class Walk:
         if e.could_extract_minus_sign():
             return -self(-e)
         coefficient, rest = e.as_coeff_Mul()
+        if coefficient == 2 and rest.is_Mul and all(not factor.args for factor in rest.args):
+            return self.chain(e.args, operator.mul)  # of a quaternion: 2 w x and 2 w y share 2 w
         if coefficient != 1:
             return ca.SX(float(coefficient)) * self(rest)
         over, under = sp.fraction(e, exact=True)

@@ -135,6 +135,7 @@ def error_state(maker: UnitMaker) -> list[Unit]:
             [(F, described("F", "1/s and mixed", "system matrix"))],
             F_exact,
             source,
+            (model.F,),
         ),
         maker.unit(
             "Phi",
@@ -142,6 +143,7 @@ def error_state(maker: UnitMaker) -> list[Unit]:
             [(Phi, described("Phi", "mixed", "transition matrix"))],
             Phi_exact,
             source,
+            (model.F,),
         ),
         noise_per_second(maker),
         maker.unit(
@@ -150,6 +152,7 @@ def error_state(maker: UnitMaker) -> list[Unit]:
             [(symmetric(Q), described("Q", "mixed", "covariance of the noise"))],
             Q_exact,
             source,
+            (model.F, model.G, model.noise),
         ),
     ]
 
@@ -227,6 +230,7 @@ def noise_per_second(maker: UnitMaker) -> Unit:
         [(spread, described("Qc", "mixed", "density of the noise"))],
         exact,
         maker.model.equations,
+        (maker.model.G, maker.model.noise),
     )
 
 
@@ -324,6 +328,7 @@ def total_state(maker: UnitMaker) -> Iterator[Unit]:
         [(F, described("F", "1/s and mixed", "system matrix"))],
         F_exact,
         source,
+        (model.f,),
     )
     if model.loops:  # what the loops of the filter in C are over
         per_second = ", ".join(f"({block.unit}) per s" for block in model.states)
@@ -333,10 +338,13 @@ def total_state(maker: UnitMaker) -> Iterator[Unit]:
             [(f, described("f", per_second, "rate of the state"))],
             f_exact,
             source,
+            (model.f,),
         )
         yield noise_per_second(maker)
     yield from carried(
         maker,
+        (model.f,),
+        (model.f, model.G, model.noise),
         (after, next_exact, "one step of the fourth-order Runge-Kutta method, inputs held"),
         (ca.jacobian(after, x), Phi_exact),
         (Q, Q_exact, "covariance that the noise adds over dt, by the two nodes of Radau, at dt / 3 and at dt"),
@@ -349,6 +357,8 @@ def discrete(maker: UnitMaker) -> Iterator[Unit]:
     after, Q = maker.convert(model.next, model.Q)
     return carried(
         maker,
+        (model.next,),
+        (model.Q,),
         (after, maker.numeric(model.next), "as the model gives it"),
         (ca.jacobian(after, maker.vectors["x"]), maker.numeric(model.next, jacobian=True)),
         (Q, maker.numeric(model.Q), "covariance that the noise adds over one step, as the model gives it"),
@@ -356,9 +366,16 @@ def discrete(maker: UnitMaker) -> Iterator[Unit]:
 
 
 def carried(
-    maker: UnitMaker, after: tuple[Any, Any, str], Phi: tuple[Any, Any], Q: tuple[Any, Any, str]
+    maker: UnitMaker,
+    of_step: tuple[Any, ...],
+    of_noise: tuple[Any, ...],
+    after: tuple[Any, Any, str],
+    Phi: tuple[Any, Any],
+    Q: tuple[Any, Any, str],
 ) -> Iterator[Unit]:
     """next, Phi and Q, each from its SX matrix, its reference and how it is made.
+
+    of_step, of_noise: the matrices of the model that next and Phi are made of, and Q.
 
     The state must end in its box; an angle that wraps may end anywhere, and is wrapped by the filter.  Where f is taken
     within the step the state may have left its box, so that any of them may be no number: then there is no answer.
@@ -378,4 +395,5 @@ def carried(
     ):
         size = matrix.numel()
         box = {"low": low, "high": high} if name == "next" else {"low": (-LARGEST,) * size, "high": (LARGEST,) * size}
-        yield maker.unit(name, meaning, [(matrix, described(*result, **box))], exact, model.equations)
+        of = of_noise if name == "Q" else of_step
+        yield maker.unit(name, meaning, [(matrix, described(*result, **box))], exact, model.equations, of)

@@ -1,4 +1,5 @@
-"""Values of an instruction list that algebra makes zero, one or one another: each is kept once.
+"""Values of an instruction list that algebra makes zero, one or one another: each is kept once, and those that have a
+name get it.
 
 Jacobians, products of rotations and symmetric matrices hold them: sin^2 + cos^2, a product less itself, the mirrored
 half of a covariance.  Printed, they would be operations for nothing and sums of pure rounding.
@@ -11,6 +12,8 @@ A value that is defined at fewer points, or whose rounding errors are larger, ta
 """
 
 import hashlib
+from collections import Counter
+from dataclasses import replace
 from functools import reduce
 from operator import or_
 from typing import Any
@@ -105,6 +108,27 @@ def numbers(program: Tape) -> list[Number]:
     return values
 
 
+def alike(program: Tape, other: Tape) -> dict[int, tuple[int, bool]]:
+    """Operations of the list that are a result of the other, or minus one: its number there, and whether minus.
+
+    A result that several operations agree with is the first of them.
+    """
+    count = len(program.steps)
+    moved = (replace(step, args=tuple(count + i for i in step.args)) for step in other.steps)
+    listed = numbers(Tape((*program.steps, *moved), ()))
+    wanted: dict[Number, tuple[int, bool]] = {}
+    for minus in (False, True):
+        for _, k, position in sorted(other.results):
+            number = listed[count + position]
+            turned = tuple((roots, PRIME - factor) for roots, factor in number)
+            wanted.setdefault(turned if minus else number, (k, minus))
+    found: dict[int, tuple[int, bool]] = {}
+    for position, step in enumerate(program.steps):
+        if step.op not in FREE and listed[position] in wanted:
+            found[position] = wanted.pop(listed[position])
+    return found
+
+
 def domains(program: Tape, listed: list[Number]) -> list[int]:
     """Of each step what it divides by and takes roots, logarithms and arcs of, itself or by its operands, as bits."""
     partial: dict[Any, int] = {}
@@ -140,6 +164,7 @@ def identified(inputs: list[Any], outputs: list[Any], points: list[np.ndarray]) 
     built: list[Any] = []
     needs = domains(source, listed)
     earlier: dict[Number, list[int]] = {}
+    uses = Counter([i for step in source.steps for i in step.args] + [position for _, _, position in source.results])
     for step, number in zip(source.steps, listed, strict=True):
         if step.op in FREE:
             which, component = step.source
@@ -161,6 +186,10 @@ def identified(inputs: list[Any], outputs: list[Any], points: list[np.ndarray]) 
         elif opposite in known:
             built.append(-known[opposite])
             errors[k] = 0 * own
+        elif step.op == "neg" and source.steps[step.args[0]].op == "sub" and uses[step.args[0]] == 1:
+            a, b = source.steps[step.args[0]].args
+            built.append(built[b] - built[a])  # to the bit, and one operation less
+            earlier.setdefault(number, []).append(k)
         elif same is not None or minus is not None:
             chosen = same if same is not None else minus
             assert chosen is not None

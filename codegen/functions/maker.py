@@ -1,6 +1,6 @@
 """What makes the units of one model: its SymPy expressions in CasADi's symbols, and in 50 digits."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -14,8 +14,9 @@ from boresight.codegen.functions.reference import Entries, evaluator
 from boresight.codegen.functions.samples import generator, sample
 from boresight.codegen.functions.tape import share_reciprocals
 from boresight.codegen.functions.unit import Result, Unit, Values, state_variable
-from boresight.derive.expressions import symbols_in
+from boresight.derive.expressions import names_in, numeric, symbols_in
 from boresight.derive.model import Model, Variable
+from boresight.derive.named import Named, distinct
 
 TRIED = 128  # points, and as many small ones, at which the roundings of equal values are compared
 
@@ -36,6 +37,7 @@ class UnitMaker:
         self.vectors = {v.name: ca.SX.sym(v.name, v.size) for v in self.variables}
         self.symbols = {s: self.vectors[v.name][i] for v in self.variables for i, s in enumerate(v.symbols)}
         # A derivative may not depend on what its function reads; any value in the box will then do.
+        self.entries: dict[Named, Any] = {}  # as it was converted last
         self.anywhere = {
             v.name: [lo / 4 + hi * 3 / 4 for lo, hi in zip(v.low, v.high, strict=True)] for v in self.variables
         }
@@ -57,7 +59,7 @@ class UnitMaker:
         ]
 
     def convert(self, *matrices: sp.Matrix) -> list[Any]:
-        return to_casadi(list(matrices), self.symbols)
+        return to_casadi(list(matrices), self.symbols, self.entries)
 
     def numeric(self, *matrices: sp.Matrix, jacobian: bool = False) -> Callable[[Values], list[Entries]]:
         """The matrices, or the Jacobians of columns by the state, in 50 digits, straight from SymPy."""
@@ -77,6 +79,22 @@ class UnitMaker:
 
         return evaluate
 
+    def named(self, of: Sequence[sp.Matrix], args: Sequence[Variable]) -> dict[str, Any]:
+        """The named entries that the matrices read and that read nothing else than args, by name.
+
+        Of several quantities of one name the second gets a 2 behind the names of its entries.
+        """
+        read = {s for v in args for s in v.symbols}
+        numbers = [numeric(matrix, names=True) for matrix in of]
+        listed = [entry for entry in names_in(*numbers) if symbols_in([entry]) <= read]
+        return {name: self.entries[entry] for entry, name in distinct(listed).items()}
+
+    def with_names(self, of: Sequence[sp.Matrix], args: Sequence[Variable]) -> tuple[Any, tuple[str, ...]]:
+        """A function of args that gives all named values, and their names."""
+        found = self.named(of, args)
+        inputs = [self.vectors[v.name] for v in args]
+        return ca.Function("named", inputs, [ca.vertcat(*found.values())]) if found else None, tuple(found)
+
     def unit(
         self,
         name: str,
@@ -84,8 +102,12 @@ class UnitMaker:
         results: list[tuple[Any, Result]],
         reference: Callable[[Values], list[Entries]],
         equations: tuple[str, ...],
+        of: tuple[sp.Matrix, ...],
     ) -> Unit:
-        """results: each SX matrix with its description, whose shape and non-zeros are filled in here."""
+        """results: each SX matrix with its description, whose shape and non-zeros are filled in here.
+
+        of: the matrices of the model that it is made of, whose names it gets.
+        """
         outputs = identified(list(self.vectors.values()), [value for value, _ in results], self.points(name))
         outputs = [out if out.nnz() else one_zero(out) for out in outputs]
         read = {s.name() for s in ca.symvar(ca.vertcat(*(ca.vec(ca.densify(out)) for out in outputs)))}
@@ -120,4 +142,5 @@ class UnitMaker:
             equations,
             share_reciprocals(function),
             reference,
+            *self.with_names(of, args),
         )

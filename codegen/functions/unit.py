@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from boresight.codegen.functions.identities import alike
 from boresight.codegen.functions.reference import Entries
 from boresight.codegen.functions.tape import Tape, tape
 from boresight.derive.model import Model, Variable
@@ -35,11 +36,21 @@ class Unit:
     equations: tuple[str, ...]
     function: Any  # casadi.Function: the single source of both prints
     reference: Callable[[Values], list[Entries]]  # the non-zeros of each result, as balls
+    named: Any = None  # casadi.Function of the same args: the values that have the names
+    names: tuple[str, ...] = ()
     guarded: bool = False  # whether the C answers with finite numbers only
 
     @cached_property
     def tape(self) -> Tape:
         return tape(self.function)
+
+    @cached_property
+    def called(self) -> dict[int, str]:
+        """Positions of the tape that have a name."""
+        if not self.names:
+            return {}
+        found = alike(self.tape, tape(self.named))
+        return {position: "minus_" * minus + self.names[k] for position, (k, minus) in found.items()}
 
 
 def described(name: str, unit: str, meaning: str, **rest: Any) -> Result:

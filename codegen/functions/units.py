@@ -61,6 +61,7 @@ def function(maker: UnitMaker, f: Function) -> Unit:
         ],
         maker.numeric(*(output.value for output in f.outputs)),
         f.equations,
+        tuple(output.value for output in f.outputs),
     )
 
 
@@ -88,6 +89,7 @@ def measurement(maker: UnitMaker, m: Measurement) -> list[Unit]:
                     [(maker.convert(printed)[0], described(label, m.unit, ", ".join(names), angle=m.angles))],
                     maker.numeric(printed),
                     m.equations,
+                    (printed,),
                 )
             )
     if m.H is not None:
@@ -104,6 +106,7 @@ def measurement(maker: UnitMaker, m: Measurement) -> list[Unit]:
             [(value, described("H", f"{m.unit} per unit of state", rows))],
             reference,
             m.equations,
+            (m.H if m.H is not None else m.h,),
         )
     )
     return made

@@ -10,6 +10,7 @@ import json
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import MISSING, Field, fields, is_dataclass
+from itertools import count
 from keyword import iskeyword
 from types import UnionType
 from typing import Any, Union, get_args, get_origin, get_type_hints
@@ -21,6 +22,8 @@ from boresight import BoresightError
 from boresight.derive.constant import Constant, behind, constant
 from boresight.derive.expressions import constants_in
 from boresight.derive.model import Mechanics, Model
+from boresight.derive.named import Named, Quantity, named
+from boresight.derive.named import numbered as numbered_labels
 
 FILE = "equations.json"
 FORMAT = 1
@@ -80,7 +83,8 @@ def equations_text(model: Model) -> str:
         one.name: {"value": Words(())(one.value), "unit": one.unit, "meaning": one.meaning}
         for one in behind(constants_in(*matrices(model)))
     }
-    return laid_out({"format": FORMAT, **body, "constants": constants, "where": words.where}) + "\n"
+    beside = {"constants": constants, "named": words.named, "where": words.where}
+    return laid_out({"format": FORMAT, **body, **beside}) + "\n"
 
 
 def stated(kind: Any) -> dict[str, tuple[Field[Any], Any]]:
@@ -129,20 +133,30 @@ def laid_out(value: Any, indent: str = "") -> str:
 
 
 class Words:
-    """Expressions as text; what stands in several places is written once, in `where`, as _1, _2, ..."""
+    """Expressions as text; what stands in several places is written once, in `where`, as _1, _2, ...
+
+    An entry of a named quantity is C_b2n(2, 1), f_n(3) or g(), and what the quantities are stands in `named`.
+    """
 
     def __init__(self, expressions: Iterable[Any]):
         self.uses: Counter[Any] = Counter()
         self.known: dict[Any, tuple[str, int]] = {}
         self.where: dict[str, str] = {}
+        self.named: dict[str, dict[str, Any]] = {}
+        self.keys: dict[Quantity, str] = {}
         stack = list(expressions)
+        quantities: set[Quantity] = set()
         self.uses.update(stack)
         while stack:
             part = stack.pop()
             if self.uses[part] > 0 and part not in self.known:
                 self.known[part] = ("", ATOM)
-                self.uses.update(part.args)
-                stack += part.args
+                inner = part.args
+                if isinstance(part, Named) and part.quantity not in quantities:
+                    quantities.add(part.quantity)
+                    inner = tuple(part.quantity.value)
+                self.uses.update(inner)
+                stack += inner
         self.known.clear()
 
     def __call__(self, expression: Any) -> str:
@@ -168,6 +182,8 @@ class Words:
             return text, ATOM if text.isdigit() else PRODUCT if e > 0 else SUM
         if e.is_Float:
             return (repr(float(e)), ATOM) if e >= 0 else (repr(float(e)), SUM)
+        if isinstance(e, Named):
+            return f"{self.key(e.quantity)}({', '.join(at(e))})", ATOM
         if e.is_Symbol or isinstance(e, Constant):
             return f"_{e.name}" if iskeyword(e.name) or e.name in NUMBERS else e.name, ATOM
         if e.is_NumberSymbol or e in (sp.true, sp.false):
@@ -189,6 +205,18 @@ class Words:
         arguments = ", ".join(map(self, e.args))
         return (f"({arguments})" if isinstance(e, sp.Tuple) else f"{e.func.__name__}({arguments})"), ATOM
 
+    def key(self, one: Quantity) -> str:
+        """What the quantity is called here; of several of one name the second has a 2 behind it."""
+        if one not in self.keys:
+            shape = one.value.shape
+            values = {place: self(one.value[i]) for place, i in places("", shape, {}).items() if one.value[i] != 0}
+            names = (one.name + f"_{i}" * (i > 1) for i in count(1))
+            key = self.keys[one] = next(n for n in names if n not in self.named and n not in FUNCTIONS)
+            components = {} if one.labels == tuple(numbered_labels(*shape)) else {"components": " ".join(one.labels)}
+            self.named[key] = {"name": one.name, "meaning": one.meaning} | components
+            self.named[key] |= {"value": {"shape": list(shape)} | values}
+        return self.keys[one]
+
     def product(self, e: Any) -> tuple[str, int]:
         number, rest = e.as_coeff_Mul()
         factors = list(sp.Mul.make_args(rest))
@@ -207,6 +235,13 @@ class Words:
         return self.held(e.base, POWER) if e.exp == -1 else self.held(sp.Pow(e.base, -e.exp, evaluate=False), POWER)
 
 
+def at(entry: Named) -> tuple[str, ...]:
+    """Row and column of the entry, as far as its quantity has several."""
+    rows, columns = entry.quantity.value.shape
+    place = [str(i + 1) for i in divmod(entry.index, columns)]
+    return tuple(place[: (rows > 1 or columns > 1) + (columns > 1)])
+
+
 # ---------------------------------------------------------------- read back
 
 
@@ -219,7 +254,7 @@ def read_equations(text: str, name: str) -> Model:
         fields = [field for struct in document["structs"] for field in struct["fields"]]
         states = [symbol for state in document["states"] for symbol in state["symbols"]]
         names = [*states, *(symbol for field in fields for symbol in field["symbols"])]
-        reader = Reader(names, document["constants"], document["where"])
+        reader = Reader(names, document["constants"], document["where"], document.get("named", {}))
         noise = document.get("noise", {"shape": (0, 0)})
         labels = labels_of(states, list(reader.matrix(noise, places("noise", noise["shape"], {}))))
         made: Model = decoded(Model, document, reader, labels)
@@ -259,13 +294,19 @@ def unchecked(kind: Any, **values: Any) -> Any:
 class Reader:
     """Expressions from their text.  Sums and products are made at once from all of their terms, as they were."""
 
-    def __init__(self, names: Iterable[str], constants: Mapping[str, Mapping[str, str]], where: Mapping[str, str]):
+    def __init__(
+        self,
+        names: Iterable[str],
+        constants: Mapping[str, Mapping[str, str]],
+        where: Mapping[str, str],
+        named: Mapping[str, Any],
+    ):
         self.symbols: dict[str, Any] = {name: sp.Symbol(name, real=True) for name in names}
         self.known: dict[str, Any] = {}
+        self.where, self.listed = where, named
+        self.quantities: dict[str, Any] = {}  # their entries
         for name, one in constants.items():
             self.symbols[name] = constant(name, self(one["value"]), one["unit"], one["meaning"])
-        for name, text in where.items():
-            self.known[name] = self(text)
 
     def matrix(self, value: Mapping[str, Any], named: Mapping[str, tuple[int, int]]) -> sp.ImmutableMatrix:
         made = sp.zeros(*value["shape"])
@@ -291,6 +332,9 @@ class Reader:
                 return sp.Mul(*self.factors(node))
             case ast.BinOp(op=ast.Pow()):
                 return sp.Pow(self.read(node.left), self.read(node.right))
+            case ast.Call(func=ast.Name(id=name)) if name in self.listed:
+                rows = [ast.literal_eval(arg) - 1 for arg in node.args]
+                return self.quantity(name)[(*rows, 0, 0)[:2]]
             case ast.Call(func=ast.Name(id=name)):
                 return FUNCTIONS[name](*map(self.read, node.args))
             case ast.Compare(left=left, ops=[op], comparators=[right]):
@@ -299,7 +343,16 @@ class Reader:
                 return sp.Tuple(*map(self.read, parts))
         raise ValueError(f"no expression: {ast.unparse(node)}")
 
+    def quantity(self, name: str) -> Any:
+        if name not in self.quantities:
+            one = self.listed[name]
+            value = self.matrix(one["value"], places("", one["value"]["shape"], {}))
+            self.quantities[name] = named(one["name"], value, one["meaning"], one.get("components", ""))
+        return self.quantities[name]
+
     def named(self, name: str) -> Any:
+        if name in self.where and name not in self.known:
+            self.known[name] = self(self.where[name])
         if name in self.known:
             return self.known[name]
         return self.symbols[name.removeprefix("_")] if name not in NUMBERS else NUMBERS[name]

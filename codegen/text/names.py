@@ -1,14 +1,17 @@
 """How numbers, files, temporaries and boxes are written in C."""
 
 import math
+import re
 from collections.abc import Callable
+from itertools import count
 from typing import Any
 
 from boresight import BoresightError
 from boresight.codegen.functions.dynamics import LARGEST
 from boresight.codegen.functions.samples import BEYOND
-from boresight.codegen.functions.tape import Tape
+from boresight.codegen.functions.tape import LIBRARY, Tape
 from boresight.codegen.functions.unit import Result, Unit
+from boresight.derive.checks import KEYWORDS
 from boresight.derive.model import Model, Variable
 
 
@@ -29,24 +32,46 @@ def number(value: float) -> str:
 
 
 def temporaries(unit: Unit, tape: Tape) -> list[str]:
-    """What each value of the tape is called: inputs and constants as they are, sines by their angle, others counted."""
-    taken: set[str] = set()
+    """What each value of the tape is called: inputs and constants as they are, quantities by their names, sines by
+    their angle, others counted from t1 on.  A name that is taken gets a number behind it."""
+    taken = {*KEYWORDS.split(), *LIBRARY, *["sqrt", "fabs", "atan2", "shared"]}
+    taken |= {*(a.name for a in unit.args), *map(nz_name, unit.results)}
+    reserved = re.compile(rf"(bs|{unit.function.name().partition('_')[0]})_.*|t\d+", re.IGNORECASE)
+
+    def free(name: str) -> str:
+        name = f"named_{name}" if reserved.fullmatch(name) else name
+        names = (name if i == 1 else f"{name}_{i}" for i in count(1))
+        found = next(one for one in names if one not in taken)
+        taken.add(found)
+        return found
+
+    called = {position: free(name) for position, name in unit.called.items()}
+    counted = count(1)
     names: list[str] = []
     for position, step in enumerate(tape.steps):
         if step.op == "const":
             name = number(step.constant)
         elif step.op == "input":
             name = f"{unit.args[step.source[0]].name}[{step.source[1]}]"
+        elif position in called:
+            name = called[position]
         else:
-            name = f"t{position}"
-            if step.op in ("sin", "cos") and tape.steps[step.args[0]].op == "input":
-                index, component = tape.steps[step.args[0]].source
-                name = f"{step.op}_{unit.args[index].symbols[component].name}"
-            if name in taken:
-                name = f"t{position}"
-            taken.add(name)
+            angle = angle_of(unit, tape, position)
+            name = free(angle) if angle else f"t{next(counted)}"
         names.append(name)
     return names
+
+
+def angle_of(unit: Unit, tape: Tape, position: int) -> str:
+    """sin_lat of the sine of an input, and so for its cosine and its tangent; nothing for others."""
+    step = tape.steps[position]
+    of = [tape.steps[i] for i in step.args]
+    if step.op == "div" and [one.op for one in of] == ["sin", "cos"] and of[0].args == of[1].args:
+        return angle_of(unit, tape, step.args[0]).replace("sin_", "tan_", 1)
+    if step.op not in ("sin", "cos") or of[0].op != "input":
+        return ""
+    index, component = of[0].source
+    return f"{step.op}_{unit.args[index].symbols[component].name}"
 
 
 def nz_name(result: Result) -> str:

@@ -35,7 +35,8 @@ class Part:
 def parts(model: Model, unit: Unit) -> tuple[list[Part], list[str]]:
     """The functions of the kernel, and the names of the values that one leaves to a later one.
 
-    Each output is written where its value is known, with a comment that names the element.
+    Each output is written where its value is known, with a comment that names the element, and one that names the
+    blocks before those of a state.
     """
     tape = unit.tape
     ranges = ranges_of(tape)
@@ -48,6 +49,7 @@ def parts(model: Model, unit: Unit) -> tuple[list[Part], list[str]]:
     }
     plain = temporaries(unit, tape)
     where = [elements(model, unit, result) for result in unit.results]
+    block = [blocks(model, unit, result) for result in unit.results]
     names = [f"shared->{name}" if position in kept else name for position, name in enumerate(plain)]
     made = []
     for number, positions in enumerate(ranges):
@@ -56,9 +58,11 @@ def parts(model: Model, unit: Unit) -> tuple[list[Part], list[str]]:
         outputs = [r for r in sorted(tape.results) if part_of.get(r[2], len(ranges) - 1) == number]
         read += [position for _, _, position in outputs]
         lines = [line for p in positions for line in statement(tape, p, names, kept, positions)]
-        lines += [
-            f"{nz_name(unit.results[o])}[{k}] = {names[position]}; /* {where[o][k]} */" for o, k, position in outputs
-        ]
+        before = ""
+        for o, k, position in outputs:
+            lines += [f"/* {block[o][k]} */"] * (block[o][k] not in ("", before))
+            before = block[o][k]
+            lines.append(f"{nz_name(unit.results[o])}[{k}] = {names[position]}; /* {where[o][k]} */")
         made.append(
             Part(
                 lines,
@@ -131,16 +135,41 @@ def expression(tape: Tape, position: int, names: list[str]) -> str:
     }[step.op]()
 
 
+def blocks(model: Model, unit: Unit, result: Result) -> list[str]:
+    """For each non-zero the states that its row belongs to and by which it stands, as `phi by dv_n, d_gyro_bias`, or
+    the result of several; nothing where there is one alone."""
+    states = [v.name for v in model.states for _ in v.symbols]
+    rows, columns = result.shape
+    if columns == model.n > 1:
+        left = states if rows == model.n else rows_named(model, unit, result)
+    elif rows == model.n > 1 and unit.name in ("next", "f"):
+        left = states
+    else:
+        return [result.name * (len(unit.results) > 1)] * len(result.nonzeros)
+    by: dict[str, dict[str, None]] = {}
+    for i, j in result.nonzeros:
+        by.setdefault(left[i], {}).setdefault(states[j] if columns == model.n else "")
+    ordered = {row: [name for name in dict.fromkeys(states) if name in found] for row, found in by.items()}
+    return [
+        f"{left[i]} by {', '.join(ordered[left[i]])}" if columns == model.n else left[i] for i, _ in result.nonzeros
+    ]
+
+
 def elements(model: Model, unit: Unit, result: Result) -> list[str]:
     """Row and column of each non-zero, by name if they have one: a state, a row of the measurement, a component."""
     states = [symbol.name for symbol in model.x]
-    of_units = {f"{m.name}_{suffix}": list(m.rows) for m in model.measurements for suffix in ("z", "h", "H")}
-    of_units |= dict.fromkeys(("F", "f", "Phi", "Qc", "Q", "next"), states)
-    fields = {field.name: [symbol.name for symbol in field.symbols] for field in model.inputs}
-    named = of_units.get(unit.name) or fields.get(result.name, [])
-    rows, columns = result.shape
-    left = named if len(named) == rows else [str(i) for i in range(rows)]
+    left, columns = rows_named(model, unit, result), result.shape[1]
     if columns == 1:
         return [left[i] for i, _ in result.nonzeros]
     right = states if columns == model.n else [str(j) for j in range(columns)]
     return [f"{left[i]}, {right[j]}" for i, j in result.nonzeros]
+
+
+def rows_named(model: Model, unit: Unit, result: Result) -> list[str]:
+    """The rows by name if they have one, otherwise by number."""
+    of_units = {f"{m.name}_{suffix}": list(m.rows) for m in model.measurements for suffix in ("z", "h", "H")}
+    states = [symbol.name for symbol in model.x]
+    of_units |= {name: states for name in ("F", "f", "Phi", "Qc", "Q", "next")}
+    fields = {field.name: [symbol.name for symbol in field.symbols] for field in model.inputs}
+    named = of_units.get(unit.name) or fields.get(result.name, [])
+    return named if len(named) == result.shape[0] else [str(i) for i in range(result.shape[0])]

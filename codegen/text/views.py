@@ -17,6 +17,7 @@ from boresight.codegen.text.names import (
     shared_tables,
     snake,
     span,
+    temporaries,
     with_nulls,
 )
 from boresight.codegen.text.statements import Part, parts
@@ -247,7 +248,7 @@ def model_view(model: Model, unit_views: list[dict[str, Any]]) -> dict[str, Any]
 
 def unit_hash(unit: Unit) -> str:
     """Of the operations and of every name and number that the C of the unit takes from elsewhere."""
-    words = [unit.tape.hash(), unit.name]
+    words = [unit.tape.hash(), unit.name, *temporaries(unit, unit.tape)]
     for a in unit.args:
         words += [a.name, *(s.name for s in a.symbols), repr((a.low, a.high, a.norm))]
     for r in unit.results:

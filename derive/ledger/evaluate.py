@@ -39,6 +39,7 @@ from boresight.derive.constant import Constant
 from boresight.derive.ledger import numbers
 from boresight.derive.ledger.numbers import Matrix, zeros
 from boresight.derive.ledger.witness import hamilton, skew, vector
+from boresight.derive.named import Named
 
 DIGITS = 60  # of which cancellation leaves the 28 that are asked for, and the balls prove it
 
@@ -79,6 +80,8 @@ def _evaluate(expression, point: Point) -> Value:
         return point.values[expression.name]
     if isinstance(expression, Constant):
         return evaluate(expression.exact, point)
+    if isinstance(expression, Named):
+        return evaluate(expression.value, point)
     if expression.is_Number:
         return fmpq(int(expression.p), int(expression.q))
     if isinstance(expression, MatrixBase):

@@ -10,6 +10,7 @@ from typing import Any
 from sympy import ImmutableMatrix, Matrix, cos, sin, sqrt, tan
 
 from boresight.derive.constant import constant
+from boresight.derive.named import named
 
 # NGA.STND.0036: defining constants of WGS 84, and what follows from them.
 SEMI_MAJOR_AXIS = constant("a", 6378137, "m", "semi-major axis, WGS 84")
@@ -53,6 +54,11 @@ class Frame:
         """The two of the coordinates (3) on which radii and gravity depend (rad, m)."""
         return tuple(position[self.coordinates.index(name)] for name in ("lat", "height"))
 
+    def named(self, name: str, value: Matrix, meaning: str) -> Matrix:
+        """The vector (3) in this level under a name, its components by the axes: f_n_d."""
+        made: Matrix = named(name, value, meaning, " ".join(self.axes))
+        return made
+
     def vector(self, north, east, up) -> Matrix:
         """The vector (3) with these components along north, east and up."""
         return north * Matrix(self.north) + east * Matrix(self.east) + up * Matrix(self.up)
@@ -69,10 +75,27 @@ ENU: Frame = Frame("ENU", ("e", "n", "u"), "right-front-up", _axis(0, 1, 0), _ax
 FRAMES = {frame.name: frame for frame in (NED, ENU)}
 
 
+def flattened(lat):
+    """w = sqrt(1 - e^2 sin^2) of the geodetic latitude (rad), by which radii and gravity differ from a sphere's."""
+    return named("w", sqrt(1 - ECCENTRICITY_SQUARED * sin(lat) ** 2), "root of 1 - e^2 sin^2 of the latitude")
+
+
 def radii(lat) -> tuple:
     """Meridian and transverse radius of curvature (m, m) of the ellipsoid at the geodetic latitude (rad)."""
-    w = sqrt(1 - ECCENTRICITY_SQUARED * sin(lat) ** 2)
-    return SEMI_MAJOR_AXIS * (1 - ECCENTRICITY_SQUARED) / w**3, SEMI_MAJOR_AXIS / w
+    w = flattened(lat)
+    return (
+        named("R_N", SEMI_MAJOR_AXIS * (1 - ECCENTRICITY_SQUARED) / w**3, "meridian radius of curvature, m"),
+        named("R_E", SEMI_MAJOR_AXIS / w, "transverse radius of curvature, m"),
+    )
+
+
+def radii_at(lat, height) -> tuple:
+    """Both radii of curvature (m, m) plus the height (m), at the geodetic latitude (rad)."""
+    meridian, transverse = radii(lat)
+    return (
+        named("R_N_h", meridian + height, "meridian radius of curvature plus the height, m"),
+        named("R_E_h", transverse + height, "transverse radius of curvature plus the height, m"),
+    )
 
 
 def radii_by_latitude(lat) -> tuple:
@@ -80,7 +103,10 @@ def radii_by_latitude(lat) -> tuple:
     meridian, transverse = radii(lat)
     # d/dlat of w = sqrt(1 - e^2 sin^2) is -e^2 sin cos / w; the radii go with w^-3 and w^-1.
     growth = ECCENTRICITY_SQUARED * sin(lat) * cos(lat) / (1 - ECCENTRICITY_SQUARED * sin(lat) ** 2)
-    return 3 * meridian * growth, transverse * growth
+    return (
+        named("R_N_lat", 3 * meridian * growth, "derivative of R_N by the latitude, m/rad"),
+        named("R_E_lat", transverse * growth, "derivative of R_E by the latitude, m/rad"),
+    )
 
 
 def omega_ie_n(lat, frame: Frame = NED) -> Matrix:
@@ -88,7 +114,7 @@ def omega_ie_n(lat, frame: Frame = NED) -> Matrix:
 
     Row: mechanics strapdown-1.
     """
-    return EARTH_RATE * frame.vector(cos(lat), 0, sin(lat))
+    return frame.named("omega_ie_n", EARTH_RATE * frame.vector(cos(lat), 0, sin(lat)), "the Earth's rate, rad/s")
 
 
 def omega_en_n(lat, height, v_n, frame: Frame = NED) -> Matrix:
@@ -98,9 +124,11 @@ def omega_en_n(lat, height, v_n, frame: Frame = NED) -> Matrix:
     Row: mechanics strapdown-1.
     """
     v_north, v_east = frame.north.dot(v_n), frame.east.dot(v_n)
-    meridian, transverse = radii(lat)
-    east = v_east / (transverse + height)
-    return frame.vector(east, -v_north / (meridian + height), east * tan(lat))
+    meridian, transverse = radii_at(lat, height)
+    east = v_east / transverse
+    return frame.named(
+        "omega_en_n", frame.vector(east, -v_north / meridian, east * tan(lat)), "the transport rate, rad/s"
+    )
 
 
 def metres(lat, height, frame: Frame = NED) -> Matrix:
@@ -108,8 +136,8 @@ def metres(lat, height, frame: Frame = NED) -> Matrix:
 
     lat: geodetic, rad.  height: m.  Zero at the poles for the longitude.
     """
-    meridian, transverse = radii(lat)
-    return frame.position(lat=meridian + height, lon=(transverse + height) * cos(lat), height=1)
+    meridian, transverse = radii_at(lat, height)
+    return frame.position(lat=meridian, lon=transverse * cos(lat), height=1)
 
 
 def normal_gravity(lat, height):
@@ -119,9 +147,16 @@ def normal_gravity(lat, height):
     1 km and by 4e-7 m/s^2 at 10 km.
     """
     s2 = sin(lat) ** 2
-    on_ellipsoid = (GRAVITY_EQUATOR + GRAVITY_EQUATOR * SOMIGLIANA * s2) / sqrt(1 - ECCENTRICITY_SQUARED * s2)
     a, f, m = SEMI_MAJOR_AXIS, FLATTENING, CENTRIFUGAL_RATIO
-    return on_ellipsoid * (1 - 2 * (1 + f + m - 2 * f * s2) * height / a + 3 * height**2 / a**2)
+    with_height = 1 - 2 * (1 + f + m - 2 * f * s2) * height / a + 3 * height**2 / a**2
+    return named("g", gravity_on_ellipsoid(lat) * with_height, "normal gravity, m/s^2")
+
+
+def gravity_on_ellipsoid(lat):
+    """Somigliana's formula: normal gravity (m/s^2) on the ellipsoid at the geodetic latitude (rad)."""
+    s2 = sin(lat) ** 2
+    value = (GRAVITY_EQUATOR + GRAVITY_EQUATOR * SOMIGLIANA * s2) / flattened(lat)
+    return named("g_0", value, "normal gravity on the ellipsoid, m/s^2")
 
 
 def gravity_gradient(lat, height) -> tuple:
@@ -129,12 +164,15 @@ def gravity_gradient(lat, height) -> tuple:
     s2, s_c = sin(lat) ** 2, sin(lat) * cos(lat)
     a, f, m, e2, k = SEMI_MAJOR_AXIS, FLATTENING, CENTRIFUGAL_RATIO, ECCENTRICITY_SQUARED, SOMIGLIANA
     w2 = 1 - e2 * s2
-    on_ellipsoid = (GRAVITY_EQUATOR + GRAVITY_EQUATOR * k * s2) / sqrt(w2)
-    on_ellipsoid_by_lat = GRAVITY_EQUATOR * s_c / sqrt(w2) * (2 * k + (e2 + e2 * k * s2) / w2)
+    on_ellipsoid = gravity_on_ellipsoid(lat)
+    on_ellipsoid_by_lat = GRAVITY_EQUATOR * s_c / flattened(lat) * (2 * k + (e2 + e2 * k * s2) / w2)
     factor = 1 - 2 * (1 + f + m - 2 * f * s2) * height / a + 3 * height**2 / a**2
     factor_by_lat = 8 * f * s_c * height / a
     factor_by_height = -2 * (1 + f + m - 2 * f * s2) / a + 6 * height / a**2
-    return on_ellipsoid_by_lat * factor + on_ellipsoid * factor_by_lat, on_ellipsoid * factor_by_height
+    return (
+        named("g_lat", on_ellipsoid_by_lat * factor + on_ellipsoid * factor_by_lat, "derivative of g by the latitude"),
+        named("g_height", on_ellipsoid * factor_by_height, "derivative of g by the height, 1/s^2"),
+    )
 
 
 def gravity_n(lat, height, frame: Frame = NED) -> Matrix:

@@ -21,12 +21,12 @@ from boresight.derive.mechanics.earth import (
     gravity_n,
     metres,
     omega_en_n,
-    omega_ie_n,
-    radii,
+    radii_at,
     radii_by_latitude,
 )
-from boresight.derive.mechanics.mechanization import along, position_rate
+from boresight.derive.mechanics.mechanization import along, omega_in_n, position_rate, turning_n
 from boresight.derive.mechanics.rotation import skew
+from boresight.derive.named import named
 
 # ---------------------------------------------------------------- perturbations of what the mechanization is made of
 
@@ -47,27 +47,32 @@ def omega_en_by_position(frame: Frame, position, v_n) -> Matrix:
     meridians converge."""
     lat, height = frame.latitude_and_height(position)
     v_north, v_east = frame.north.dot(v_n), frame.east.dot(v_n)
-    meridian, transverse = radii(lat)
+    meridian, transverse = radii_at(lat, height)
     meridian_by_lat, transverse_by_lat = radii_by_latitude(lat)
-    north, east = v_north / (meridian + height), v_east / (transverse + height)
+    north, east = v_north / meridian, v_east / transverse
 
     def shrunk(by_meridian, by_transverse):
         """omega_en_n with each rate lessened in the proportion in which its radius grows."""
-        less_north = north * by_meridian / (meridian + height)
-        less_east = east * by_transverse / (transverse + height)
+        less_north = north * by_meridian / meridian
+        less_east = east * by_transverse / transverse
         return frame.vector(-less_east, less_north, -less_east * tan(lat))
 
     by_lat = shrunk(meridian_by_lat, transverse_by_lat) + frame.vector(0, 0, east / cos(lat) ** 2)
-    return by_coordinate(frame, by_lat, shrunk(1, 1))
+    made: Matrix = named(
+        "omega_en_p", by_coordinate(frame, by_lat, shrunk(1, 1)), "derivative of omega_en_n by the position"
+    )
+    return made
 
 
 def omega_en_by_velocity(frame: Frame, position) -> Matrix:
     """d omega_en_n / d v_n, 3x3 (1/m): the curvature of the ellipsoid."""
     lat, height = frame.latitude_and_height(position)
-    meridian, transverse = radii(lat)
-    eastwards = frame.vector(1, 0, tan(lat)) / (transverse + height)
-    northwards = -frame.vector(0, 1, 0) / (meridian + height)
-    return eastwards * frame.east.T + northwards * frame.north.T
+    meridian, transverse = radii_at(lat, height)
+    eastwards = frame.vector(1, 0, tan(lat)) / transverse
+    northwards = -frame.vector(0, 1, 0) / meridian
+    slopes = eastwards * frame.east.T + northwards * frame.north.T
+    made: Matrix = named("omega_en_v", slopes, "derivative of omega_en_n by v_n, rad/m")
+    return made
 
 
 def gravity_by_position(frame: Frame, position) -> Matrix:
@@ -92,9 +97,8 @@ def displacement_by_position(frame: Frame, position) -> Matrix:
 def lengths_by_position(frame: Frame, position) -> Matrix:
     """3x3 (1/rad, 1/m by column): how the relative length of each coordinate's unit changes with each coordinate."""
     lat, height = frame.latitude_and_height(position)
-    meridian, transverse = radii(lat)
+    r_north, r_east = radii_at(lat, height)
     meridian_by_lat, transverse_by_lat = radii_by_latitude(lat)
-    r_north, r_east = meridian + height, transverse + height
     by_lat = frame.position(lat=meridian_by_lat / r_north, lon=transverse_by_lat / r_east - tan(lat), height=0)
     by_height = frame.position(lat=1 / r_north, lon=1 / r_east, height=0)
     return by_coordinate(frame, by_lat, by_height)
@@ -123,8 +127,6 @@ def phi_matrix(frame: Frame, position, v_n, f_n) -> Matrix:
 
     Row: mechanics phi-3, phi-4.
     """
-    lat, height = frame.latitude_and_height(position)
-    omega_ie, omega_en = omega_ie_n(lat, frame), omega_en_n(lat, height, v_n, frame)
     ie_p, en_p = omega_ie_by_position(frame, position), omega_en_by_position(frame, position, v_n)
     en_v = omega_en_by_velocity(frame, position)
 
@@ -133,11 +135,11 @@ def phi_matrix(frame: Frame, position, v_n, f_n) -> Matrix:
     p_v = position_rate_by_velocity(frame, position)
     # v' = f_n + g - (2 omega_ie + omega_en) x v; an error d of the rate turns round: -d x v = v x d
     v_p = gravity_by_position(frame, position) + skew(v_n) * (2 * ie_p + en_p)
-    v_v = -skew(2 * omega_ie + omega_en) + skew(v_n) * en_v
+    v_v = -skew(turning_n(frame, position, v_n)) + skew(v_n) * en_v
     v_phi = skew(f_n)  # C_hat f_b = (I - [phi x]) f_n, and -phi x f_n = f_n x phi
     # phi' = -omega_in x phi + d omega_in - C_b2n d omega_ib
     phi_p, phi_v = ie_p + en_p, en_v
-    phi_phi = -skew(omega_ie + omega_en)
+    phi_phi = -skew(omega_in_n(frame, position, v_n))
     return assembled([p_p, p_v, zeros(3)], [v_p, v_v, v_phi], [phi_p, phi_v, phi_phi])
 
 
@@ -148,7 +150,7 @@ def psi_matrix(frame: Frame, position, v_n, f_n) -> Matrix:
     Row: mechanics psi-3, psi-4.
     """
     lat, height = frame.latitude_and_height(position)
-    omega_ie, omega_en = omega_ie_n(lat, frame), omega_en_n(lat, height, v_n, frame)
+    omega_en = omega_en_n(lat, height, v_n, frame)
 
     # in metres dr' = -omega_en x dr + dv_c; a coordinate's error is dr over its length, which changes on the way
     p_v, r_p = position_rate_by_velocity(frame, position), displacement_by_position(frame, position)
@@ -158,9 +160,9 @@ def psi_matrix(frame: Frame, position, v_n, f_n) -> Matrix:
     v_p = gravity_by_position(frame, position) - skew(gravity_n(lat, height, frame)) * level_by_position(
         frame, position
     )
-    v_v = -skew(2 * omega_ie + omega_en)
+    v_v = -skew(turning_n(frame, position, v_n))
     v_psi = skew(f_n)
-    psi_psi = -skew(omega_ie + omega_en)
+    psi_psi = -skew(omega_in_n(frame, position, v_n))
     return assembled([p_p, p_v, zeros(3)], [v_p, v_v, v_psi], [zeros(3), zeros(3), psi_psi])
 
 

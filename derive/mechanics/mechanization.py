@@ -21,6 +21,7 @@ from boresight.derive.mechanics.rotation import (
     skew,
     small_rotation,
 )
+from boresight.derive.named import named
 
 # ---------------------------------------------------------------- rates
 
@@ -45,14 +46,21 @@ def along(frame: Frame, v_n, lengths) -> Matrix:
 def omega_in_n(frame: Frame, position, v_n) -> Matrix:
     """Rate of the level against inertial space, in the level (3, rad/s): the Earth's and the transport rate."""
     lat, height = frame.latitude_and_height(position)
-    return omega_ie_n(lat, frame) + omega_en_n(lat, height, v_n, frame)
+    rate = omega_ie_n(lat, frame) + omega_en_n(lat, height, v_n, frame)
+    return frame.named("omega_in_n", rate, "rate of the level against inertial space, rad/s")
+
+
+def turning_n(frame: Frame, position, v_n) -> Matrix:
+    """2 omega_ie + omega_en in the level (3, rad/s): the rate of the Coriolis acceleration."""
+    lat, height = frame.latitude_and_height(position)
+    rate = 2 * omega_ie_n(lat, frame) + omega_en_n(lat, height, v_n, frame)
+    return frame.named("omega_cor_n", rate, "2 omega_ie_n + omega_en_n of the Coriolis acceleration, rad/s")
 
 
 def free_acceleration(frame: Frame, position, v_n) -> Matrix:
     """Acceleration over the ground without any specific force, in the level (3, m/s^2): gravity and Coriolis."""
     lat, height = frame.latitude_and_height(position)
-    turning = 2 * omega_ie_n(lat, frame) + omega_en_n(lat, height, v_n, frame)
-    return gravity_n(lat, height, frame) - skew(turning) * v_n
+    return gravity_n(lat, height, frame) - skew(turning_n(frame, position, v_n)) * v_n
 
 
 def velocity_rate(frame: Frame, position, v_n, f_n) -> Matrix:
@@ -136,17 +144,26 @@ def step(frame: Frame, position, v_n, q_b2n_wxyz, dtheta, dv, dtheta_before, dv_
     Gravity, Coriolis and the turn of the level are taken at the middle of the interval, which is predicted from its
     start.
     """
-    gained = dcm_from_quaternion(q_b2n_wxyz) * velocity_increment(dtheta, dv, dtheta_before, dv_before)
+    C_b2n = named("C_b2n", dcm_from_quaternion(q_b2n_wxyz), "body to level")
+    increment = named("dv_sf_b", velocity_increment(dtheta, dv, dtheta_before, dv_before),
+                      "specific force over the step, in the body axes at its start, m/s", "x y z")  # fmt: skip
+    gained = frame.named("dv_sf_n", C_b2n * increment, "dv_sf_b in the level, m/s")
     v_middle = v_n + (gained + dt * free_acceleration(frame, position, v_n)) / 2
-    p_middle = position + dt / 2 * position_rate(frame, position, v_n)
+    v_middle = frame.named("v_mid_n", v_middle, "velocity at the middle of the step, m/s")
+    p_middle = named("mid", position + dt / 2 * position_rate(frame, position, v_n),
+                     "position at the middle of the step", " ".join(frame.coordinates))  # fmt: skip
 
-    level = dt * omega_in_n(frame, p_middle, v_middle)  # rotation vector of the level over the step
+    level = dt * omega_in_n(frame, p_middle, v_middle)
+    level = frame.named("zeta_n", level, "rotation vector of the level over the step, rad")
     v_next = v_n + small_rotation(-level / 2) * gained + dt * free_acceleration(frame, p_middle, v_middle)
     # mean velocity: that of a constant acceleration, less what the growth of the acceleration takes from it (scrolling)
-    growth = dcm_from_quaternion(q_b2n_wxyz) * (dv - dv_before + skew(dtheta) * dv)
+    growth = frame.named("dv_growth_n", C_b2n * (dv - dv_before + skew(dtheta) * dv),
+                         "by how much dv_sf_n grows from step to step, m/s")  # fmt: skip
     lat, height = frame.latitude_and_height(p_middle)
     p_next = position + dt * along(frame, (v_n + v_next) / 2 - growth / 12, metres(lat, height, frame))
 
-    turn = quaternion_from_rotation_vector(rotation_increment(dtheta, dtheta_before))
-    back = quaternion_from_rotation_vector(-level)
+    turned = named("sigma_b", rotation_increment(dtheta, dtheta_before),
+                   "rotation vector of the body over the step, rad", "x y z")  # fmt: skip
+    turn = named("q_body", quaternion_from_rotation_vector(turned), "of the rotation by sigma_b", "w x y z")
+    back = named("q_level", quaternion_from_rotation_vector(-level), "of the rotation by -zeta_n", "w x y z")
     return p_next, v_next, normalized(quaternion_product(back, quaternion_product(q_b2n_wxyz, turn)))

@@ -14,6 +14,7 @@ from boresight.derive.mechanics.rotation import (
 from boresight.derive.model import FirstOrder, Function, Measurement, Model, Output, Struct
 from boresight.derive.models import variables as var
 from boresight.derive.models.variables import ACCEL_NOISE, BA, BG, D_BA, D_BG, DT, F_B, GYRO_NOISE, OMEGA_IB_B
+from boresight.derive.named import named
 from boresight.derive.papers.kim_2018 import results as paper
 
 
@@ -25,9 +26,11 @@ def azimuth_hold() -> Model:
     q_ref = var.quaternion("q_ref_wxyz", "q_ref", "attitude whose azimuth is held", "body to ENU")
     d_position, dv, phi = var.position_error(frame), var.velocity_error(frame), var.phi_angle(frame)
 
-    C_b2n = dcm_from_quaternion(q.vector)
+    C_b2n = named("C_b2n", dcm_from_quaternion(q.vector), "body to level")
+    C_ref2n = named("C_ref2n", dcm_from_quaternion(q_ref.vector), "attitude whose azimuth is held, body to level")
+    f_n = frame.named("f_n", C_b2n * F_B.vector, "specific force in the level, m/s^2")
     sensors = error_models.noise_matrix(C_b2n)  # of the errors of gyros and accelerometers, measured - true
-    F = paper.hold_matrix(position.vector, v_n.vector, C_b2n, C_b2n * F_B.vector)
+    F = paper.hold_matrix(position.vector, v_n.vector, C_b2n, f_n)
     # The paper's bias is measured - true; what its estimate leaves of it is minus the estimate's error.
     F[:, 9:] = -F[:, 9:]
     G = zeros(15, 12)
@@ -36,17 +39,19 @@ def azimuth_hold() -> Model:
 
     lat, _ = frame.latitude_and_height(position.vector)
     omega_ie = earth.omega_ie_n(lat, frame)
-    azimuth = paper.azimuth_error(C_b2n, dcm_from_quaternion(q_ref.vector).T)
+    azimuth = paper.azimuth_error(C_b2n, C_ref2n.T)
     # At rest the gyros see the Earth turn, C_n2b omega_ie_n.
     zaru_H = zeros(3, 15)
-    zaru_H[:, :3] = -C_b2n.T * error_models.omega_ie_by_position(frame, position.vector)
+    zaru_H[:, :3] = C_b2n.T * -error_models.omega_ie_by_position(frame, position.vector)
     zaru_H[:, 6:9] = C_b2n.T * skew(omega_ie)
     zaru_H[:, 9:12] = -eye(3)
 
-    q_next = quaternion_product(quaternion_from_rotation_vector(phi.vector), q.vector)
+    q_phi = named("q_phi", quaternion_from_rotation_vector(phi.vector), "of the rotation by phi", "w x y z")
+    q_next = named("q_true", quaternion_product(q_phi, q.vector), "q_b2n_wxyz with phi taken out", "w x y z")
     # What the exact residuals lose when the errors are taken out.
-    C_true, (lat_true, _) = dcm_from_quaternion(q_next), frame.latitude_and_height(position.vector - d_position.vector)
-    azimuth_left = paper.azimuth_error(C_true, dcm_from_quaternion(q_ref.vector).T)
+    C_true = named("C_true", dcm_from_quaternion(q_next), "C_b2n with phi taken out")
+    lat_true, _ = frame.latitude_and_height(position.vector - d_position.vector)
+    azimuth_left = paper.azimuth_error(C_true, C_ref2n.T)
     rate_left = OMEGA_IB_B.vector + D_BG.vector - C_true.T * earth.omega_ie_n(lat_true, frame)
     rate = OMEGA_IB_B.vector - C_b2n.T * omega_ie
     corrected = var.nav_outputs(frame, position.vector - d_position.vector, v_n.vector - dv.vector, normalized(q_next))

@@ -15,6 +15,7 @@ from boresight.derive.mechanics.rotation import (
 )
 from boresight.derive.model import Function, Model, Output, Struct, Variable
 from boresight.derive.models import variables as var
+from boresight.derive.named import named
 
 
 def error_model(
@@ -35,7 +36,7 @@ def error_model(
     f_n = var.level(frame, "f_n", "f", "m/s^2", "specific force", 500.0)
     suffix = "" if frame is ENU else frame.name.lower()
     function, meaning, T = carried
-    C_b2n = dcm_from_quaternion(q.vector)
+    C_b2n = named("C_b2n", dcm_from_quaternion(q.vector), "body to level")
     d_position, dv, angle = (block.vector for block in states)
     q_true = normalized(quaternion_product(quaternion_from_rotation_vector(angle), q.vector))
     mechanics = replace(

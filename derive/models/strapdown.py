@@ -7,6 +7,7 @@ from boresight.derive.mechanics.earth import ENU, NED, Frame
 from boresight.derive.mechanics.rotation import dcm_from_quaternion
 from boresight.derive.model import Function, Model, Output, Struct
 from boresight.derive.models import variables as var
+from boresight.derive.named import named
 
 F_B = replace(var.F_B, meaning="specific force")
 OMEGA_IB_B = replace(var.OMEGA_IB_B, meaning="angular rate against inertial space")
@@ -17,7 +18,8 @@ def strapdown(frame: Frame = ENU) -> Model:
     position, v_n, q = var.position(frame), var.velocity(frame), var.attitude(frame)
     nav = (position.vector, v_n.vector, q.vector)
     lat, height = frame.latitude_and_height(position.vector)
-    f_n = dcm_from_quaternion(q.vector) * F_B.vector
+    C_b2n = named("C_b2n", dcm_from_quaternion(q.vector), "body to level")
+    f_n = frame.named("f_n", C_b2n * F_B.vector, "specific force in the level, m/s^2")
     order = ", ".join(frame.coordinates)
     dtheta, dv, *sensed = (part.vector for part in (*var.INCREMENTS, *var.EARLIER))
     dtheta, dv = mechanization.compensated(dtheta, dv, list(zip(sensed[::2], sensed[1::2], strict=True)))

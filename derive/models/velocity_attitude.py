@@ -16,6 +16,7 @@ from boresight.derive.mechanics.rotation import (
 from boresight.derive.model import FirstOrder, Function, Measurement, Model, Output, Struct, variable
 from boresight.derive.models import variables as var
 from boresight.derive.models.variables import BA, BG, D_BA, D_BG, D_TAU, DT, EULER_M, F_B, LEVER_B, OMEGA_IB_B, TAU
+from boresight.derive.named import named
 from boresight.derive.papers.kang_2025 import results as paper
 from boresight.derive.papers.song_lee_2001.results import euler_D_beta
 
@@ -41,20 +42,24 @@ def expected(v_n: Matrix, q: Matrix, q_mount: Matrix, omega_ib_b: Matrix, lever_
     The rate of the level is that at the estimated position and velocity: an error of 1 m/s turns it by 1.6e-7 rad/s.
     """
     omega_in = mechanization.omega_in_n(FRAME, POSITION.vector, V_N.vector)
-    C_b2n = dcm_from_quaternion(q)
+    C_b2n = named("C_b2n", dcm_from_quaternion(q), "body to level")
+    q_m2n = quaternion_product(q, conjugate(q_mount))
     return (
-        paper.master_velocity(v_n, C_b2n, omega_in, omega_ib_b, lever_b),
-        quaternion_product(q, conjugate(q_mount)),
-        C_b2n * omega_ib_b - omega_in,
-    )
+        FRAME.named("v_m_hat_n", paper.master_velocity(v_n, C_b2n, omega_in, omega_ib_b, lever_b),
+                    "velocity expected of the master, m/s"),
+        named("q_m_hat", q_m2n, "attitude expected of the master", "w x y z"),
+        FRAME.named("omega_nb_n", C_b2n * omega_ib_b - omega_in, "rate of the body against the level, rad/s"),
+    )  # fmt: skip
 
 
 def true_state() -> tuple[Matrix, ...]:
     """The arguments of `expected` once the errors x are taken out of the estimates, by finite rotations."""
+    q_phi = named("q_phi", quaternion_from_rotation_vector(PHI.vector), "of the rotation by phi", "w x y z")
+    q_dmu = named("q_dmu", quaternion_from_rotation_vector(D_MOUNT.vector), "of the rotation by dmu", "w x y z")
     return (
         V_N.vector - DV.vector,
-        quaternion_product(quaternion_from_rotation_vector(PHI.vector), Q.vector),
-        quaternion_product(quaternion_from_rotation_vector(D_MOUNT.vector), Q_MOUNT.vector),
+        named("q_true", quaternion_product(q_phi, Q.vector), "q_b2n_wxyz with phi taken out", "w x y z"),
+        named("q_mount_true", quaternion_product(q_dmu, Q_MOUNT.vector), "q_b2m_wxyz with dmu taken out", "w x y z"),
         OMEGA_IB_B.vector + D_BG.vector,
         LEVER_B.vector,
     )
@@ -66,24 +71,39 @@ def velocity_residual(state: tuple[Matrix, ...], lag) -> Matrix:
 
 def dcm_residual(state: tuple[Matrix, ...], lag) -> Matrix:
     _, q_expected, omega_nb = expected(*state)
-    return paper.attitude_residual(dcm_from_quaternion(q_expected), omega_nb, lag, dcm_from_quaternion(Q_M.vector))
+    return paper.attitude_residual(C_m_hat(q_expected), omega_nb, lag, C_m2n())
+
+
+def C_m_hat(q_expected: Matrix) -> Matrix:
+    made: Matrix = named("C_m_hat", dcm_from_quaternion(q_expected), "attitude expected of the master, body to level")
+    return made
+
+
+def C_m2n() -> Matrix:
+    made: Matrix = named("C_m2n", dcm_from_quaternion(Q_M.vector), "attitude that the master reports, body to level")
+    return made
 
 
 def turned_back(state: tuple[Matrix, ...], lag) -> Matrix:
     """The expected attitude of the master, moved back by `lag` as a finite rotation, quaternion."""
     _, q_expected, omega_nb = expected(*state)
-    return quaternion_product(quaternion_from_rotation_vector(-omega_nb * lag), q_expected)
+    q_lag = named("q_lag", quaternion_from_rotation_vector(omega_nb * lag), "of the rotation by omega_nb_n lag",
+                  "w x y z")  # fmt: skip
+    made: Matrix = named("q_m_lag", quaternion_product(conjugate(q_lag), q_expected), "q_m_hat, lag ago", "w x y z")
+    return made
 
 
 def quaternion_residual(state: tuple[Matrix, ...], lag) -> Matrix:
     """Twice the vector part, which grows up to 180 deg; that of the DCM falls again from 90 deg on."""
-    w, *xyz = quaternion_product(turned_back(state, lag), conjugate(Q_M.vector))
+    residual = quaternion_product(turned_back(state, lag), conjugate(Q_M.vector))
+    w, *xyz = named("q_z", residual, "turn from the reported attitude to the expected one", "w x y z")
     sign = Piecewise((-1, StrictLessThan(w, 0, evaluate=False)), (1, True))  # q and -q are one attitude
     return 2 * sign * Matrix(xyz)
 
 
 def euler_residual(state: tuple[Matrix, ...], lag) -> Matrix:
-    return euler_from_dcm(dcm_from_quaternion(turned_back(state, lag))) - EULER_M.vector
+    C_m_lag = named("C_m_lag", dcm_from_quaternion(turned_back(state, lag)), "attitude expected of the master, lag ago")
+    return euler_from_dcm(C_m_lag) - EULER_M.vector
 
 
 def velocity_attitude() -> Model:
@@ -96,8 +116,9 @@ def velocity_attitude() -> Model:
         var.noise_density("mu_noise", "rad/sqrt(s)", "the misalignment's random walk", 0.1, var.MASTER_BODY),
         variable("tau_noise", "tau_noise", "sqrt(s)", "noise density of the delay's random walk", 0, 0.1),
     )
-    C_b2n = dcm_from_quaternion(Q.vector)
-    F = paper.transfer_matrix(POSITION.vector, V_N.vector, C_b2n, C_b2n * F_B.vector)
+    C_b2n = named("C_b2n", dcm_from_quaternion(Q.vector), "body to level")
+    f_n = FRAME.named("f_n", C_b2n * F_B.vector, "specific force in the level, m/s^2")
+    F = paper.transfer_matrix(POSITION.vector, V_N.vector, C_b2n, f_n)
     G = zeros(16)
     G[:6, :6] = -F[:6, 6:12]  # what a gyro or an accelerometer shows too much, minus what its bias' estimate does
     G[6:, 6:] = eye(10)
@@ -106,6 +127,9 @@ def velocity_attitude() -> Model:
     lag, lag_true = LAG.scalar, LAG.scalar - D_TAU.scalar
     v_expected, q_expected, omega_nb = expected(*now)
     omega_in = mechanization.omega_in_n(FRAME, POSITION.vector, V_N.vector)
+    omega_bn = FRAME.named(
+        "omega_bn_n", omega_in - C_b2n * OMEGA_IB_B.vector, "rate of the level against the body, rad/s"
+    )
     z_velocity, z_dcm = velocity_residual(now, lag), dcm_residual(now, lag)
     z_quaternion = quaternion_residual(now, lag)
     z_euler = euler_residual(now, lag)
@@ -116,8 +140,12 @@ def velocity_attitude() -> Model:
     # the slave that will have turned back to this by the lag; its own attitude turns its rate, in the second order
     turning = dcm_from_quaternion(q_reported) * OMEGA_IB_B.vector - omega_in
     q_reporting = quaternion_product(quaternion_from_rotation_vector(turning * lag), q_reported)
-    C_m2n = dcm_from_euler(roll_m, pitch_m, yaw_m)
-    euler_D_turn = euler_D_beta(roll_m, pitch_m) * C_m2n.T  # of a turn in n; its pitch is in the box, so never singular
+    C_euler_m = named(
+        "C_euler_m", dcm_from_euler(roll_m, pitch_m, yaw_m), "of the master's Euler angles, body to level"
+    )
+    euler_D_turn = (
+        euler_D_beta(roll_m, pitch_m) * C_euler_m.T
+    )  # of a turn in n; its pitch is in the box, so never singular
 
     v_true, q_true, q_mount_true, _, _ = true_state()
     return Model(
@@ -147,7 +175,7 @@ def velocity_attitude() -> Model:
             Measurement("dcm", FRAME.axes, "rad", f"attitude of the master: z = -e, {var.TURN}",
                         z=z_dcm, h=z_dcm - dcm_residual(true_state(), lag_true),
                         # the expected attitude, not the reported one: noise in H would pass for motion of the hull
-                        H=paper.attitude_matrix(dcm_from_quaternion(q_expected), omega_nb),
+                        H=paper.attitude_matrix(C_m_hat(q_expected), omega_nb),
                         first_order=FirstOrder(small="lag", tied=(("q_m2n_wxyz", turned_back(now, lag)),)),
                         equations=("kang-2025 (4)", "kang-2025 (5)")),
             Measurement("quaternion", FRAME.axes, "rad",
@@ -156,7 +184,7 @@ def velocity_attitude() -> Model:
             Measurement("euler", ("roll", "pitch", "yaw"), "rad",
                         "Euler angles of the master: z = computed - measured", z=z_euler,
                         h=z_euler - euler_residual(true_state(), lag_true),
-                        H=euler_D_turn * paper.attitude_matrix(C_m2n, omega_nb), angle=True,
+                        H=euler_D_turn * paper.attitude_matrix(C_euler_m, -omega_bn), angle=True,
                         first_order=FirstOrder(small="lag", tied=(("q_b2n_wxyz", q_reporting),)),
                         equations=("song-lee-2001 (13)",)),
         ),

@@ -9,6 +9,7 @@ from boresight.derive.mechanics.rotation import dcm_from_quaternion
 from boresight.derive.model import Model, Output
 from boresight.derive.models import velocity_attitude as va
 from boresight.derive.models.variables import D_LEVER, D_TAU, LEVER_B, OMEGA_IB_B
+from boresight.derive.named import named
 from boresight.derive.papers.kang_2025 import results as paper
 
 
@@ -18,7 +19,7 @@ def velocity_attitude_lever() -> Model:
     lag_true = va.LAG.scalar - D_TAU.scalar
     true = (*va.true_state()[:4], LEVER_B.vector - D_LEVER.vector)
     omega_in = mechanization.omega_in_n(va.FRAME, va.POSITION.vector, va.V_N.vector)
-    C_b2n = dcm_from_quaternion(va.Q.vector)
+    C_b2n = named("C_b2n", dcm_from_quaternion(va.Q.vector), "body to level")
     # (1) is linear in the lever arm
     by_lever = Matrix.hstack(
         *(paper.lever_velocity(C_b2n, omega_in, OMEGA_IB_B.vector, eye(3).col(i)) for i in range(3))

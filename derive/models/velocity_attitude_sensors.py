@@ -28,6 +28,7 @@ from boresight.derive.models.variables import (
     noise_density,
 )
 from boresight.derive.models.velocity_attitude_lever import velocity_attitude_lever
+from boresight.derive.named import named
 
 
 def velocity_attitude_sensors() -> Model:
@@ -235,8 +236,11 @@ def bent(base: Model) -> Model:
     reads true rates: `scaled` comes after this.
     """
     n = base.n
-    C_m2b = dcm_from_quaternion(va.Q_MOUNT.vector).T
-    q_bent = quaternion_product(normalized(Matrix([1, *(BEND.vector / 2)])), va.Q_MOUNT.vector)
+    C_m2b = named("C_b2m", dcm_from_quaternion(va.Q_MOUNT.vector), "slave body to master body").T
+    by_bend = named("q_bend", normalized(Matrix([1, *(BEND.vector / 2)])), "of the bending", "w x y z")
+    q_bent = named(
+        "q_bent", quaternion_product(by_bend, va.Q_MOUNT.vector), "slave body to master body, bent", "w x y z"
+    )
     biases, mounting = place(base, D_BG), place(base, va.D_MOUNT)
     as_bent = dict(zip((*va.Q_MOUNT.symbols, *OMEGA_IB_B.symbols),
                        (*q_bent, *(OMEGA_IB_B.vector - C_m2b * BEND_RATE.vector)), strict=True))  # fmt: skip

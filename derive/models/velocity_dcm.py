@@ -16,6 +16,7 @@ from boresight.derive.mechanics.rotation import (
 from boresight.derive.model import FirstOrder, Function, Measurement, Model, Output, Struct
 from boresight.derive.models import variables as var
 from boresight.derive.models.variables import ACCEL_NOISE, D_MU, D_TAU, DT, GYRO_NOISE, MU, TAU
+from boresight.derive.named import named
 from boresight.derive.papers.kim_2018 import results as paper
 
 F_B = replace(var.F_B, meaning="specific force")
@@ -32,16 +33,22 @@ def velocity_dcm() -> Model:
     dv = replace(var.velocity_error(frame), meaning="error of the velocity against the true one carried into c")
     psi = var.psi_angle(frame)
 
-    C_b2n, C_m2n = dcm_from_quaternion(q.vector), dcm_from_quaternion(q_m.vector)
-    F = paper.transfer_matrix(position.vector, v_n.vector, C_b2n * F_B.vector)
+    C_b2n = named("C_b2n", dcm_from_quaternion(q.vector), "body to level")
+    C_m2n = named("C_m2n", dcm_from_quaternion(q_m.vector), "master body to level")
+    f_n = frame.named("f_n", C_b2n * F_B.vector, "specific force in the level, m/s^2")
+    F = paper.transfer_matrix(position.vector, v_n.vector, f_n)
     G = Matrix.vstack(error_models.noise_matrix(C_b2n)[3:, :], zeros(4, 6))
 
     # The paper's states are the mounting itself and the delay itself; ours are errors of estimates, computed - true.
     H = paper.transfer_measurement_matrix(C_m2n, a_n.vector, omega_nm.vector) * diag(eye(6), -eye(4))
-    z_dcm = paper.attitude_residual(C_m2n, dcm_from_rotation_vector(MU.vector), C_b2n)
+    C_mu = named("C_mu", dcm_from_rotation_vector(MU.vector), "slave body to master body, by mu")
+    z_dcm = paper.attitude_residual(C_m2n, C_mu, C_b2n)
     # The same once the errors are taken out of the slave's attitude, which is tau_hat old, and of the misalignment.
-    C_then = dcm_from_rotation_vector(omega_nm.vector * D_TAU.scalar) * dcm_from_rotation_vector(psi.vector) * C_b2n
-    z_left = paper.attitude_residual(C_m2n, dcm_from_rotation_vector(MU.vector - D_MU.vector), C_then)
+    C_lag = named("C_lag", dcm_from_rotation_vector(omega_nm.vector * D_TAU.scalar), "turn of the master over d_tau")
+    C_psi = named("C_psi", dcm_from_rotation_vector(psi.vector), "of the rotation by psi")
+    C_then = named("C_then", C_lag * C_psi * C_b2n, "C_b2n with psi and d_tau taken out")
+    C_mu_true = named("C_mu_true", dcm_from_rotation_vector(MU.vector - D_MU.vector), "C_mu with dmu taken out")
+    z_left = paper.attitude_residual(C_m2n, C_mu_true, C_then)
     q_m_hat = quaternion_product(q.vector, quaternion_from_rotation_vector(-MU.vector))
     q_next = quaternion_product(quaternion_from_rotation_vector(psi.vector), q.vector)
     return Model(

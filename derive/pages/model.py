@@ -38,7 +38,7 @@ from sympy.functions.elementary.complexes import transpose
 from sympy.matrices import MatrixBase
 
 from boresight import BoresightError
-from boresight.derive.expressions import symbols_in
+from boresight.derive.expressions import symbols_in, unnamed
 from boresight.derive.ledger.equation import Quantity, Relation, as_written, product, total
 from boresight.derive.letters import letter_latex
 from boresight.derive.mechanics.rotation import skew
@@ -74,7 +74,7 @@ class Description:
     def __init__(self, model: Model, target: str = ""):
         self.model, self.target = model, target or model.name
         self.jacobians: set[str] = set()  # what has been differentiated here
-        groups = dict(self.stated())
+        groups = {key: unnamed(matrix) for key, matrix in self.stated()}
         self.naming: Naming = naming(model, groups)
         self.called = component_letters(model)
         self.counted = count(1)

@@ -11,6 +11,7 @@ from boresight import BoresightError
 from boresight.codegen.generate import load_model
 from boresight.derive.constant import Constant, constant
 from boresight.derive.dimensions import Mismatch, Terms, check_units
+from boresight.derive.expressions import unnamed
 from boresight.derive.ledger import dimensions
 from boresight.derive.model import variable
 from boresight.derive.papers import DERIVATIONS, PAPERS, paper
@@ -187,7 +188,7 @@ def test_a_factor_of_length_or_time_that_is_lost_is_seen():
     found = Counter()
     for name in ("psi-error", "euler-matching", "velocity-dcm"):
         terms, entries = parts(load_model(name))
-        for e, need in entries.values():
+        for e, need in ((unnamed(e), need) for e, need in entries.values()):
             for factor, changed in dropped(e):
                 if terms(factor).powers:
                     try:

@@ -24,7 +24,17 @@ from boresight.derive.mechanics.rotation import skew, vee
 
 def lever_velocity(C_b2n, omega_in_n, omega_ib_b, lever_b) -> Matrix:
     """(1)  Velocity of the slave against the master, 3x1 m/s: the rate of change of the lever arm as seen from n."""
-    return C_b2n * skew(omega_ib_b) * lever_b - skew(omega_in_n) * C_b2n * lever_b
+    return u_n(C_b2n, omega_ib_b, lever_b) - skew(omega_in_n) * lever_n(C_b2n, lever_b)
+
+
+def lever_n(C_b2n, lever_b) -> Matrix:
+    """The lever arm in the level, 3x1 m."""
+    return NED.named("lever_n", C_b2n * lever_b, "the lever arm in the level, m")
+
+
+def u_n(C_b2n, omega_ib_b, lever_b) -> Matrix:
+    """C (omega x lever), 3x1 m/s."""
+    return NED.named("u_n", C_b2n * skew(omega_ib_b) * lever_b, "C_b2n (omega_ib_b x lever_b), m/s")
 
 
 def master_velocity(v_n, C_b2n, omega_in_n, omega_ib_b, lever_b) -> Matrix:
@@ -70,7 +80,7 @@ def velocity_matrix(C_b2n, omega_in_n, omega_ib_b, lever_b, a_n) -> Matrix:
     the expected velocity moves by ([omega_in x] [r x] - [u x]) phi - C [lever x] d_gyro_bias, r = C lever, u = C (omega
     x lever).
     """
-    r, u = C_b2n * lever_b, C_b2n * skew(omega_ib_b) * lever_b
+    r, u = lever_n(C_b2n, lever_b), u_n(C_b2n, omega_ib_b, lever_b)
     by_phi = skew(omega_in_n) * skew(r) - skew(u)
     by_gyro_bias = -C_b2n * skew(lever_b)
     return Matrix.hstack(by_phi, eye(3), by_gyro_bias, zeros(3, 6), -a_n)
