@@ -20,8 +20,9 @@ from boresight.codegen.text.equations import FILE, Words, equations_text, labels
 from boresight.codegen.text.equations import matrices as expressions
 from boresight.codegen.text.files import folder_files
 from boresight.derive.constant import behind
-from boresight.derive.expressions import constants_in, substituted, symbols_in
+from boresight.derive.expressions import constants_in, names_in, substituted, symbols_in, unnamed
 from boresight.derive.model import Model, Variable
+from boresight.derive.named import Named, Quantity
 from boresight.derive.pages.model import JACOBIAN, slopes
 from boresight.derive.pages.named import operations
 from boresight.runtime.compiler import compile_sources, compiler, run
@@ -46,7 +47,8 @@ class Entry:
 
     largest: by how much the values differ at most, at the point `at`.  relative: the same over the largest entry of
     its row, each times what it multiplies; where that is largest.  rounding: the values nowhere differ by more than
-    double precision explains.  constants: it is the same but for the values of constants.
+    double precision explains.  constants: it is the same but for the values of constants.  by: the quantities whose
+    change alone moves it.
     """
 
     matrix: str
@@ -58,6 +60,7 @@ class Entry:
     at: Mapping[str, float] | None = None
     rounding: bool = False
     constants: bool = False
+    by: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -72,7 +75,10 @@ class Cost:
 
 @dataclass(frozen=True)
 class Difference:
-    """old, new: as they are read from their texts.  entries: those that differ.  of: how many each matrix has."""
+    """old, new: as they are read from their texts.  entries: those that differ.  of: how many each matrix has.
+
+    quantities: what differs in a named quantity itself, whose name is the `matrix` of its entries.
+    """
 
     model: str
     against: str
@@ -82,10 +88,11 @@ class Difference:
     entries: tuple[Entry, ...]
     of: Mapping[str, int]
     cost: Cost | None = None
+    quantities: tuple[Entry, ...] = ()
 
     @property
     def same(self) -> bool:
-        return not self.statements and not self.entries
+        return not self.statements and not self.entries and not self.quantities
 
 
 def difference(target: str, against: str = "HEAD") -> Difference:
@@ -116,18 +123,99 @@ def now(model: Model) -> Model:
 
 def compared(model: str, against: str, old: Model, new: Model) -> Difference:
     before, after = matrices(old), matrices(new)
-    swap = swapped(old, new)
-    entries = [
-        Entry(key, place, a, b, constants=a is not None and substituted(sp.Matrix([a]), swap)[0] == b)
+    names = Names(old, new)
+    found = [
+        (key, place, a, b)
         for key in dict.fromkeys([*after, *before])
         for place, a, b in paired(before.get(key, {}), after.get(key, {}))
         if a != b
     ]
-    measured = Measured(old, new, before, after)
+    plain = [unnamed(sp.Matrix(len(found), 1, [one[i] or 0 for one in found])) for i in (2, 3)]
+    entries = [
+        Entry(*one, constants=one[2] is not None and names.after(one[2]) == one[3], by=names.moving(*one[2:]))
+        for one, a, b in zip(found, *plain, strict=True)
+        if a != b
+    ]
+    quantities = names.changed
+    of = [{e.matrix: {} for e in quantities} for _ in range(2)]
+    for e in quantities:
+        of[0][e.matrix][e.place], of[1][e.matrix][e.place] = e.before, e.after
+    measured = Measured(old, new, before | of[0], after | of[1])
     statements = tuple(stated(described(old), described(new)))
     return Difference(
-        model, against, old, new, statements, tuple(map(measured, entries)), {key: len(m) for key, m in after.items()}
+        model,
+        against,
+        old,
+        new,
+        statements,
+        tuple(map(measured, entries)),
+        {key: len(m) for key, m in after.items()},
+        quantities=tuple(map(measured, quantities)),
     )
+
+
+class Names:
+    """The named quantities of two models, those of one name together.
+
+    letters: of each side what stands for the entries of those that differ, one letter for both; what the other side
+    does not have is written out.
+    """
+
+    def __init__(self, old: Model, new: Model):
+        self.swap = swapped(old, new)
+        sides = [names_in(*expressions(model)) for model in (old, new)]
+        listed = [list(dict.fromkeys(entry.quantity for entry in side)) for side in sides]
+        self.pairs: dict[str, tuple[Quantity, Quantity]] = {}
+        for name in dict.fromkeys(one.name for one in listed[1]):
+            left, right = ([one for one in side if one.name == name] for side in listed)
+            same = len([one for one in right if one in left])
+            left, right = [a for a in left if a not in right], [b for b in right if b not in left]
+            for i, (a, b) in enumerate(zip(left, right, strict=False), same + 1):
+                if (a.value.shape, a.labels) == (b.value.shape, b.labels):
+                    self.pairs[name + f"_{i}" * (i > 1)] = a, b
+        self.letters: tuple[dict[Any, Any], dict[Any, Any]] = ({}, {})
+        for letters, side, others, which in zip(self.letters, sides, listed[::-1], (0, 1), strict=True):
+            called = {both[which]: label for label, both in self.pairs.items()}
+            for entry in side:
+                if entry.quantity in called:
+                    letters[entry] = letter(called[entry.quantity], entry)
+                elif entry.quantity not in others:
+                    letters[entry] = substituted(sp.Matrix([entry.value]), letters)[0]
+        # The entries of quantities that differ themselves.
+        self.changed = tuple(
+            Entry(label, named_entry(label, component), a, b)
+            for label, (before, after) in self.pairs.items()
+            for component, a, b in zip(after.labels, before.value, after.value, strict=True)
+            if self.own(a, b)
+        )
+
+    def after(self, value: Any) -> Any:
+        """An expression of the old model with the constants of the new one."""
+        return substituted(sp.Matrix([value]), self.swap)[0]
+
+    def opaque(self, side: int, value: Any) -> Any:
+        """With letters for the names that differ."""
+        return substituted(sp.Matrix([value]), self.letters[side])[0]
+
+    def own(self, a: Any, b: Any) -> bool:
+        """Whether two expressions differ themselves, and not by the names in them nor by constants alone."""
+        return bool(self.after(self.opaque(0, a)) != self.opaque(1, b))
+
+    def moving(self, a: Any, b: Any) -> tuple[str, ...]:
+        """The quantities that differ themselves and that an entry reads which does not."""
+        if a is None or b is None or self.own(a, b):
+            return ()
+        read = {entry.quantity for entry in names_in(sp.Matrix([a, b]))}
+        moved = dict.fromkeys(e.matrix for e in self.changed)
+        return tuple(label for label in moved if not read.isdisjoint(self.pairs[label]))
+
+
+def letter(label: str, entry: Named) -> sp.Symbol:
+    return sp.Symbol(named_entry(label, entry.quantity.labels[entry.index]), real=True)
+
+
+def named_entry(label: str, component: str) -> str:
+    return f"{label}_{component}" if component else label
 
 
 def swapped(old: Model, new: Model) -> dict[Any, Any]:
@@ -150,7 +238,7 @@ def matrices(model: Model) -> dict[str, Matrix]:
             found[f"{of} {name}".strip()] = {place: matrix[at] for place, at in named.items()}
 
     def jacobian(column: Any) -> Any:
-        short = column is not None and operations(column) < JACOBIAN
+        short = column is not None and operations(unnamed(column)) < JACOBIAN
         return slopes(column, model.x) if short else None
 
     put("F", model.F if model.F is not None else jacobian(model.f))
@@ -378,23 +466,26 @@ def text_size(files: dict[str, str], differing: set[str]) -> int:
 
 def to_json(found: Difference) -> dict[str, Any]:
     """Expressions are as in equations.json: what stands in several places is named once, in `where`."""
-    words = Words(e for entry in found.entries for e in (entry.before, entry.after) if e is not None)
-    written = [
-        {name: None if value is None else words(value) for name, value in (("before", e.before), ("after", e.after))}
-        for e in found.entries
-    ]
-    numbers = ("largest", "relative", "at", "rounding", "constants")
-    entries = [
-        {"matrix": e.matrix, "entry": e.place, **text, **{name: getattr(e, name) for name in numbers}}
-        for e, text in zip(found.entries, written, strict=True)
-    ]
+    every = (*found.quantities, *found.entries)
+    words = Words(e for entry in every for e in (entry.before, entry.after) if e is not None)
+    numbers = ("largest", "relative", "at", "rounding", "constants", "by")
+
+    def written(e: Entry, of: str) -> dict[str, Any]:
+        sides = (("before", e.before), ("after", e.after))
+        text = {name: None if value is None else words(value) for name, value in sides}
+        return {of: e.matrix, "entry": e.place, **text, **{name: getattr(e, name) for name in numbers}}
+
+    quantities = [written(e, "quantity") for e in found.quantities]
+    entries = [written(e, "matrix") for e in found.entries]
     made = found.cost
     return {
         "model": found.model,
         "against": found.against,
         "same": found.same,
         "statements": [asdict(statement) for statement in found.statements],
+        "quantities": quantities,
         "entries": entries,
+        "named": words.named,
         "where": words.where,
         "operations": made and [{"function": c.name, "before": c.before, "after": c.after} for c in made.changes],
         "bytes": made and {"before": made.before, "after": made.after, "unknown": made.unknown},

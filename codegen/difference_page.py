@@ -2,18 +2,16 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import Any
 
 from sympy import Matrix, Symbol
 
-from boresight.codegen.difference import POINTS, Cost, Difference, Entry, Statement, swapped, together
+from boresight.codegen.difference import POINTS, Cost, Difference, Entry, Names, Statement, together
 from boresight.codegen.text.equations import unchecked
-from boresight.derive.expressions import substituted, symbols_in
+from boresight.derive.expressions import substituted
 from boresight.derive.ledger.differences import differences, marks
 from boresight.derive.model import Function, Model, Output, Struct
 from boresight.derive.pages.blocks import Block, Form, Formulas, Page, Pair, Prose, Section
 from boresight.derive.pages.model import Description, forms, lettered, letters_of, names_of
-from boresight.derive.pages.named import nodes
 
 SIZES = (
     f"Sizes are the largest at {POINTS} points of the box, in SI units and rad; as part of a row they are of "
@@ -35,12 +33,14 @@ def differences_page(found: Sequence[Difference]) -> Page:
 
 
 def sections_of(found: Difference) -> tuple[Section, ...]:
-    changed = [entry for entry in found.entries if not entry.rounding and not entry.constants]
-    shown = Description(both(found, changed))
-    alike(shown)
+    apart = [entry for entry in found.entries if not entry.by]
+    changed = [entry for entry in apart if not entry.rounding and not entry.constants]
+    names = Names(found.old, found.new)
+    shown = Description(both(found, names, [*found.quantities, *changed]))
     sections = [
         *([Section("what is stated", tuple(map(stated, found.statements)))] if found.statements else []),
-        *matrix_sections(found, changed, shown),
+        *quantity_sections(found, names, shown),
+        *matrix_sections(found, apart, changed, shown),
     ]
     used = {s for section in sections for form in forms(section) for s in letters_of(form.relation)}
     sections += names_of(shown, used)
@@ -49,46 +49,19 @@ def sections_of(found: Difference) -> tuple[Section, ...]:
     return lettered(shown, Page("", tuple(sections))).sections
 
 
-def both(found: Difference, changed: list[Entry]) -> Model:
-    """A model whose functions are the entries before and after: so the same names are put into both."""
+def both(found: Difference, names: Names, changed: list[Entry]) -> Model:
+    """A model whose functions are the entries before and after, with one letter for both of a name that differs."""
     before, after = (
-        Matrix([0 if side is None else side for side in sides])
-        for sides in ([e.before for e in changed], [e.after for e in changed])
+        Matrix([0 if value is None else names.opaque(side, value) for value in values])
+        for side, values in enumerate(([e.before for e in changed], [e.after for e in changed]))
     )
-    columns = ("before", substituted(before, swapped(found.old, found.new))), ("after", after)
+    columns = ("before", substituted(before, names.swap)), ("after", after)
     functions = tuple(
         Function(name, name, (Output("entries", column, "1", name),)) for name, column in columns if changed
     )
     struct = Struct("both", "what either reads", together(found.old, found.new))
     made: Model = unchecked(Model, name=found.model, states=(), structs=(struct,), measurements=(), functions=functions)
     return made
-
-
-def alike(shown: Description) -> None:
-    """Take back a name that stands on one side of a pair alone if the other side has terms of what it stands for: what
-    differs is then seen in the same letters."""
-    groups = shown.naming.groups
-    values = {
-        letter: value
-        for one in shown.naming.named
-        for letter, value in zip(one.entries, one.value, strict=True)
-        if letter.is_Symbol and letter != value and value.is_Add
-    }
-    pairs = []
-    for before, after in zip(*groups.values(), strict=True) if groups else ():
-        pair = [before, after]
-        for letter in reversed(values):  # outer ones first
-            inside = [letter in symbols_in([side]) for side in pair]
-            if inside[0] != inside[1] and terms(values[letter]) & terms(*nodes([[pair[inside[0]]]])):
-                pair = list(substituted(Matrix(pair), {letter: values[letter]}))
-        pairs.append(pair)
-    for which, key in enumerate(groups):
-        groups[key] = Matrix([pair[which] for pair in pairs])
-
-
-def terms(*expressions: Any) -> set[Any]:
-    """The terms of all sums among these, without their numbers."""
-    return {term for e in expressions if e.is_Add for term in e.as_coefficients_dict()}
 
 
 def stated(statement: Statement) -> Prose:
@@ -100,9 +73,34 @@ def stated(statement: Statement) -> Prose:
     return Prose(f"was {statement.before or 'not stated'}; is {statement.after or 'not stated'}", what)
 
 
-def matrix_sections(found: Difference, changed: list[Entry], shown: Description) -> Iterator[Section]:
+def quantity_sections(found: Difference, names: Names, shown: Description) -> Iterator[Section]:
+    """What differs in a named quantity itself, and the entries that move by it alone."""
+    for label in dict.fromkeys(entry.matrix for entry in found.quantities):
+        own = [(i, e) for i, e in enumerate(found.quantities) if e.matrix == label]
+        relations = [
+            (Symbol(e.place), shown.naming.groups[f"{which} entries"][i])
+            for i, e in own
+            for which in ("before", "after")
+        ]
+        written = shown.formulas(relations)
+        blocks: list[Block] = []
+        for k, (_, entry) in enumerate(own):
+            blocks += pair(entry, written[0].forms[2 * k : 2 * k + 2])
+        moved = [entry for entry in found.entries if label in entry.by]
+        for key in dict.fromkeys(entry.matrix for entry in moved):
+            places = [entry.place for entry in moved if entry.matrix == key]
+            largest = max((e.relative or 0.0 for e in moved if e.matrix == key), default=0.0)
+            blocks.append(Prose(f"{', '.join(places)}; {largest:.2g} of a row at most", f"moves {key}"))
+        meaning = names.pairs[label][1].meaning
+        yield Section(label + f", {meaning}" * bool(meaning), (*blocks, *written[1:]))
+
+
+def matrix_sections(
+    found: Difference, apart: list[Entry], changed: list[Entry], shown: Description
+) -> Iterator[Section]:
+    first = len(found.quantities)
     letters = {s.name: letter for s, letter in shown.called.items()}
-    for key in dict.fromkeys(entry.matrix for entry in found.entries):
+    for key in dict.fromkeys(entry.matrix for entry in apart):
         own = [(i, e) for i, e in enumerate(changed) if e.matrix == key]
         relations = []
         for i, entry in own:
@@ -111,12 +109,12 @@ def matrix_sections(found: Difference, changed: list[Entry], shown: Description)
             letter = key.rpartition(" ")[2]
             label = shown.label(Symbol(letter), *places) if column else Symbol(f"{letter}_{places[0]}")
             for which in ("before", "after"):
-                relations.append((label, shown.naming.groups[f"{which} entries"][i]))
+                relations.append((label, shown.naming.groups[f"{which} entries"][first + i]))
         written = shown.formulas(relations)
         blocks: list[Block] = []
         for k, (_, entry) in enumerate(own):
             blocks += pair(entry, written[0].forms[2 * k : 2 * k + 2])
-        others = [e for e in found.entries if e.matrix == key and e not in changed]
+        others = [e for e in apart if e.matrix == key and e not in changed]
         for entry in others:
             why = "written otherwise; no value differs beyond rounding" if entry.rounding else "a constant alone"
             blocks.append(Prose(f"{why}; {sized(entry)}" if entry.constants else why, entry.place))

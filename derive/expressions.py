@@ -54,6 +54,21 @@ def names_in(*matrices: Matrix) -> list[Named]:
     return [part for part in found if isinstance(part, Named)]
 
 
+def quantities_in(*matrices: Matrix) -> list[Quantity]:
+    """All quantities of which the matrices read an entry, and those that all their entries are made of, each after
+    those in its value."""
+    found: dict[Quantity, None] = {}
+
+    def visit(*matrices: Matrix) -> None:
+        for entry in names_in(*matrices):
+            if entry.quantity not in found:
+                visit(entry.quantity.value)
+                found[entry.quantity] = None
+
+    visit(*matrices)
+    return list(found)
+
+
 def numeric(matrix: Matrix, names: bool = False) -> Matrix:
     """The matrix with numbers in the place of its constants, and without names if these are not to stay."""
     found = constants_in(matrix)

@@ -7,6 +7,7 @@ quaternions are Hamilton, scalar first.  Every expression is free of branches an
 from sympy import Matrix, atan2, cos, eye, sin, sqrt
 
 from boresight.derive.constant import constant
+from boresight.derive.named import named
 
 # Of use where a root of squares is divided by: a rotation by zero divides by 1e-15 and not by zero.  It changes the
 # quaternion of any rotation vector by less than 1e-30.
@@ -106,11 +107,12 @@ def normalized(q) -> Matrix:
 def quaternion_from_rotation_vector(e) -> Matrix:
     """[w, x, y, z] of the finite rotation by the vector e (3, rad): exact, to 1e-30, and defined at zero."""
     x, y, z = e
-    angle = sqrt(x**2 + y**2 + z**2 + TINY_SQUARE)
+    angle = named("angle", sqrt(x**2 + y**2 + z**2 + TINY_SQUARE), "of a rotation, rad")
     scale = sin(angle / 2) / angle
     return Matrix([cos(angle / 2), x * scale, y * scale, z * scale])
 
 
 def dcm_from_rotation_vector(e) -> Matrix:
     """exp([e x]), 3x3: the finite rotation by the vector e (3, rad), exact to 1e-30 and defined at zero."""
-    return dcm_from_quaternion(quaternion_from_rotation_vector(e))
+    turn = named("q_turn", quaternion_from_rotation_vector(e), "the quaternion of a rotation vector", "w x y z")
+    return dcm_from_quaternion(turn)

@@ -7,6 +7,7 @@ from boresight.derive.mechanics.earth import NED
 from boresight.derive.mechanics.rotation import (
     dcm_from_euler,
     dcm_from_quaternion,
+    dcm_from_rotation_vector,
     euler_from_dcm,
     normalized,
     quaternion_from_rotation_vector,
@@ -17,12 +18,6 @@ from boresight.derive.models import variables as var
 from boresight.derive.models.variables import D_MU, DT, EULER_M, GYRO_NOISE, MU
 from boresight.derive.named import named
 from boresight.derive.papers.song_lee_2001 import results as paper
-
-
-def rotation(name: str, e: Matrix, vector: str) -> Matrix:
-    """The matrix of the rotation by e, whose quaternion has the name."""
-    q = named(name, quaternion_from_rotation_vector(e), f"of the rotation by {vector}", "w x y z")
-    return dcm_from_quaternion(q)
 
 
 def euler_matching() -> Model:
@@ -48,10 +43,9 @@ def euler_matching() -> Model:
     # The exact measurement: the master's angles as predicted from the slave's attitude and the misalignment, and how
     # they change when an error x is taken out of both.
     C_b = named("C_euler_b", dcm_from_euler(*euler_b.vector), "slave body to level")
-    C_mu = named("C_b2m", rotation("q_b2m", -MU.vector, "-mu"), "slave body to master body, by mu")
-    C_eps = named("C_eps", rotation("q_eps", eps.vector, "eps"), "of the rotation by eps")
-    mu_true = named("minus_mu_true", D_MU.vector - MU.vector, "dmu - mu, rad", "x y z")
-    C_mu_true = named("C_b2m_true", rotation("q_b2m_true", mu_true, "dmu - mu"), "C_b2m with dmu taken out")
+    C_mu = named("C_b2m", dcm_from_rotation_vector(-MU.vector), "slave body to master body, by mu")
+    C_eps = named("C_eps", dcm_from_rotation_vector(eps.vector), "of the rotation by eps")
+    C_mu_true = named("C_b2m_true", dcm_from_rotation_vector(D_MU.vector - MU.vector), "C_b2m with dmu taken out")
     C_true = named("C_true", C_eps * C_b, "C_euler_b with eps taken out")
     master = euler_from_dcm(named("C_m2n", C_b * C_mu, "master body to level"))
     master_true = euler_from_dcm(named("C_m2n_true", C_true * C_mu_true, "C_m2n with eps and dmu taken out"))

@@ -74,7 +74,7 @@ class Description:
     def __init__(self, model: Model, target: str = ""):
         self.model, self.target = model, target or model.name
         self.jacobians: set[str] = set()  # what has been differentiated here
-        groups = {key: unnamed(matrix) for key, matrix in self.stated()}
+        groups = dict(self.stated())
         self.naming: Naming = naming(model, groups)
         self.called = component_letters(model)
         self.counted = count(1)
@@ -118,7 +118,7 @@ class Description:
 
     def _differentiated(self, key: str, column: Matrix) -> Iterator[tuple[str, Matrix]]:
         self.jacobians.add(key)
-        if operations(column) < JACOBIAN:
+        if operations(unnamed(column)) < JACOBIAN:
             yield key, slopes(column, self.model.x)
 
     # ---- blocks of a matrix ------------------------------------------------------------------------------------
@@ -195,6 +195,12 @@ class Description:
         turning = [C for C in self.naming.named if C.entries.shape == (3, 3) and read & symbols_in(C.entries)]
         if block.shape == (3, 1):
             yield from ((v.entries, v.letter) for v in vectors)
+            for C in turning:
+                for matrix, letter in ((C.entries, C.letter), (C.entries.T, transpose(C.letter))):
+                    for v in vectors:
+                        yield matrix * v.entries, product(letter, v.letter)
+                        for w in vectors if v.letter.name.startswith("omega") else ():
+                            yield matrix * skew(v.entries) * w.entries, product(letter, crossed(v.letter), w.letter)
         if block.shape == (3, 3):
             yield from ((skew(v.entries), crossed(v.letter)) for v in vectors)
             for C in turning:
@@ -451,9 +457,8 @@ def names_of(shown: Description, used: set[Symbol]) -> list[Section]:
     named: list[tuple[Named, list[Relation]]] = []
     constants: list[tuple[Named, list[Relation]]] = []
     for one in reversed(shown.naming.named):
-        letters = {one.letter, *one.entries}
-        if letters & used:
-            relations = list(_defined(one))
+        if one.letters & used:
+            relations = list(_defined(shown, one))
             used |= {s for relation in relations for s in letters_of(relation)}
             (constants if one.constant else named).insert(0, (one, relations))
     blocks: list[Block] = []
@@ -473,16 +478,17 @@ def names_of(shown: Description, used: set[Symbol]) -> list[Section]:
     ]
 
 
-def _defined(one: Named) -> Iterator[Relation]:
+def _defined(shown: Description, one: Named) -> Iterator[Relation]:
+    """A matrix or a vector as what it is of others that have a name, or entry by entry."""
     if one.value.shape == (1, 1):
         if not isinstance(one.shown, str):
-            yield Relation((one.letter, ordered(one.shown)))
+            yield Relation((one.letter, ordered(one.value[0] if one.shown is None else one.shown)))
         return
-    tree = [] if isinstance(one.shown, MATRICES) else [one.shown]
-    yield Relation((one.letter, *tree, one.entries.applyfunc(ordered)))
-    if not tree:
-        values = one.shown
-        yield from (Relation((s, ordered(value))) for s, value in zip(one.entries, values, strict=True) if s != value)
+    tree = shown.written(one.value)
+    yield Relation((one.letter, *[tree] * (tree is not None), one.entries.applyfunc(ordered)))
+    if tree is None:
+        pairs = zip(one.entries, one.value, strict=True)
+        yield from (Relation((s, ordered(value))) for s, value in pairs if s != value)
 
 
 def _dynamics(shown: Description, units: Mapping[str, Any]) -> list[Section]:

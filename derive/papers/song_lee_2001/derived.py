@@ -6,6 +6,7 @@ from unicodedata import normalize
 from sympy import ImmutableMatrix, Matrix, eye
 from sympy.simplify.fu import TR2i
 
+from boresight.derive.expressions import unnamed
 from boresight.derive.ledger.equation import Equation, Meaning, Reading, total
 from boresight.derive.ledger.lines import (
     EXACT_LINE,
@@ -78,8 +79,9 @@ def flown() -> dict[str, object]:
     mu, eps, omega = s("μ_x μ_y μ_z"), s("ε_n ε_e ε_d"), s("ω_n ω_e ω_d")
     C, H = dcm_from_euler(*euler), layout(measurement_matrix(euler_b, euler_r))
     before, missed = s("μ̂(k-) δμ(k)")
-    quaternion = error_quaternion(eps)
-    corrected = corrected_quaternion(s("q̂_0 q̂_1 q̂_2 q̂_3"), eps).subs(dict(zip(quaternion, turn, strict=True)))
+    quaternion = unnamed(error_quaternion(eps))
+    corrected = unnamed(corrected_quaternion(s("q̂_0 q̂_1 q̂_2 q̂_3"), eps))
+    corrected = corrected.subs(dict(zip(quaternion, turn, strict=True)))
     found = {
         "C_b2n": ImmutableMatrix(C),
         "noise": ImmutableMatrix(attitude_noise_matrix(C)),
