@@ -15,7 +15,7 @@ from typing import Any
 
 from boresight import BoresightError
 from boresight.codegen.text.statements import CALLS
-from boresight.derive.papers import PAPERS, paper
+from boresight.derive.papers import DERIVATIONS, PAPERS, paper
 from boresight.evidence.sources import Folder, Source, folders
 
 FUNCTION = re.compile(r"^(?:static|BS_INSIDE) void (\w+)\(([^)]*)\)\n\{\n(.*?)\n\}$", re.MULTILINE | re.DOTALL)
@@ -123,8 +123,8 @@ def printed(name: str) -> frozenset[str]:
 
 def known(citation: str) -> bool:
     """Whether the ledger has the cited equation, as `song-lee-2001 (20)`."""
-    match = re.fullmatch(r"([\w-]+) \((\w+)\)", citation)
-    return match is not None and match[1] in PAPERS and match[2] in printed(match[1])
+    match = re.fullmatch(r"([\w-]+) \(([\w-]+)\)", citation)
+    return match is not None and match[1] in (*PAPERS, *DERIVATIONS) and match[2] in printed(match[1])
 
 
 def block(unit: Source, result: dict[str, Any], comment: str) -> str:
@@ -180,7 +180,7 @@ def table(unit: Source) -> str:
     """Every statement with its blocks, a line each; the equations and the test at the head."""
     assert unit.described is not None
     made, results = kernel(unit), {result["name"]: result for result in unit.described["results"]}
-    cited = ", ".join(unit.described["equations"]) or "no paper prints it: the model itself"
+    cited = ", ".join(unit.described["equations"]) or "derived by the model alone"
     lines = [f"{unit.described['c_name']}: {cited}; tested by {unit.test.name}"]
     for line in made.statements:
         seen = sorted({block(unit, results[key[0]], made.outputs[key]) for key in line.outputs})

@@ -17,6 +17,7 @@ from boresight.codegen.functions.unit import Unit, Values, described
 from boresight.derive.model import SPREAD
 
 Rows = list[dict[int, Any]]  # a matrix as its non-zeros, row by row: F of a filter has few
+TRANSITION = ("mechanics (transition-1)", "mechanics (transition-2)")  # Phi and Q of the second order
 LARGEST = 3e38  # a float holds it: what is not below it counts as not finite
 
 
@@ -142,7 +143,7 @@ def error_state(maker: UnitMaker) -> list[Unit]:
             f"transition matrix over dt, {series(order)}, with F as it is at the start",
             [(Phi, described("Phi", "mixed", "transition matrix"))],
             Phi_exact,
-            source,
+            (*source, *TRANSITION[:1] * (order == 2)),
             (model.F,),
         ),
         noise_per_second(maker),
@@ -151,7 +152,7 @@ def error_state(maker: UnitMaker) -> list[Unit]:
             f"covariance that the noise adds over dt, to dt^{order + 1}, as squares, with F as it is at the start",
             [(symmetric(Q), described("Q", "mixed", "covariance of the noise"))],
             Q_exact,
-            source,
+            (*source, *TRANSITION[1:] * (order == 2)),
             (model.F, model.G, model.noise),
         ),
     ]

@@ -135,7 +135,7 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
         "file": file_stem(model, unit.name),
         "guard": file_stem(model, unit.name),  # F and f, H and h are read into one file
         "meaning": unit.meaning,
-        "equations": ", ".join(unit.equations),
+        "stands_on": stands_on(model, unit),
         "column": max(len(named["path"]) for named in args + results),
         "operations": unit.tape.operations,
         "hash": unit_hash(unit),
@@ -195,6 +195,20 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
             + [f"&{r['name']}[i * {r['total']}U]" for r in results]
         ),
     }  # fmt: skip
+
+
+def stands_on(model: Model, unit: Unit) -> str:
+    """The equations that the unit cites; of one without, what it is derived from."""
+    if unit.equations:
+        return f"Equations: {', '.join(unit.equations)}"
+    of = {f"{m.name}_{part}": m for m in model.measurements for part in "zhH"}.get(unit.name)
+    if of is not None and unit.name.endswith("_H") and of.H is None:
+        return f"Derived from: {of.name}_h by differentiation"
+    if unit.name == "feedback":
+        return f"Derived from: the definition of the errors at the head of {snake(model.name)}.h, by finite rotations"
+    if of is not None and (first := of.first_order):
+        return f"Derived from: the exact h{f' of {first.of}' * bool(first.of)}, which the model states"
+    return f"Derived from: the model {model.name}, which states it"
 
 
 def model_view(model: Model, unit_views: list[dict[str, Any]]) -> dict[str, Any]:

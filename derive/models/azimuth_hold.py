@@ -76,7 +76,7 @@ def azimuth_hold() -> Model:
             Measurement("zupt", frame.axes, "m/s",
                         "velocity of a body at rest, where zero is measured: z = computed - measured",
                         z=v_n.vector, H=paper.zero_velocity_matrix(),
-                        equations=("kim-2018 (16)", "kim-2018 (17)")),
+                        equations=("kim-2018 (16)", "kim-2018 (17)", "kim-2018 (23)")),
             Measurement("azimuth", ("up",), "rad", f"azimuth, where the reference is measured: z = +e, {var.TURN}",
                         z=Matrix([azimuth]), h=Matrix([azimuth - azimuth_left]),
                         H=paper.hold_measurement_matrix()[3, :],
@@ -94,7 +94,7 @@ def azimuth_hold() -> Model:
                 Output("accel_bias", BA.vector - D_BA.vector, "m/s^2", "accelerometer bias", "body"),
             ), ("kim-2018 (27)", "kim-2018 (28)", "kim-2018 (29)")),
         ),
-        equations=("kim-2018 (9)", "kim-2018 (10)", "kim-2018 (11)"),
+        equations=("kim-2018 (7)", "kim-2018 (9)", "kim-2018 (10)", "kim-2018 (11)"),
         card=(
             "Error = computed - true; C_hat = (I - [phi x]) C against the true level (phi model).",
             "A bias is measured - true, and its error estimated - true.",

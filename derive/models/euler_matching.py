@@ -93,17 +93,17 @@ def euler_matching() -> Model:
                 z=master - EULER_M.vector,
                 h=master - master_true,
                 angle=True,
-                equations=("song-lee-2001 (14)", "song-lee-2001 (16)"),
+                equations=("song-lee-2001 (14)", "song-lee-2001 (16)", "mechanics (euler-1)"),
             ),
         ),
         functions=(
             Function("euler_angles", "roll, pitch, yaw of the slave from its quaternion", (
                 Output("euler_b", euler_from_dcm(C_b2n), "rad", "roll, pitch, yaw", "NED to body",
                        var.ANGLES_LOW, var.ANGLES_HIGH),
-            )),
+            ), ("song-lee-2001 (16)",)),
             Function("strapdown", "the slave's attitude after one interval of inertial data", (
                 Output("q_b2n_wxyz", q_next, "1", "attitude of the slave, of unit norm", "body to NED"),
-            )),
+            ), ("mechanics (strapdown-1)",)),
             Function("feedback", "attitude and misalignment with the estimated errors taken out", (
                 Output("q_b2n_wxyz", q_corrected, "1", "attitude of the slave, of unit norm", "body to NED"),
                 Output("mu", paper.corrected_misalignment(MU.vector, D_MU.vector), "rad", "misalignment",
@@ -113,7 +113,7 @@ def euler_matching() -> Model:
                 Output("omega_in_n",
                        earth.omega_ie_n(lat.scalar) + earth.omega_en_n(lat.scalar, height.scalar, v_n.vector),
                        "rad/s", "Earth's rate plus transport rate", "NED"),
-            )),
+            ), ("mechanics (strapdown-1)",)),
         ),
         equations=("song-lee-2001 (20)", "song-lee-2001 (21)"),
         card=(

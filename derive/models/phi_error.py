@@ -63,8 +63,9 @@ def error_model(
         functions=(
             Function(function, meaning, (
                 Output("T", T(frame, position.vector, v_n.vector), "mixed", "the map; a covariance goes by T P T'"),
-            )),
+            ), (f"mechanics ({'map-2' if frame is NED else 'map-3'})",)),
         ),
+        equations=(f"mechanics ({name}-{3 if frame is NED else 4})", "mechanics (phi-5)"),
         card=(
             "Error = computed - true, to first order in the errors; no other term is dropped.",
             *lines,

@@ -49,13 +49,13 @@ def strapdown(frame: Frame = ENU) -> Model:
                        frame.name),
                 Output("q_b2n_rate", mechanization.quaternion_rate(frame, *nav, OMEGA_IB_B.vector), "1/s",
                        "rate of the quaternion", f"body to {frame.name}"),
-            )),
+            ), ("mechanics (strapdown-1)",)),
             Function("earth", "what the Earth does to a navigator at this place and velocity", (
                 Output("omega_ie_n", earth.omega_ie_n(lat, frame), "rad/s", "the Earth's rate", frame.name),
                 Output("omega_en_n", earth.omega_en_n(lat, height, v_n.vector, frame), "rad/s", "transport rate",
                        frame.name),
                 Output("gravity_n", earth.gravity_n(lat, height, frame), "m/s^2", "gravity", frame.name),
-            )),
+            ), ("mechanics (strapdown-1)",)),
         ),
         card=var.card(frame),
     )  # fmt: skip

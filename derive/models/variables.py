@@ -137,7 +137,7 @@ def strapdown(frame: Frame, gyro_bias: Variable | None = None, accel_bias: Varia
         meaning += ", estimated biases removed"
     at = (position(frame).vector, velocity(frame).vector, attitude(frame).vector)
     carried = mechanization.step(frame, *at, dtheta, dv, dtheta_before, dv_before, DT.scalar)
-    return Function("strapdown", meaning, nav_outputs(frame, *carried))
+    return Function("strapdown", meaning, nav_outputs(frame, *carried), ("mechanics (strapdown-1)",))
 
 
 def mechanics(frame: Frame, f_b, *, biased: bool = False, computed_level: bool = False) -> Mechanics:

@@ -45,9 +45,9 @@ def failed(quickly, compiled_once, tmp_path_factory):
     spoil(folder, "src/em_euler_H_kernel.h", "= -cos_yaw_b", "= cos_yaw_b")
     # (-a) * b against -(a * b) is the same; a * b * c in another order is not
     path = "src/em_strapdown_kernel.h"
-    (product,) = re.findall(r"= (t\d+) \* q_b2n_wxyz\[0\];", (folder / path).read_text())[:1]
-    spoil(folder, path, f"= {product} *", f"= ({product} * BS_REAL(3.0)) / BS_REAL(3.0) *")
-    spoil(folder, "src/em_F_kernel.h", "F_nz[5] = t", "F_nz[5] = BS_REAL(0.0) * t")
+    product = "q_b2n_wxyz[0] * q_body_w"
+    spoil(folder, path, f"= {product};", f"= (({product}) * BS_REAL(3.0)) / BS_REAL(3.0);")
+    spoil(folder, "src/em_F_kernel.h", "F_nz[5] = ", "F_nz[5] = BS_REAL(0.0) * ")
     found = defaultdict(list)
     for check in verify("euler-matching", folder, 100):
         if not check.ok:

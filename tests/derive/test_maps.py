@@ -6,9 +6,9 @@ import pytest
 from sympy import Matrix
 
 from boresight import BoresightError
-from boresight.derive.ledger.carried import check_maps
+from boresight.derive.ledger.carried import check_maps, model_of
 from boresight.derive.ledger.map import Match, Row
-from boresight.derive.papers import PAPERS, paper
+from boresight.derive.papers import DERIVATIONS, PAPERS, paper
 from boresight.derive.papers.song_lee_2001 import results
 
 MAPPED = [name for name in PAPERS if paper(name).maps]
@@ -112,3 +112,16 @@ def test_what_a_map_lacks_or_misnames_is_one_clear_line():
     )
     wrong = (*transfer.matches, Match("3", r"\delta v^n", "F"))
     assert "3x1 beside 10x10" in refusal(changed("kim-2018", "velocity_dcm", matches=wrong), "3")
+
+
+@pytest.mark.parametrize("name", [*PAPERS, *DERIVATIONS])
+def test_what_a_map_holds_is_cited_by_what_makes_the_c(name):
+    for one in paper(name).maps:
+        model = model_of(one)
+        measured = {m.name: m.equations for m in model.measurements}
+        functions = {f.name: f.equations for f in model.functions}
+        for match in one.matches:
+            if (name, match.ours) == ("kang-2025", "F"):  # which that paper does not print
+                continue
+            cited = [measured[of] for of in match.of] or [functions.get(match.ours.partition(".")[0], model.equations)]
+            assert all(f"{name} ({match.equation})" in equations for equations in cited), (model.name, match)

@@ -25,10 +25,10 @@ def test_every_statement_is_traced_both_ways(name, tmp_path):
 @pytest.mark.parametrize(
     ("path", "right", "wrong", "word"),
     [
-        ("src/em_F_kernel.h", "F_nz[1] = t2;", "F_nz[1] = t3;", "const bs_real t2 = -omega_in_n[1]; reaches no output"),
+        ("src/em_F_kernel.h", "F_nz[1] = t1;", "F_nz[1] = t3;", "const bs_real t1 = -omega_in_n[1]; reaches no output"),
         (
             "src/em_F_kernel.h",
-            "    F_nz[5] = t5; /* eps_d, eps_e */\n",
+            "    F_nz[5] = t3; /* eps_d, eps_e */\n",
             "",
             "F: 5 non-zeros written, 6 in the manifest",
         ),
@@ -56,6 +56,7 @@ def test_a_citation_that_no_ledger_has_is_seen():
     assert trace.known("song-lee-2001 (20)")
     assert not trace.known("song-lee-2001 (99)")
     assert not trace.known("nobody-1900 (1)")
+    assert trace.known("mechanics (phi-4)") and not trace.known("mechanics (phi-9)")
 
 
 @pytest.mark.parametrize("name", NAMES)
