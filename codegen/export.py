@@ -263,6 +263,7 @@ def export_view(
         ],
         "memory": memory(manifest, folder, precision),
         "filter": described,
+        "over_nonzeros": described is not None and described["prediction"] == "non-zeros",
         "minute": flown,
         "why_not": why_not,
         "seconds": SECONDS,

@@ -5,43 +5,18 @@ from typing import Any
 
 from boresight.codegen.functions.dynamics import left_of_Q, left_out, series, spread
 from boresight.codegen.functions.unit import Unit
+from boresight.codegen.text import sparse
+from boresight.codegen.text.places import Places, coupled, met, moving, powers, reach, staying_pairs, table
 from boresight.derive.model import Model
 
 LANES = 4
 TILE = 16  # columns of a row that are summed at a time on a host: what half of its registers hold
 BLOCK, TALL = 5, 3  # columns and rows of a product that are summed at a time: what the registers of a small target hold
 
-Places = tuple[tuple[int, int], ...]
-
-
-def table(places: Places, rows: int) -> dict[str, Any]:
-    """Where row after row of a sparse matrix begins, and the columns of its non-zeros, as text."""
-    ordered = sorted(places)
-    start = [sum(row < i for row, _ in ordered) for i in range(rows + 1)]
-    return {
-        "nnz": len(ordered),
-        "start": ", ".join(map(str, start)),
-        "at": ", ".join(str(column) for _, column in ordered),
-    }
-
 
 def nonzeros(made: list[Unit], name: str) -> Places:
     (unit,) = (unit for unit in made if unit.name == name)
     return unit.results[0].nonzeros
-
-
-def moving(n: int, F: Places) -> int:
-    """How many states there are up to the last with a row in F, at least one: those behind keep their values."""
-    return max((i + 1 for i, _ in F), default=1)
-
-
-def reach(n: int, places: Places) -> list[int]:
-    """Of each column of U in U D U', the factors of a symmetric matrix, the first row that may not be zero."""
-    first = [min([j, *(i for i, column in places if column == j)]) for j in range(n)]
-    for j in reversed(range(n)):
-        for k in range(first[j], j):
-            first[k] = min(first[k], first[j])
-    return first
 
 
 def even(count: int, most: int) -> tuple[int, int]:
@@ -65,12 +40,6 @@ def drivers(F: Places, m: int, tall: int) -> list[tuple[int, int, int, int]]:
     return found
 
 
-def coupled(first: list[int]) -> list[int]:
-    """The states, from the last, whose columns of a factor have more than a diagonal, or are in the reach of such."""
-    n = len(first)
-    return [k for k in reversed(range(n)) if first[k] < k or any(first[j] <= k < j for j in range(n))]
-
-
 def discretize_cost(n: int, F: Places, Qc: Places, order: int) -> int:
     """Additions, multiplications and divisions of `discretize`, where no pivot of Qc vanishes."""
     m = moving(n, F)
@@ -90,11 +59,6 @@ def discretize_cost(n: int, F: Places, Qc: Places, order: int) -> int:
     return cost + len(upper) - inner + (3 * inner if order == 2 else 0)
 
 
-def staying_pairs(m: int, first: list[int]) -> bool:
-    """Whether noises of two states that do not move have a part in common."""
-    return any(m <= i for j, begin in enumerate(first) for i in range(begin, j))
-
-
 def movers(model: Model, made: list[Unit]) -> int:
     """How many states of a model may move: in discrete time, where no rate of them says it, all."""
     by_rate = model.kind == "error-state" or model.f is not None
@@ -106,21 +70,6 @@ def arranged(model: Model, made: list[Unit]) -> dict[str, Any]:
     (_, row), m = even(model.n, BLOCK), movers(model, made)
     places = [i * row + j for i, j in nonzeros(made, "Phi") if i < m]
     return {"Phi_count": len(places), "Phi_places": ", ".join(map(str, places))}
-
-
-def powers(n: int, F: Places, order: int) -> set[tuple[int, int]]:
-    """Where I + F + F F + ... may have non-zeros."""
-    found = term = {(i, i) for i in range(n)}
-    for _ in range(order):
-        term = {(i, j) for i, k in term for other, j in F if k == other}
-        found = found | term
-    return found
-
-
-def met(m: int, B: set[tuple[int, int]], first: list[int], begin: int) -> list[list[int]]:
-    """Of each row of B U that moves, where it may have non-zeros in the columns that meet noise."""
-    n = len(first)
-    return [[k for k in range(begin, n) if any((i, l) in B for l in range(first[k], k + 1))] for i in range(m)]
 
 
 def whole(count: int) -> int:
@@ -154,6 +103,12 @@ def groups(m: int) -> list[tuple[int, int, int, int]]:
     return found
 
 
+def index_type(numbers: str | list[int]) -> str:
+    """The smallest type in C that holds these, which may be a text of numbers and commas."""
+    listed = [int(word) for word in numbers.split(",")] if isinstance(numbers, str) else numbers
+    return "unsigned char" if max(listed) < 256 else "unsigned short"
+
+
 def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
     """Sizes and index tables of the covariance functions."""
     n = model.n
@@ -176,7 +131,15 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
     begin = min([m, *(i for i, _ in Qc)])  # columns of B before this one meet no noise
     Phi = powers(n, F, model.order) if F else set(nonzeros(made, "Phi")) if not model.loops else set()
     by_rows = bool(Phi) and m >= whole(n) - n  # whole blocks that end with a row of N begin in the M numbers before it
+    over_nonzeros = bool(F) and model.order < 3 and not staying_pairs(m, first)
+    over_nonzeros = over_nonzeros and sparse.worthwhile(n, m, down, row, tall, Phi)
+    printed = sparse.sparse_view(n, m, row, F, Qc, model.order) if over_nonzeros else None
+    cost = discretize_cost(n, F, Qc, model.order) if model.kind == "error-state" else None
+    if printed:
+        cost = printed["cost"]
+        region = max(region, printed["end"] ** 2, m * (m + row))
     return {
+        "sparse": printed,
         "by_rows": by_rows,
         "Phi_runs": [runs(k for k in range(n) if (i, k) in Phi) for i in range(m)] if by_rows else [],
         "tile": TILE,
@@ -207,6 +170,7 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
             2 * n * rows,
             n * (n + 1) // 2 + n * n,
             2 * n * n if model.loops else 0,
+            2 * printed["count"] + len(F) if printed else 0,
         ),
         **given,
         "sizes": {name: len(nonzeros(made, name)) for name in sized},
@@ -215,7 +179,7 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
         "drivers": drivers(F, m, tall),
         "left_out": left_out(model.order),
         "left_of_Q": left_of_Q(model.order),
-        "cost": discretize_cost(n, F, Qc, model.order) if model.kind == "error-state" else None,
+        "cost": cost,
         "spread": spread(model.order),
         "F_place": ", ".join(str(i * row + j) for i, j in sorted(F)),
         "Qc_count": len(upper),
@@ -226,5 +190,6 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
         "reach": [first[k] for k in coupled(first)],
         "begin": begin,
         "staying_pairs": staying_pairs(m, first),
+        "index": index_type,
         "fraction": lambda a, b: repr(a / b),
     }

@@ -7,7 +7,8 @@ on at the end.
 Tolerances, u being the unit roundoff: with s_i = sum_k |Phi_ik| sqrt(P_kk) every term of (Phi P Phi')_ij is bounded by
 s_i s_j in sum, because |P_kl|^2 <= P_kk P_ll, and likewise for Q with the variances of Qc; a sum of n products rounds n
 times.  In the factors, sum_k |U_ik| d_k |U_jk| <= sqrt(P_ii P_jj) by Cauchy-Schwarz, so that each of the n columns of a
-factorization, an orthogonalization or an update adds n roundings of the same size; a pivot that is rounding alone,
+factorization or an update adds n roundings of the same size, and an orthogonalization, which sums over the columns of
+Phi U and of the factor of Q that moves, as many as these are; a pivot that is rounding alone,
 but above the last that counts, may add n^2 of them.  In an update, rounding of g = P h is relative to
 sum_k |h_k| sqrt(P_kk) sqrt(P_ii) and that of S to R + (sum_k |h_k| sqrt(P_kk))^2, whose ratio to S multiplies all.
 """
@@ -226,7 +227,7 @@ def vectors_view(n: int, A: Places, B: Places, order: int | None, moving: int) -
         "of_state": n + terms + 8,
         # twice Phi, twice a sum of n; three terms of an update with n roundings in each of g, g and S
         "of_joseph": 10 * n + 30,
-        "of_ud": 5 * n * n + 10 * n + 30,
+        "of_ud": 5 * n * (n + moving) + 10 * n + 30,
         "predicted_P": rows_of([row[0] for row in ahead]),
         "predicted_x": rows_of([row[1] for row in ahead]),
         "predicted_size": rows_of([row[2] for row in ahead], three_digits),

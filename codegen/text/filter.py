@@ -12,8 +12,9 @@ from boresight.codegen.functions.dynamics import LARGEST
 from boresight.codegen.functions.samples import generator, sample
 from boresight.codegen.functions.tape import evaluate
 from boresight.codegen.functions.unit import Unit, state_variable
-from boresight.codegen.text.covariance import Places, arranged, nonzeros, table
+from boresight.codegen.text.covariance import arranged, nonzeros
 from boresight.codegen.text.names import beyond, norms_beyond, norms_near, number, rows_of, shared_tables
+from boresight.codegen.text.places import Places, table
 from boresight.derive.model import Measurement, Model, Variable
 
 ENDS = ("low", "high")

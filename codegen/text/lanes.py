@@ -5,8 +5,9 @@ from itertools import accumulate
 from typing import Any
 
 from boresight.codegen.functions.unit import Unit
-from boresight.codegen.text.covariance import coupled, even, movers, nonzeros, reach
+from boresight.codegen.text.covariance import even, movers, nonzeros
 from boresight.codegen.text.names import number
+from boresight.codegen.text.places import coupled, reach
 from boresight.derive.model import Model, Variable
 
 WIDE, TALL = 5, 3  # columns and rows of a product that are summed at a time

@@ -18,6 +18,7 @@ def filter_manifest(model: Model, made: list[Unit], views: list[dict[str, Any]])
         "sources": [f"{model.c_prefix}_{part}" for part in ("covariance", "filter", "digest")],
         "carried": f["carried"],
         "ceiling": ceilings(model),
+        "prediction": "non-zeros" if covariance_view(model, made)["sparse"] else "blocks",
         "propagate": {key: f["propagate"][key] for key in ("structs", "fields")}
         | ({"loops": model.loops} if f["total"] else {}),
         **{

@@ -10,8 +10,9 @@ import pytest
 from building import STRICT, c_files, program, run, self_test
 from conftest import ROOT
 
-from boresight.codegen.text.covariance import even, moving, reach, table
+from boresight.codegen.text.covariance import even
 from boresight.codegen.text.covariance_vectors import draw_case, predicted, updated
+from boresight.codegen.text.places import moving, reach, table
 from boresight.runtime.compiler import compile_sources
 from boresight.runtime.library import load
 

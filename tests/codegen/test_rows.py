@@ -21,6 +21,7 @@ from boresight.runtime import compiler
 
 SOURCES = sorted((ROOT / "generated").glob("*/src/*_covariance.c"))
 OPTIMISED = [path for path in SOURCES if path.stem in ("em_covariance", "ah_covariance")]  # 6 and 15 states
+OVER_NONZEROS = [path for path in SOURCES if "_OVER_NONZEROS" in path.read_text()]
 BUILDS = [
     build
     for precision in compiler.PRECISIONS
@@ -55,9 +56,10 @@ class Kernels:
     def stepped(self, drawn):
         """All numbers that a step and a measurement of the draw give."""
         F, Qc, P, x, dt, h, at, R = drawn
-        Phi, Q, next_, UD, ud_next, work = (
-            self.empty(name) for name in ("N_PHI", "N_PACKED", "N_PACKED", "N_PACKED", "N_PACKED", "N_WORK")
+        Q, next_, UD, ud_next, work = (
+            self.empty(name) for name in ("N_PACKED", "N_PACKED", "N_PACKED", "N_PACKED", "N_WORK")
         )
+        Phi = np.zeros(self.size["N_PHI"], self.real)  # of which the rows write all
         self.call("discretize", F, Qc, self.scalar(dt), Phi, Q, work)
         self.call("joseph_predict", P, Phi, Q, next_, work)
         dense = np.zeros((self.n, self.n), self.real)
@@ -113,6 +115,18 @@ def draw(kernels, rng):
     return numbers(size["N_F"]), rng.choice([Qc, np.abs(Qc)]), packed, numbers(n), rng.uniform(0.5, 2), h, at, R
 
 
+def stepped_in_place(kernels, drawn):
+    """P after a step in place, and after the step back."""
+    F, Qc, P, _, dt, *_ = drawn
+    Phi, Q, work = (np.zeros(kernels.size[name], kernels.real) for name in ("N_PHI", "N_PACKED", "N_WORK"))
+    kernels.call("discretize", F, Qc, kernels.scalar(dt), Phi, Q, work)
+    after = P.copy()
+    kernels.call("joseph_step", after, Phi, Q, work)
+    back = after.copy()
+    kernels.call("joseph_back", back, Q)
+    return after, back
+
+
 def differing(kernels, rows):
     """How many of the draws differ in a bit."""
     rng = np.random.default_rng(0)
@@ -146,6 +160,27 @@ def folder(tmp_path_factory):
 @pytest.mark.parametrize("precision", sorted(compiler.PRECISIONS))
 def test_rows_of_every_model_have_the_bits_of_the_loops(source, precision, folder):
     assert differing(loops_of(source, precision, folder), rows_of(source, precision, folder)) == 0
+
+
+@pytest.mark.parametrize("source", OVER_NONZEROS, ids=lambda path: path.stem)
+@pytest.mark.parametrize("precision", sorted(compiler.PRECISIONS))
+def test_a_prediction_over_non_zeros_has_the_bits_of_the_blocks(source, precision, folder, tmp_path):
+    """With rows of vectors it has them too, by the test above."""
+    flags = compiler.PRECISIONS[precision]
+    blocks = Kernels(source, tmp_path / "blocks.so", "-O0", "-DBORESIGHT_BLOCKS", *flags)
+    assert differing(loops_of(source, precision, folder), blocks) == 0
+
+
+@pytest.mark.parametrize("source", OVER_NONZEROS, ids=lambda path: path.stem)
+@pytest.mark.parametrize("precision", sorted(compiler.PRECISIONS))
+def test_a_step_in_place_has_the_bits_of_a_prediction_and_goes_back(source, precision, folder):
+    kernels, rng = loops_of(source, precision, folder), np.random.default_rng(0)
+    for _ in range(DRAWS):
+        drawn = draw(kernels, rng)
+        P = drawn[2]
+        P += 0.0  # as a filter begins: with zeros of one sign
+        after, back = stepped_in_place(kernels, drawn)
+        assert after.tobytes() == kernels.stepped(drawn)[2].tobytes() and back.tobytes() == P.tobytes()
 
 
 @pytest.mark.parametrize("source", OPTIMISED, ids=lambda path: path.stem)
