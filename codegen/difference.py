@@ -132,12 +132,12 @@ def compared(model: str, against: str, old: Model, new: Model) -> Difference:
     ]
     plain = [unnamed(sp.Matrix(len(found), 1, [one[i] or 0 for one in found])) for i in (2, 3)]
     entries = [
-        Entry(*one, constants=one[2] is not None and names.after(one[2]) == one[3], by=names.moving(*one[2:]))
-        for one, a, b in zip(found, *plain, strict=True)
-        if a != b
+        Entry(key, place, a, b, constants=a is not None and names.after(a) == b, by=names.moving(a, b))
+        for (key, place, a, b), *plainly in zip(found, *plain, strict=True)
+        if plainly[0] != plainly[1]
     ]
     quantities = names.changed
-    of = [{e.matrix: {} for e in quantities} for _ in range(2)]
+    of: list[dict[str, Any]] = [{e.matrix: {} for e in quantities} for _ in range(2)]
     for e in quantities:
         of[0][e.matrix][e.place], of[1][e.matrix][e.place] = e.before, e.after
     measured = Measured(old, new, before | of[0], after | of[1])

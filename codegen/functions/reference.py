@@ -13,6 +13,7 @@ from flint import arb, ctx
 
 from boresight import BoresightError
 from boresight.derive.expressions import numeric
+from boresight.derive.named import Named
 
 DIGITS = 50  # wanted of the largest number on the way
 GUARD = 30  # digits beyond the wanted ones, which cancellation may take
@@ -54,7 +55,7 @@ def evaluator(
     With `by`, the Jacobian of each, a column, by these symbols instead: the chain rule, step by step along the
     expressions.  Raises BoresightError on a function that it does not know.
     """
-    matrices = [numeric(matrix) for matrix in matrices]
+    matrices = [numeric(matrix, names=True) for matrix in matrices]
     program = Program(symbols)
     if by:
         outputs = [
@@ -97,7 +98,7 @@ class Program:
     def value(self, e: Any) -> str:
         """The name of what holds the expression."""
         if e not in self.values:
-            self.values[e] = self.named(self.printed(e))
+            self.values[e] = self.value(e.value) if isinstance(e, Named) else self.named(self.printed(e))
         return self.values[e]
 
     def printed(self, e: Any) -> str:
@@ -146,6 +147,8 @@ class Program:
         return self.slopes[e, s]
 
     def differentiated(self, e: Any, s: sp.Symbol) -> str:
+        if isinstance(e, Named):
+            return self.slope(e.value, s)
         if isinstance(e, sp.sign):
             return ""
         if isinstance(e, sp.Piecewise):
