@@ -1,6 +1,7 @@
-"""What the filter costs on a Cortex-M4F in float: instructions, counted while the shipped self-test runs, and text.
+"""What the filter costs on a Cortex-M4F in float: instructions, loads and stores, counted while the shipped self-test
+runs, and text.
 
-python -m benchmarks.instructions [generated/azimuth_hold [-Os [-DBORESIGHT_UD=0]]]
+python -m benchmarks.instructions [generated/azimuth_hold | examples/autopilot.py:AUTOPILOT [-Os [-DBORESIGHT_UD=0]]]
 """
 
 import sys
@@ -9,6 +10,7 @@ from pathlib import Path
 
 from elftools.elf.elffile import ELFFile
 
+from boresight.codegen.generate import generate
 from boresight.evidence.machine import Machine
 from boresight.evidence.sources import Folder
 from boresight.evidence.targets import M4F, Build, build
@@ -16,7 +18,8 @@ from boresight.runtime.compiler import run
 
 WATCHED = ("discretize", "joseph_predict", "ud_predict", "predict_state", "joseph_update", "ud_update", "ud_add",
            "filter_propagate", "F_nz", "Qc_nz")  # fmt: skip
-FLOWN = ("init", "propagate", "measure_zupt", "measure_azimuth", "correct")
+MEASURED = ("zupt", "azimuth", "mag", "flow", "airspeed", "sideslip")  # of those that a model has
+FLOWN = ("init", "propagate", *(f"measure_{name}" for name in MEASURED), "correct")
 
 
 def main(path: str = "generated/azimuth_hold", *flags: str) -> None:
@@ -24,20 +27,25 @@ def main(path: str = "generated/azimuth_hold", *flags: str) -> None:
 
     Of the filter's functions those calls count that answer BS_OK.
     """
+    if ":" in path:
+        with tempfile.TemporaryDirectory() as aside:
+            generate(path, aside)
+            return main(aside, *flags)
     folder = Folder(Path(path).resolve())
     prefix, flags = folder.manifest["c_prefix"], flags or ("-Os",)
     ending = "_f32_joseph" if "-DBORESIGHT_UD=0" in flags else "_f32"
     names = tuple(f"{prefix}_{name}{ending if name.startswith('filter') else '_f32'}" for name in WATCHED)
     with tempfile.TemporaryDirectory() as out:
         made = build(folder, M4F, "float", Path(out), *flags, "-ffunction-sections", "-fdata-sections")
-        machine = Machine(made, made.image, names, tuple(name for name in names if "filter" in name))
+        machine = Machine(made, made.image, names, tuple(name for name in names if "filter" in name), accesses=True)
         machine.run_tests([f"{prefix}_covariance", f"{prefix}_filter"])
-        functions = [f"{prefix}_filter_{name}{ending}" for name in FLOWN]
-        text = linked(made, [name for name in functions if name in machine.symbols])
-    print(f"{folder.name}, {' '.join(flags)}: {'least':>8} {'most':>8} {'stack, B':>9}")
+        flown = [name for name in FLOWN if f"{prefix}_filter_{name}{ending}" in machine.symbols]
+        text = linked(made, [f"{prefix}_filter_{name}{ending}" for name in flown])
+    title = f"{folder.manifest['model']}, {' '.join(flags)}:"
+    print(f"{title:30} {'least':>8} {'most':>8} {'loads':>8} {'stores':>8} {'stack, B':>9}")
     for name, cost in sorted(machine.costs.items()):
-        print(f"{name:28} {cost.least:8} {cost.most:8} {cost.stack:9}")
-    print(f"text of {', '.join(FLOWN)}: {text} B; sines, and what is the compiler's, apart")
+        print(f"{name:30} {cost.least:8} {cost.most:8} {cost.loads:8} {cost.stores:8} {cost.stack:9}")
+    print(f"text of {', '.join(flown)}: {text} B; sines, and what is the compiler's, apart")
 
 
 def linked(made: Build, functions: list[str]) -> int:

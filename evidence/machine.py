@@ -19,16 +19,19 @@ ARM_FPU_ON, RISCV_FPU_ON = 0x00F0_0000, 0x6000
 @dataclass
 class Cost:
     """Of one public function over the calls that were watched: instructions with what it calls, bytes of stack below
-    the caller's."""
+    the caller's; loads and stores of the call with the most instructions, where they are counted."""
 
     calls: int = 0
     least: int = 0
     most: int = 0
     stack: int = 0
+    loads: int = 0
+    stores: int = 0
 
-    def add(self, instructions: int, stack: int) -> None:
+    def add(self, instructions: int, stack: int, loads: int = 0, stores: int = 0) -> None:
         self.least = min(self.least, instructions) if self.calls else instructions
-        self.most = max(self.most, instructions)
+        if instructions > self.most:
+            self.most, self.loads, self.stores = instructions, loads, stores
         self.stack = max(self.stack, stack)
         self.calls += 1
 
@@ -42,16 +45,22 @@ class Frame:
     pointer: int  # stack pointer when it was entered
     instructions: int  # executed before it was entered
     lowest: int
+    loads: int
+    stores: int
 
 
 @dataclass
 class Machine:
-    """One image, loaded.  After `call` nothing of a former call remains but what the program keeps itself."""
+    """One image, loaded.  After `call` nothing of a former call remains but what the program keeps itself.
+
+    accesses: whether the words that watched functions load and store are counted, which takes time.
+    """
 
     made: Build
     image: Path
     watched: tuple[str, ...] = ()
     answering: tuple[str, ...] = ()  # watched, and counted where their status is 0 alone
+    accesses: bool = False
     costs: dict[str, Cost] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -98,7 +107,10 @@ class Machine:
             self.core.reg_write(arm.UC_ARM_REG_FPEXC, 0x4000_0000)
         self.lengths: dict[tuple[int, int], int] = {}
         self.frames: list[Frame] = []
-        self.executed = 0
+        self.executed = self.loads = self.stores = 0
+        if self.accesses:
+            self.core.hook_add(u.UC_HOOK_MEM_READ, self._load)
+            self.core.hook_add(u.UC_HOOK_MEM_WRITE, self._store)
         if self.watched:
             self.entries = {self.symbols[name] & ~1: name for name in self.watched if name in self.symbols}
             self.core.hook_add(u.UC_HOOK_BLOCK, self._block)
@@ -138,7 +150,9 @@ class Machine:
             touched = PAINTED - (len(below) - len(below.lstrip(PAINT)))
             deepest = max(touched, done.pointer - done.lowest)
             if done.name not in self.answering or core.reg_read(self.r0) == 0:
-                self.costs.setdefault(done.name, Cost()).add(self.executed - done.instructions, deepest)
+                self.costs.setdefault(done.name, Cost()).add(
+                    self.executed - done.instructions, deepest, self.loads - done.loads, self.stores - done.stores
+                )
             if self.frames:
                 self.frames[-1].lowest = min(self.frames[-1].lowest, done.pointer - deepest)
         for frame in self.frames:
@@ -147,9 +161,16 @@ class Machine:
             back = core.reg_read(self.lr) & ~1
             # what an earlier call left below the stack pointer is not this one's
             core.mem_write(pointer - PAINTED, PAINT * PAINTED)
-            self.frames.append(Frame(self.entries[address], back, pointer, self.executed, pointer))
+            counts = self.executed, pointer, self.loads, self.stores
+            self.frames.append(Frame(self.entries[address], back, pointer, *counts))
         if self.frames:
             self.executed += self.instructions(address, size)
+
+    def _load(self, *_: Any) -> None:
+        self.loads += bool(self.frames)
+
+    def _store(self, *_: Any) -> None:
+        self.stores += bool(self.frames)
 
     def read(self, name: str, dtype: type[np.generic], count: int) -> np.ndarray:
         size = count * np.dtype(dtype).itemsize

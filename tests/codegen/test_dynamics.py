@@ -351,6 +351,32 @@ int main()
     assert run(tmp_path / "count").stdout == str(said["operations"])
 
 
+def test_the_cost_of_a_step_over_non_zeros_is_what_numbers_count(tmp_path):
+    folder = ROOT / "generated" / "velocity_attitude_sensors"
+    said = json.loads((folder / "manifest.json").read_text())
+    source = (folder / "src" / "vas_covariance.c").read_text()
+    tables = [re.search(rf"{name}\[\d+\] = {{([^}}]*)}}", source)[1].split(",") for name in ("from", "place")]
+    variances = [p for p, at in zip(*tables, strict=True) if any(int(at) == k * (k + 3) // 2 for k in range(46))]
+    assert said["filter"]["prediction"] == "non-zeros" and variances
+    (tmp_path / "count.cpp").write_text(f"""{COUNTED}
+#include <stdio.h>
+#include "{folder / "src" / "vas_covariance.c"}"
+int main()
+{{
+    static bs_real F[VAS_N_F], Qc[VAS_N_QC], Phi[VAS_N_PHI], Q[VAS_N_PACKED], work[VAS_N_WORK];
+    static const int variances[] = {{ {",".join(variances)} }}; /* so that no pivot is left out */
+    for (int p : variances) {{
+        Qc[p] = 1.0;
+    }}
+    vas_discretize(F, Qc, 1.0, Phi, Q, work);
+    printf("%ld", operations);
+}}
+""")
+    done = run(tool("g++"), "-w", "-I", folder / "include", tmp_path / "count.cpp", "-o", tmp_path / "count")
+    assert done.returncode == 0, done.stderr
+    assert run(tmp_path / "count").stdout == str(said["order"]["operations"])
+
+
 def test_factors_of_states_that_stay_without_noise_cost_no_operation_to_raise(tmp_path):
     """By numbers that count: the cubic part of a prediction is the noise of states that stay, and no other."""
     folder = ROOT / "generated" / "azimuth_hold"
