@@ -16,7 +16,7 @@ static void ah_zaru_H_kernel(const bs_real lon_lat_height[3],
     const double *arg[2] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[19] = {0};
+    double w[17] = {0};
     arg[0] = lon_lat_height;
     arg[1] = q_b2n_wxyz;
     res[0] = H_nz;

@@ -90,7 +90,7 @@ typedef struct {
 } ah_reference;
 
 /* System matrix, x' = F x + G w.
- * Equations: kim-2018 (9), kim-2018 (10), kim-2018 (11).
+ * Equations: kim-2018 (7), kim-2018 (9), kim-2018 (10), kim-2018 (11).
  * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                           -500 to 30000
@@ -107,7 +107,7 @@ bs_status ah_F(const ah_nav *nav,
 bs_status ah_F_nz(const ah_nav *nav, const ah_corrected_imu *corrected_imu, bs_real F_nz[60]);
 
 /* Transition matrix over dt, I + F dt + (F dt)^2 / 2, with F as it is at the start.
- * Equations: kim-2018 (9), kim-2018 (10), kim-2018 (11).
+ * Equations: kim-2018 (7), kim-2018 (9), kim-2018 (10), kim-2018 (11), mechanics (transition-1).
  * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                           -500 to 30000
@@ -124,7 +124,7 @@ bs_status ah_Phi(const ah_nav *nav,
 bs_status ah_Phi_nz(const ah_nav *nav, const ah_corrected_imu *corrected_imu, bs_real Phi_nz[121]);
 
 /* Noise covariance per second, G W G'.
- * Equations: kim-2018 (9), kim-2018 (10), kim-2018 (11).
+ * Equations: kim-2018 (7), kim-2018 (9), kim-2018 (10), kim-2018 (11).
  * in   nav->q_b2n_wxyz          attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
  * in   noise->gyro_noise        noise density of the gyros (angle random walk, ARW)
  *                               (rad/sqrt(s), body); 0 to 0.1
@@ -142,7 +142,7 @@ bs_status ah_Qc(const ah_nav *nav, const ah_noise *noise, bs_real Qc[15 * AH_N_S
 bs_status ah_Qc_nz(const ah_nav *nav, const ah_noise *noise, bs_real Qc_nz[24]);
 
 /* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
- * Equations: kim-2018 (9), kim-2018 (10), kim-2018 (11).
+ * Equations: kim-2018 (7), kim-2018 (9), kim-2018 (10), kim-2018 (11), mechanics (transition-2).
  * in   nav->lon_lat_height      longitude, not wrapped, geodetic latitude, height above the
  *                               ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319,
  *                               -1.48353 to 1.48353, -500 to 30000
@@ -173,7 +173,7 @@ bs_status ah_Q_nz(const ah_nav *nav,
 
 /* Velocity of a body at rest, where zero is measured: z = computed - measured; z = H x + noise;
  * rows e, n, u.
- * Equations: kim-2018 (16), kim-2018 (17).
+ * Equations: kim-2018 (16), kim-2018 (17), kim-2018 (23).
  * in   nav->v_n  velocity over the ground (m/s, ENU); -1000 to 1000
  * out  z         e, n, u (m/s); 3
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
@@ -181,7 +181,7 @@ bs_status ah_zupt_z(const ah_nav *nav, bs_real z[3]);
 
 /* Velocity of a body at rest, where zero is measured: z = computed - measured; measurement matrix
  * H = d z / d x; rows e, n, u.
- * Equations: kim-2018 (16), kim-2018 (17).
+ * Equations: kim-2018 (16), kim-2018 (17), kim-2018 (23).
  * out  H  rows e, n, u (m/s per unit of state); 3 x 15, row-major; 3 of 45 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status ah_zupt_H(bs_real H[3 * AH_N_STATES]);
@@ -209,6 +209,7 @@ bs_status ah_azimuth_H_nz(bs_real H_nz[1]);
 
 /* Rate against the Earth of a body at rest, where zero is measured: z = computed - measured;
  * z = H x + noise; rows x, y, z.
+ * Derived from: the exact h, which the model states.
  * in   nav->lon_lat_height        longitude, not wrapped, geodetic latitude, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319,
  *                                 -1.48353 to 1.48353, -500 to 30000
@@ -220,6 +221,7 @@ bs_status ah_zaru_z(const ah_nav *nav, const ah_corrected_imu *corrected_imu, bs
 
 /* Rate against the Earth of a body at rest, where zero is measured: z = computed - measured;
  * measurement matrix H = d z / d x; rows x, y, z.
+ * Derived from: the exact h, which the model states.
  * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                           -500 to 30000
@@ -232,6 +234,7 @@ bs_status ah_zaru_H(const ah_nav *nav, bs_real H[3 * AH_N_STATES]);
 bs_status ah_zaru_H_nz(const ah_nav *nav, bs_real H_nz[15]);
 
 /* Position, velocity and attitude after one step of inertial increments, estimated biases removed.
+ * Equations: mechanics (strapdown-1).
  * in   nav->lon_lat_height        longitude, not wrapped, geodetic latitude, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319,
  *                                 -1.48353 to 1.48353, -500 to 30000

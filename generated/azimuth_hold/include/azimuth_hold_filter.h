@@ -136,7 +136,7 @@ bs_status ah_filter_propagate(ah_filter *filter,
 bs_status ah_filter_consider(ah_filter *filter, const unsigned char considered[AH_N_STATES]);
 
 /* Velocity of a body at rest, where zero is measured: z = computed - measured; rows e, n, u (m/s).
- * Equations: kim-2018 (16), kim-2018 (17).
+ * Equations: kim-2018 (16), kim-2018 (17), kim-2018 (23).
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
  * in   gates       see bs_gates; NULL: every row, no gate
  * out  innovation  nu, S and used of each row, nis of those used; written with BS_OK and

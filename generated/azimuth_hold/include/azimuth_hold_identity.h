@@ -20,7 +20,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "e09c791f68fe13f5d537b91412fa185d78ce7c651beb067f56c8fdc182b04e57"
+#define AH_MODEL_HASH "f717f092e2289ce7a9b07c9903ba06975b3d8aa40af9fad9259466ffa0a7ac73"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

@@ -22,7 +22,7 @@ enum {
      * terms */
     OF_STATE = 38,
     OF_JOSEPH = 180,
-    OF_UD = 1305
+    OF_UD = 1980
 };
 
 #ifdef BORESIGHT_FLOAT

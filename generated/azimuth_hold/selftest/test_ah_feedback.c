@@ -73,13 +73,13 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 7.45e-07F, 7.74e-07F, 1.34e-06F, 7.45e-07F },
-    { 1.01e-06F, 2.44e-07F, 8.67e-07F, 2.86e-07F }
+    { 7.33e-07F, 7.63e-07F, 1.29e-06F, 7.28e-07F },
+    { 9.88e-07F, 2.43e-07F, 8.19e-07F, 2.82e-07F }
 };
 #else
 static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 1.42e-15F, 1.48e-15F, 2.58e-15F, 1.42e-15F },
-    { 1.97e-15F, 4.60e-16F, 1.68e-15F, 5.47e-16F }
+    { 1.40e-15F, 1.46e-15F, 2.49e-15F, 1.39e-15F },
+    { 1.93e-15F, 4.58e-16F, 1.59e-15F, 5.39e-16F }
 };
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };

@@ -17,7 +17,7 @@ static void ahr_azimuth_z_kernel(const bs_real q_b2n_wxyz[4],
     const double *arg[3] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[23] = {0};
+    double w[24] = {0};
     arg[0] = q_b2n_wxyz;
     arg[1] = q_ref_wxyz;
     arg[2] = reference_error;

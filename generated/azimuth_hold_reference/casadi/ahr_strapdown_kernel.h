@@ -26,7 +26,7 @@ static void ahr_strapdown_kernel(const bs_real lon_lat_height[3],
     const double *arg[10] = {0};
     double *res[3] = {0};
     int iw[1] = {0};
-    double w[84] = {0};
+    double w[82] = {0};
     arg[0] = lon_lat_height;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;

@@ -93,7 +93,7 @@ typedef struct {
 } ahr_reference;
 
 /* System matrix, x' = F x + G w.
- * Equations: kim-2018 (9), kim-2018 (10), kim-2018 (11).
+ * Equations: kim-2018 (7), kim-2018 (9), kim-2018 (10), kim-2018 (11).
  * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                           -500 to 30000
@@ -110,7 +110,7 @@ bs_status ahr_F(const ahr_nav *nav,
 bs_status ahr_F_nz(const ahr_nav *nav, const ahr_corrected_imu *corrected_imu, bs_real F_nz[60]);
 
 /* Transition matrix over dt, I + F dt + (F dt)^2 / 2, with F as it is at the start.
- * Equations: kim-2018 (9), kim-2018 (10), kim-2018 (11).
+ * Equations: kim-2018 (7), kim-2018 (9), kim-2018 (10), kim-2018 (11), mechanics (transition-1).
  * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                           -500 to 30000
@@ -129,7 +129,7 @@ bs_status ahr_Phi_nz(const ahr_nav *nav,
                      bs_real Phi_nz[122]);
 
 /* Noise covariance per second, G W G'.
- * Equations: kim-2018 (9), kim-2018 (10), kim-2018 (11).
+ * Equations: kim-2018 (7), kim-2018 (9), kim-2018 (10), kim-2018 (11).
  * in   nav->q_b2n_wxyz          attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
  * in   noise->gyro_noise        noise density of the gyros (angle random walk, ARW)
  *                               (rad/sqrt(s), body); 0 to 0.1
@@ -147,7 +147,7 @@ bs_status ahr_Qc(const ahr_nav *nav, const ahr_noise *noise, bs_real Qc[16 * AHR
 bs_status ahr_Qc_nz(const ahr_nav *nav, const ahr_noise *noise, bs_real Qc_nz[24]);
 
 /* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
- * Equations: kim-2018 (9), kim-2018 (10), kim-2018 (11).
+ * Equations: kim-2018 (7), kim-2018 (9), kim-2018 (10), kim-2018 (11), mechanics (transition-2).
  * in   nav->lon_lat_height      longitude, not wrapped, geodetic latitude, height above the
  *                               ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319,
  *                               -1.48353 to 1.48353, -500 to 30000
@@ -178,7 +178,7 @@ bs_status ahr_Q_nz(const ahr_nav *nav,
 
 /* Velocity of a body at rest, where zero is measured: z = computed - measured; z = H x + noise;
  * rows e, n, u.
- * Equations: kim-2018 (16), kim-2018 (17).
+ * Equations: kim-2018 (16), kim-2018 (17), kim-2018 (23).
  * in   nav->v_n  velocity over the ground (m/s, ENU); -1000 to 1000
  * out  z         e, n, u (m/s); 3
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
@@ -186,7 +186,7 @@ bs_status ahr_zupt_z(const ahr_nav *nav, bs_real z[3]);
 
 /* Velocity of a body at rest, where zero is measured: z = computed - measured; measurement matrix
  * H = d z / d x; rows e, n, u.
- * Equations: kim-2018 (16), kim-2018 (17).
+ * Equations: kim-2018 (16), kim-2018 (17), kim-2018 (23).
  * out  H  rows e, n, u (m/s per unit of state); 3 x 16, row-major; 3 of 48 are not zero
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE with nothing written */
 bs_status ahr_zupt_H(bs_real H[3 * AHR_N_STATES]);
@@ -195,6 +195,7 @@ bs_status ahr_zupt_H_nz(bs_real H_nz[3]);
 
 /* Rate against the Earth of a body at rest, where zero is measured: z = computed - measured;
  * z = H x + noise; rows x, y, z.
+ * Derived from: the exact h, which the model states.
  * in   nav->lon_lat_height        longitude, not wrapped, geodetic latitude, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319,
  *                                 -1.48353 to 1.48353, -500 to 30000
@@ -206,6 +207,7 @@ bs_status ahr_zaru_z(const ahr_nav *nav, const ahr_corrected_imu *corrected_imu,
 
 /* Rate against the Earth of a body at rest, where zero is measured: z = computed - measured;
  * measurement matrix H = d z / d x; rows x, y, z.
+ * Derived from: the exact h, which the model states.
  * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                           -500 to 30000
@@ -238,6 +240,7 @@ bs_status ahr_azimuth_H(bs_real H[AHR_N_STATES]);
 bs_status ahr_azimuth_H_nz(bs_real H_nz[2]);
 
 /* Position, velocity and attitude after one step of inertial increments, estimated biases removed.
+ * Equations: mechanics (strapdown-1).
  * in   nav->lon_lat_height        longitude, not wrapped, geodetic latitude, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319,
  *                                 -1.48353 to 1.48353, -500 to 30000

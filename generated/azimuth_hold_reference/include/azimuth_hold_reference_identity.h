@@ -20,7 +20,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "d8fd01ad86b3fba582d34c7d533bd7438ec1eda46f7c126193ac50fd92e221d0"
+#define AHR_MODEL_HASH "90f696f36186ba94474758cf23736849fd59102fce847326bd681a920fd10516"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

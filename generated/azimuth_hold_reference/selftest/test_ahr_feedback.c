@@ -77,13 +77,13 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 4.70e-07F, 1.03e-06F, 1.03e-06F, 1.02e-06F },
-    { 3.23e-07F, 4.52e-07F, 3.77e-07F, 9.19e-07F }
+    { 4.67e-07F, 1.02e-06F, 9.81e-07F, 9.81e-07F },
+    { 3.13e-07F, 4.35e-07F, 3.51e-07F, 8.34e-07F }
 };
 #else
 static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 8.85e-16F, 1.99e-15F, 1.99e-15F, 1.96e-15F },
-    { 6.27e-16F, 8.87e-16F, 7.37e-16F, 1.80e-15F }
+    { 8.80e-16F, 1.96e-15F, 1.89e-15F, 1.89e-15F },
+    { 6.09e-16F, 8.55e-16F, 6.89e-16F, 1.65e-15F }
 };
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };

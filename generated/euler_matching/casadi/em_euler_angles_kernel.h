@@ -14,7 +14,7 @@ static void em_euler_angles_kernel(const bs_real q_b2n_wxyz[4], bs_real euler_b_
     const double *arg[1] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[10] = {0};
+    double w[9] = {0};
     arg[0] = q_b2n_wxyz;
     res[0] = euler_b_nz;
     (void)em_euler_angles_casadi(arg, res, iw, w, 0);

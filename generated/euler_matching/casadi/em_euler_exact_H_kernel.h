@@ -17,7 +17,7 @@ static void em_euler_exact_H_kernel(const bs_real x[6],
     const double *arg[3] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[123] = {0};
+    double w[111] = {0};
     arg[0] = x;
     arg[1] = mu;
     arg[2] = euler_b;

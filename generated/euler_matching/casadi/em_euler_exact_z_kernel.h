@@ -17,7 +17,7 @@ static void em_euler_exact_z_kernel(const bs_real mu[3],
     const double *arg[3] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[23] = {0};
+    double w[22] = {0};
     arg[0] = mu;
     arg[1] = euler_b;
     arg[2] = euler_m;

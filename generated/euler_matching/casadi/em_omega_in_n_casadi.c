@@ -85,12 +85,12 @@ static int casadi_f0(const casadi_real** arg, casadi_real** res, casadi_int* iw,
   a7=(a7/a1);
   a7=(-a7);
   if (res[0]!=0) res[0][1]=a7;
+  a5=(a6/a5);
+  a0=(a0*a5);
   a2=(a2*a6);
-  a6=(a6/a5);
-  a0=(a0*a6);
-  a2=(a2+a0);
-  a2=(-a2);
-  if (res[0]!=0) res[0][2]=a2;
+  a0=(a0+a2);
+  a0=(-a0);
+  if (res[0]!=0) res[0][2]=a0;
   return 0;
 }
 

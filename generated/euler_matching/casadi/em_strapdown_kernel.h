@@ -18,7 +18,7 @@ static void em_strapdown_kernel(const bs_real q_b2n_wxyz[4],
     const double *arg[4] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[25] = {0};
+    double w[19] = {0};
     arg[0] = q_b2n_wxyz;
     arg[1] = dtheta_ib_b;
     arg[2] = omega_in_n;

@@ -78,7 +78,7 @@ bs_status em_F(const em_step *step, bs_real F[6 * EM_N_STATES]);
 bs_status em_F_nz(const em_step *step, bs_real F_nz[6]);
 
 /* Transition matrix over dt, I + F dt + (F dt)^2 / 2, with F as it is at the start.
- * Equations: song-lee-2001 (20), song-lee-2001 (21).
+ * Equations: song-lee-2001 (20), song-lee-2001 (21), mechanics (transition-1).
  * in   step->omega_in_n  rate of the local level against inertial space (rad/s, NED); -0.01 to 0.01
  * in   step->dt          length of the step (s); 1e-06 to 10
  * out  Phi               transition matrix (mixed); 6 x 6, row-major; 12 of 36 are not zero
@@ -99,7 +99,7 @@ bs_status em_Qc(const em_nav *nav, const em_noise *noise, bs_real Qc[6 * EM_N_ST
 bs_status em_Qc_nz(const em_nav *nav, const em_noise *noise, bs_real Qc_nz[9]);
 
 /* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
- * Equations: song-lee-2001 (20), song-lee-2001 (21).
+ * Equations: song-lee-2001 (20), song-lee-2001 (21), mechanics (transition-2).
  * in   nav->q_b2n_wxyz    attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
  * in   step->omega_in_n   rate of the local level against inertial space (rad/s, NED);
  *                         -0.01 to 0.01
@@ -146,7 +146,7 @@ bs_status em_euler_H_nz(const em_angles *angles, bs_real H_nz[14]);
 
 /* Euler angles of the master by finite rotations: z = computed - measured; z = h(x) + noise; rows
  * roll, pitch, yaw.
- * Equations: song-lee-2001 (14), song-lee-2001 (16).
+ * Equations: song-lee-2001 (14), song-lee-2001 (16), mechanics (euler-1).
  * in   nav->mu          estimated misalignment, C_b2n = C_m2n exp([mu x]) (rad, master body);
  *                       -0.5 to 0.5
  * in   angles->euler_b  roll, pitch, yaw of the slave (rad, NED to body); -3.14159 to 3.14159,
@@ -160,7 +160,7 @@ bs_status em_euler_exact_z(const em_nav *nav, const em_angles *angles, bs_real z
 
 /* Euler angles of the master by finite rotations: z = computed - measured; h(x), the z of an error
  * state x without noise; rows roll, pitch, yaw.
- * Equations: song-lee-2001 (14), song-lee-2001 (16).
+ * Equations: song-lee-2001 (14), song-lee-2001 (16), mechanics (euler-1).
  * in   x                error state (rad, rad); -0.5 to 0.5
  * in   nav->mu          estimated misalignment, C_b2n = C_m2n exp([mu x]) (rad, master body);
  *                       -0.5 to 0.5
@@ -175,7 +175,7 @@ bs_status em_euler_exact_h(const bs_real x[EM_N_STATES],
 
 /* Euler angles of the master by finite rotations: z = computed - measured; measurement matrix
  * H = d h / d x at x; rows roll, pitch, yaw.
- * Equations: song-lee-2001 (14), song-lee-2001 (16).
+ * Equations: song-lee-2001 (14), song-lee-2001 (16), mechanics (euler-1).
  * in   x                error state (rad, rad); -0.5 to 0.5
  * in   nav->mu          estimated misalignment, C_b2n = C_m2n exp([mu x]) (rad, master body);
  *                       -0.5 to 0.5
@@ -189,6 +189,7 @@ bs_status em_euler_exact_H(const bs_real x[EM_N_STATES],
                            bs_real H[3 * EM_N_STATES]);
 
 /* Roll, pitch, yaw of the slave from its quaternion.
+ * Equations: song-lee-2001 (16).
  * in   nav->q_b2n_wxyz  attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
  * out  euler_b          roll, pitch, yaw, NED to body (rad); 3; -3.14159 to 3.14159,
  *                       -1.39626 to 1.39626, -3.14159 to 3.14159
@@ -196,6 +197,7 @@ bs_status em_euler_exact_H(const bs_real x[EM_N_STATES],
 bs_status em_euler_angles(const em_nav *nav, bs_real euler_b[3]);
 
 /* The slave's attitude after one interval of inertial data.
+ * Equations: mechanics (strapdown-1).
  * in   nav->q_b2n_wxyz    attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
  * in   step->dtheta_ib_b  rotation vector of the body over dt, gyro bias removed (rad, body);
  *                         -0.5 to 0.5
@@ -221,6 +223,7 @@ bs_status em_feedback(const bs_real x[EM_N_STATES],
                       bs_real mu[3]);
 
 /* Rate of the local level, WGS-84.
+ * Equations: mechanics (strapdown-1).
  * in   place->lat     geodetic latitude (rad); -1.48353 to 1.48353
  * in   place->height  height above the ellipsoid (m); -500 to 30000
  * in   place->v_n     velocity over the ground (m/s, NED); -1000 to 1000

@@ -148,7 +148,7 @@ bs_status em_filter_measure_euler(em_filter *filter,
 
 /* Euler angles of the master by finite rotations: z = computed - measured; rows roll, pitch, yaw
  * (rad).
- * Equations: song-lee-2001 (14), song-lee-2001 (16).
+ * Equations: song-lee-2001 (14), song-lee-2001 (16), mechanics (euler-1).
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
  * in   gates       see bs_gates; NULL: every row, no gate.  Gates judge the first linearisation;
  *                  each is from the same x and P, and 1 is the extended Kalman filter.  It ends

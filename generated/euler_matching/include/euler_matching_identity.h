@@ -20,7 +20,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "61f2db1cb2c2e968f6bf29f3e496a81d26dd12fe497b3d4287145e236efde8f9"
+#define EM_MODEL_HASH "2b076ba259a9c12d9922cea34a114371736bb8cb9338e8f243b4c0231599ada1"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1

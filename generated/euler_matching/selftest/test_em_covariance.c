@@ -22,7 +22,7 @@ enum {
      * terms */
     OF_STATE = 20,
     OF_JOSEPH = 90,
-    OF_UD = 270
+    OF_UD = 360
 };
 
 #ifdef BORESIGHT_FLOAT

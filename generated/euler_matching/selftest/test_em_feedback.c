@@ -27,12 +27,12 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 1.32e-06F, 7.69e-07F, 7.69e-07F, 7.69e-07F },
-    { 4.06e-07F, 2.78e-07F, 8.06e-07F, 9.73e-07F }
+    { 1.34e-06F, 7.75e-07F, 7.75e-07F, 7.75e-07F },
+    { 4.06e-07F, 2.78e-07F, 8.06e-07F, 9.74e-07F }
 };
 #else
 static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 2.56e-15F, 1.47e-15F, 1.47e-15F, 1.47e-15F },
+    { 2.58e-15F, 1.48e-15F, 1.48e-15F, 1.48e-15F },
     { 7.84e-16F, 5.34e-16F, 1.57e-15F, 1.90e-15F }
 };
 #endif

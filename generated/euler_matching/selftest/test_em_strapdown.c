@@ -31,13 +31,13 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 1.14e-06F, 1.35e-06F, 2.16e-06F, 1.21e-06F },
-    { 1.55e-06F, 1.03e-06F, 5.29e-07F, 3.55e-07F }
+    { 1.10e-06F, 1.33e-06F, 2.15e-06F, 1.18e-06F },
+    { 1.57e-06F, 1.04e-06F, 5.31e-07F, 3.48e-07F }
 };
 #else
 static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 2.16e-15F, 2.55e-15F, 4.11e-15F, 2.29e-15F },
-    { 2.98e-15F, 1.98e-15F, 1.01e-15F, 6.74e-16F }
+    { 2.08e-15F, 2.52e-15F, 4.10e-15F, 2.24e-15F },
+    { 3.02e-15F, 1.99e-15F, 1.01e-15F, 6.61e-16F }
 };
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };

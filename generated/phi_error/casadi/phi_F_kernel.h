@@ -16,7 +16,7 @@ static void phi_F_kernel(const bs_real lon_lat_height[3],
     const double *arg[3] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[36] = {0};
+    double w[32] = {0};
     arg[0] = lon_lat_height;
     arg[1] = v_n;
     arg[2] = f_n;

@@ -20,7 +20,7 @@ static void phi_Q_kernel(const bs_real lon_lat_height[3],
     const double *arg[7] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[137] = {0};
+    double w[132] = {0};
     arg[0] = lon_lat_height;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;

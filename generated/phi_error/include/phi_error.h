@@ -57,6 +57,7 @@ typedef struct {
 } phi_noise;
 
 /* System matrix, x' = F x + G w.
+ * Equations: mechanics (phi-4), mechanics (phi-5).
  * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                           -500 to 30000
@@ -69,6 +70,7 @@ bs_status phi_F(const phi_nav *nav, const phi_step *step, bs_real F[9 * PHI_N_ST
 bs_status phi_F_nz(const phi_nav *nav, const phi_step *step, bs_real F_nz[42]);
 
 /* Transition matrix over dt, I + F dt + (F dt)^2 / 2, with F as it is at the start.
+ * Equations: mechanics (phi-4), mechanics (phi-5), mechanics (transition-1).
  * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                           -500 to 30000
@@ -82,6 +84,7 @@ bs_status phi_Phi(const phi_nav *nav, const phi_step *step, bs_real Phi[9 * PHI_
 bs_status phi_Phi_nz(const phi_nav *nav, const phi_step *step, bs_real Phi_nz[70]);
 
 /* Noise covariance per second, G W G'.
+ * Equations: mechanics (phi-4), mechanics (phi-5).
  * in   nav->q_b2n_wxyz     attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
  * in   noise->gyro_noise   noise density of the gyros (angle random walk, ARW) (rad/sqrt(s), body);
  *                          0 to 0.1
@@ -94,6 +97,7 @@ bs_status phi_Qc(const phi_nav *nav, const phi_noise *noise, bs_real Qc[9 * PHI_
 bs_status phi_Qc_nz(const phi_nav *nav, const phi_noise *noise, bs_real Qc_nz[18]);
 
 /* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
+ * Equations: mechanics (phi-4), mechanics (phi-5), mechanics (transition-2).
  * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                           -500 to 30000
@@ -113,6 +117,7 @@ bs_status phi_Q(const phi_nav *nav,
                 bs_real Q[9 * PHI_N_STATES]);
 
 /* States of the psi model from those of this one, x_psi = T x.
+ * Equations: mechanics (map-3).
  * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                           -500 to 30000

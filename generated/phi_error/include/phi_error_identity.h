@@ -18,7 +18,7 @@
 #endif
 
 #define PHI_MODEL "phi-error"
-#define PHI_MODEL_HASH "f8c90e07a47381ede8bcbc520750e4c110ea306b00f622ae2907f4823d96b00e"
+#define PHI_MODEL_HASH "3f8c3c2c8feffc732b6031164528854cbb90e076029190987686b9b66b405fb9"
 #define PHI_VERSION "0.1.0" /* of the Boresight that printed it */
 #define PHI_VERSION_MAJOR 0
 #define PHI_VERSION_MINOR 1

@@ -58,6 +58,7 @@ typedef struct {
 } psi_noise;
 
 /* System matrix, x' = F x + G w.
+ * Equations: mechanics (psi-4), mechanics (phi-5).
  * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                           -500 to 30000
@@ -70,6 +71,7 @@ bs_status psi_F(const psi_nav *nav, const psi_step *step, bs_real F[9 * PSI_N_ST
 bs_status psi_F_nz(const psi_nav *nav, const psi_step *step, bs_real F_nz[33]);
 
 /* Transition matrix over dt, I + F dt + (F dt)^2 / 2, with F as it is at the start.
+ * Equations: mechanics (psi-4), mechanics (phi-5), mechanics (transition-1).
  * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                           -500 to 30000
@@ -83,6 +85,7 @@ bs_status psi_Phi(const psi_nav *nav, const psi_step *step, bs_real Phi[9 * PSI_
 bs_status psi_Phi_nz(const psi_nav *nav, const psi_step *step, bs_real Phi_nz[60]);
 
 /* Noise covariance per second, G W G'.
+ * Equations: mechanics (psi-4), mechanics (phi-5).
  * in   nav->q_b2n_wxyz     attitude (1, body to ENU); -1.001 to 1.001, norm 0.999 to 1.001
  * in   noise->gyro_noise   noise density of the gyros (angle random walk, ARW) (rad/sqrt(s), body);
  *                          0 to 0.1
@@ -95,6 +98,7 @@ bs_status psi_Qc(const psi_nav *nav, const psi_noise *noise, bs_real Qc[9 * PSI_
 bs_status psi_Qc_nz(const psi_nav *nav, const psi_noise *noise, bs_real Qc_nz[18]);
 
 /* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
+ * Equations: mechanics (psi-4), mechanics (phi-5), mechanics (transition-2).
  * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                           -500 to 30000
@@ -114,6 +118,7 @@ bs_status psi_Q(const psi_nav *nav,
                 bs_real Q[9 * PSI_N_STATES]);
 
 /* States of the phi model from those of this one, x_phi = T x.
+ * Equations: mechanics (map-3).
  * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                           -500 to 30000

@@ -18,7 +18,7 @@
 #endif
 
 #define PSI_MODEL "psi-error"
-#define PSI_MODEL_HASH "9109fd689b45d7c7b5114497e7e1ad1f35013fc9fa0477196eec23b7d4572021"
+#define PSI_MODEL_HASH "40ce6b2b278df7fe04b50892849249499f005fdb7485f86d5f7e38a21c29193b"
 #define PSI_VERSION "0.1.0" /* of the Boresight that printed it */
 #define PSI_VERSION_MAJOR 0
 #define PSI_VERSION_MINOR 1

@@ -53,6 +53,7 @@ typedef struct {
 } sd_motion;
 
 /* Position, velocity and attitude after one step of inertial increments.
+ * Equations: mechanics (strapdown-1).
  * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                           -500 to 30000
@@ -77,6 +78,7 @@ bs_status sd_step(const sd_nav *nav,
 
 /* Increments with which the step of any model follows coning and sculling by four samples instead
  * of two; biases removed, the increments before stay as delivered.
+ * Derived from: the model strapdown, which states it.
  * in   imu->dtheta_ib_b        integral of the measured angular rate over the step (rad, body);
  *                              -0.5 to 0.5
  * in   imu->dv_b               integral of the measured specific force over the step (m/s, body);
@@ -96,6 +98,7 @@ bs_status sd_compensated(const sd_imu *imu,
                          bs_real dv_b[3]);
 
 /* The exact time derivatives that a step integrates.
+ * Equations: mechanics (strapdown-1).
  * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                           -500 to 30000
@@ -114,6 +117,7 @@ bs_status sd_rates(const sd_nav *nav,
                    bs_real q_b2n_rate[4]);
 
 /* What the Earth does to a navigator at this place and velocity.
+ * Equations: mechanics (strapdown-1).
  * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                           -500 to 30000

@@ -18,7 +18,7 @@
 #endif
 
 #define SD_MODEL "strapdown"
-#define SD_MODEL_HASH "1189dafd52573373814023825ab7c53865f06880126d27ce7c54413c255440c8"
+#define SD_MODEL_HASH "63b12846a37f168acc3b1c1dca00f9cac939f98bf8acc5d7b2deffa6fcd8bda7"
 #define SD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define SD_VERSION_MAJOR 0
 #define SD_VERSION_MINOR 1

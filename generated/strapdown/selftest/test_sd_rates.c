@@ -35,13 +35,13 @@ static const double out_position_rate[N_VECTORS][3] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_position_rate[N_VECTORS][3] = {
-    { 1.03e-09F, 8.06e-11F, 1.12e-13F },
-    { 4.00e-11F, 4.53e-11F, 7.03e-15F }
+    { 1.03e-09F, 7.12e-11F, 1.12e-13F },
+    { 4.00e-11F, 4.00e-11F, 7.03e-15F }
 };
 #else
 static const float tol_position_rate[N_VECTORS][3] = {
-    { 2.12e-18F, 1.68e-19F, 1.12e-13F },
-    { 8.24e-20F, 9.42e-20F, 7.03e-15F }
+    { 2.12e-18F, 1.50e-19F, 1.12e-13F },
+    { 8.24e-20F, 8.44e-20F, 7.03e-15F }
 };
 #endif
 static const unsigned short at_position_rate[3] = { 0, 1, 2 };
@@ -52,13 +52,13 @@ static const double out_v_n_rate[N_VECTORS][3] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_v_n_rate[N_VECTORS][3] = {
-    { 2.73e-04F, 3.41e-04F, 3.15e-04F },
-    { 1.52e-04F, 2.39e-04F, 1.09e-04F }
+    { 3.03e-04F, 3.41e-04F, 3.76e-04F },
+    { 1.43e-04F, 2.39e-04F, 1.12e-04F }
 };
 #else
 static const float tol_v_n_rate[N_VECTORS][3] = {
-    { 5.66e-13F, 6.91e-13F, 6.44e-13F },
-    { 2.95e-13F, 4.99e-13F, 2.13e-13F }
+    { 6.22e-13F, 6.91e-13F, 7.57e-13F },
+    { 2.79e-13F, 4.99e-13F, 2.18e-13F }
 };
 #endif
 static const unsigned short at_v_n_rate[3] = { 0, 1, 2 };
@@ -69,13 +69,13 @@ static const double out_q_b2n_rate[N_VECTORS][4] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_q_b2n_rate[N_VECTORS][4] = {
-    { 3.31e-06F, 2.41e-06F, 5.42e-06F, 2.71e-06F },
-    { 7.68e-07F, 2.78e-07F, 1.04e-07F, 1.27e-06F }
+    { 3.01e-06F, 2.71e-06F, 5.42e-06F, 2.71e-06F },
+    { 6.30e-07F, 2.43e-07F, 1.07e-07F, 1.57e-06F }
 };
 #else
 static const float tol_q_b2n_rate[N_VECTORS][4] = {
-    { 6.73e-15F, 5.05e-15F, 1.18e-14F, 5.61e-15F },
-    { 1.69e-15F, 5.40e-16F, 1.99e-16F, 2.93e-15F }
+    { 6.17e-15F, 5.61e-15F, 1.18e-14F, 5.61e-15F },
+    { 1.43e-15F, 4.74e-16F, 2.04e-16F, 3.48e-15F }
 };
 #endif
 static const unsigned short at_q_b2n_rate[4] = { 0, 1, 2, 3 };

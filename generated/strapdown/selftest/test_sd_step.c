@@ -57,14 +57,14 @@ static const double out_lon_lat_height[N_VECTORS][3] = {
 #ifdef BORESIGHT_FLOAT
 static const float tol_lon_lat_height[N_VECTORS][3] = {
     { 3.78e-07F, 8.93e-08F, 3.01e-05F },
-    { 1.20e-07F, 3.75e-08F, 2.74e-03F },
-    { 4.21e-07F, 9.11e-08F, 7.13e-03F }
+    { 1.20e-07F, 3.74e-08F, 2.09e-03F },
+    { 4.17e-07F, 9.08e-08F, 4.94e-03F }
 };
 #else
 static const float tol_lon_lat_height[N_VECTORS][3] = {
     { 1.41e-15F, 3.33e-16F, 1.12e-13F },
-    { 4.47e-16F, 1.39e-16F, 5.86e-12F },
-    { 1.49e-15F, 3.36e-16F, 1.43e-11F }
+    { 4.47e-16F, 1.39e-16F, 4.64e-12F },
+    { 1.48e-15F, 3.35e-16F, 1.02e-11F }
 };
 #endif
 static const unsigned short at_lon_lat_height[3] = { 0, 1, 2 };
@@ -76,15 +76,15 @@ static const double out_v_n[N_VECTORS][3] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_v_n[N_VECTORS][3] = {
-    { 2.74e-04F, 3.53e-04F, 2.85e-04F },
-    { 1.57e-04F, 1.39e-04F, 1.80e-04F },
-    { 4.06e-04F, 3.31e-04F, 3.32e-04F }
+    { 3.28e-04F, 3.88e-04F, 3.37e-04F },
+    { 1.83e-04F, 1.29e-04F, 1.98e-04F },
+    { 4.35e-04F, 3.83e-04F, 3.85e-04F }
 };
 #else
 static const float tol_v_n[N_VECTORS][3] = {
-    { 6.27e-13F, 7.86e-13F, 6.50e-13F },
-    { 3.33e-13F, 2.79e-13F, 3.75e-13F },
-    { 8.83e-13F, 7.36e-13F, 7.10e-13F }
+    { 7.28e-13F, 8.51e-13F, 7.48e-13F },
+    { 3.82e-13F, 2.61e-13F, 4.09e-13F },
+    { 9.35e-13F, 8.32e-13F, 8.10e-13F }
 };
 #endif
 static const unsigned short at_v_n[3] = { 0, 1, 2 };
@@ -96,15 +96,15 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 1.30e-06F, 1.18e-06F, 2.29e-06F, 1.24e-06F },
-    { 1.71e-06F, 6.04e-07F, 1.58e-06F, 9.12e-07F },
-    { 1.31e-06F, 2.40e-06F, 1.33e-06F, 1.36e-06F }
+    { 1.31e-06F, 1.19e-06F, 2.30e-06F, 1.23e-06F },
+    { 1.74e-06F, 6.23e-07F, 1.60e-06F, 9.10e-07F },
+    { 1.30e-06F, 2.39e-06F, 1.31e-06F, 1.33e-06F }
 };
 #else
 static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 2.46e-15F, 2.24e-15F, 4.36e-15F, 2.35e-15F },
-    { 3.26e-15F, 1.14e-15F, 3.01e-15F, 1.73e-15F },
-    { 2.48e-15F, 4.57e-15F, 2.52e-15F, 2.58e-15F }
+    { 2.48e-15F, 2.25e-15F, 4.38e-15F, 2.33e-15F },
+    { 3.32e-15F, 1.18e-15F, 3.04e-15F, 1.73e-15F },
+    { 2.46e-15F, 4.54e-15F, 2.47e-15F, 2.53e-15F }
 };
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };

@@ -1,7 +1,8 @@
 /* sd_compensated.c - increments with which the step of any model follows coning and sculling by
  * four samples instead of two; biases removed, the increments before stay as delivered.  Generated
  * by Boresight: do not edit.
- * 66 operations, list c4aa960fc0867dd1. */
+ * Derived from: the model strapdown, which states it.
+ * 66 operations, list c0b9e992a31dbcbf. */
 #include "strapdown.h"
 
 BS_EXACT_BEGIN

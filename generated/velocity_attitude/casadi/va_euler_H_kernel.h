@@ -19,7 +19,7 @@ static void va_euler_H_kernel(const bs_real lat_lon_height[3],
     const double *arg[5] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[38] = {0};
+    double w[39] = {0};
     arg[0] = lat_lon_height;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;

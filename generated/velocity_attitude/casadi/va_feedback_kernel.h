@@ -26,7 +26,7 @@ static void va_feedback_kernel(const bs_real x[16],
     const double *arg[7] = {0};
     double *res[6] = {0};
     int iw[1] = {0};
-    double w[18] = {0};
+    double w[16] = {0};
     arg[0] = x;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;

@@ -116,6 +116,7 @@ typedef struct {
 } va_master;
 
 /* System matrix, x' = F x + G w.
+ * Equations: mechanics (alignment-1).
  * in   nav->lat_lon_height  geodetic latitude, longitude, not wrapped, height above the ellipsoid
  *                           (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
  *                           -500 to 30000
@@ -132,6 +133,7 @@ bs_status va_F(const va_nav *nav,
 bs_status va_F_nz(const va_nav *nav, const va_corrected_imu *corrected_imu, bs_real F_nz[41]);
 
 /* Transition matrix over dt, I + F dt + (F dt)^2 / 2, with F as it is at the start.
+ * Equations: mechanics (alignment-1), mechanics (transition-1).
  * in   nav->lat_lon_height  geodetic latitude, longitude, not wrapped, height above the ellipsoid
  *                           (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
  *                           -500 to 30000
@@ -148,6 +150,7 @@ bs_status va_Phi(const va_nav *nav,
 bs_status va_Phi_nz(const va_nav *nav, const va_corrected_imu *corrected_imu, bs_real Phi_nz[82]);
 
 /* Noise covariance per second, G W G'.
+ * Equations: mechanics (alignment-1).
  * in   nav->q_b2n_wxyz          attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
  * in   noise->gyro_noise        noise density of the gyros (angle random walk, ARW)
  *                               (rad/sqrt(s), body); 0 to 0.1
@@ -168,6 +171,7 @@ bs_status va_Qc(const va_nav *nav, const va_noise *noise, bs_real Qc[16 * VA_N_S
 bs_status va_Qc_nz(const va_nav *nav, const va_noise *noise, bs_real Qc_nz[28]);
 
 /* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
+ * Equations: mechanics (alignment-1), mechanics (transition-2).
  * in   nav->lat_lon_height      geodetic latitude, longitude, not wrapped, height above the
  *                               ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                               -6.28319 to 6.28319, -500 to 30000
@@ -200,7 +204,7 @@ bs_status va_Q_nz(const va_nav *nav,
                   bs_real Q_nz[118]);
 
 /* Velocity of the master: z = computed - measured; z = H x + noise; rows n, e, d.
- * Equations: kang-2025 (1), kang-2025 (3).
+ * Equations: kang-2025 (1), kang-2025 (3), mechanics (alignment-2).
  * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                 -6.28319 to 6.28319, -500 to 30000
@@ -222,7 +226,7 @@ bs_status va_velocity_z(const va_nav *nav,
                         bs_real z[3]);
 
 /* Velocity of the master: z = computed - measured; measurement matrix H = d z / d x; rows n, e, d.
- * Equations: kang-2025 (1), kang-2025 (3).
+ * Equations: kang-2025 (1), kang-2025 (3), mechanics (alignment-2).
  * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                 -6.28319 to 6.28319, -500 to 30000
@@ -249,7 +253,7 @@ bs_status va_velocity_H_nz(const va_nav *nav,
 
 /* Attitude of the master: z = -e, e the turn from the computed to the measured one;
  * z = H x + noise; rows n, e, d.
- * Equations: kang-2025 (4), kang-2025 (5).
+ * Equations: kang-2025 (4), kang-2025 (5), mechanics (alignment-3).
  * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                 -6.28319 to 6.28319, -500 to 30000
@@ -271,7 +275,7 @@ bs_status va_dcm_z(const va_nav *nav,
 
 /* Attitude of the master: z = -e, e the turn from the computed to the measured one; measurement
  * matrix H = d z / d x; rows n, e, d.
- * Equations: kang-2025 (4), kang-2025 (5).
+ * Equations: kang-2025 (4), kang-2025 (5), mechanics (alignment-3).
  * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                 -6.28319 to 6.28319, -500 to 30000
@@ -291,6 +295,7 @@ bs_status va_dcm_H_nz(const va_nav *nav, const va_corrected_imu *corrected_imu, 
 
 /* Attitude of the master, twice the vector part of a quaternion: z = -e, e the turn from the
  * computed to the measured one; z = h(x) + noise; rows n, e, d.
+ * Derived from: the model velocity-attitude, which states it.
  * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                 -6.28319 to 6.28319, -500 to 30000
@@ -312,6 +317,7 @@ bs_status va_quaternion_z(const va_nav *nav,
 
 /* Attitude of the master, twice the vector part of a quaternion: z = -e, e the turn from the
  * computed to the measured one; h(x), the z of an error state x without noise; rows n, e, d.
+ * Derived from: the model velocity-attitude, which states it.
  * in   x                          error state (rad, m/s, rad/s, m/s^2, rad, s); -0.5 to 0.5,
  *                                 -0.5 to 0.5, -0.5 to 0.5, -100 to 100, -100 to 100, -100 to 100,
  *                                 -0.0174533 to 0.0174533, -0.0174533 to 0.0174533,
@@ -339,6 +345,7 @@ bs_status va_quaternion_h(const bs_real x[VA_N_STATES],
 
 /* Attitude of the master, twice the vector part of a quaternion: z = -e, e the turn from the
  * computed to the measured one; measurement matrix H = d h / d x at x; rows n, e, d.
+ * Derived from: quaternion_h by differentiation.
  * in   x                          error state (rad, m/s, rad/s, m/s^2, rad, s); -0.5 to 0.5,
  *                                 -0.5 to 0.5, -0.5 to 0.5, -100 to 100, -100 to 100, -100 to 100,
  *                                 -0.0174533 to 0.0174533, -0.0174533 to 0.0174533,
@@ -419,6 +426,7 @@ bs_status va_euler_H_nz(const va_nav *nav,
                         bs_real H_nz[17]);
 
 /* Position, velocity and attitude after one step of inertial increments, estimated biases removed.
+ * Equations: mechanics (strapdown-1).
  * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                 -6.28319 to 6.28319, -500 to 30000
@@ -469,6 +477,8 @@ bs_status va_expected(const va_nav *nav,
                       bs_real omega_nb_n[3]);
 
 /* The slave with the estimated errors taken out.
+ * Derived from: the definition of the errors at the head of velocity_attitude.h, by finite
+ * rotations.
  * in   x                error state (rad, m/s, rad/s, m/s^2, rad, s); -0.5 to 0.5, -0.5 to 0.5,
  *                       -0.5 to 0.5, -100 to 100, -100 to 100, -100 to 100,
  *                       -0.0174533 to 0.0174533, -0.0174533 to 0.0174533, -0.0174533 to 0.0174533,

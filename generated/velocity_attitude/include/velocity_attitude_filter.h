@@ -138,7 +138,7 @@ bs_status va_filter_propagate(va_filter *filter,
 bs_status va_filter_consider(va_filter *filter, const unsigned char considered[VA_N_STATES]);
 
 /* Velocity of the master: z = computed - measured; rows n, e, d (m/s).
- * Equations: kang-2025 (1), kang-2025 (3).
+ * Equations: kang-2025 (1), kang-2025 (3), mechanics (alignment-2).
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
  * in   gates       see bs_gates; NULL: every row, no gate
  * out  innovation  nu, S and used of each row, nis of those used; written with BS_OK and
@@ -156,7 +156,7 @@ bs_status va_filter_measure_velocity(va_filter *filter,
 
 /* Attitude of the master: z = -e, e the turn from the computed to the measured one; rows n, e, d
  * (rad).
- * Equations: kang-2025 (4), kang-2025 (5).
+ * Equations: kang-2025 (4), kang-2025 (5), mechanics (alignment-3).
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
  * in   gates       see bs_gates; NULL: every row, no gate
  * out  innovation  nu, S and used of each row, nis of those used; written with BS_OK and

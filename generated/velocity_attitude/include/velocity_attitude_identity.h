@@ -20,7 +20,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "0eeb8eff13a3effb212f11c2dfe2b5d4cf3ffbb3e035cd882deaf8f46e7fa67c"
+#define VA_MODEL_HASH "99e2610c37fa2170ba047b553731f611ee518eea89a9127b3915082248a50be2"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

@@ -22,7 +22,7 @@ enum {
      * terms */
     OF_STATE = 40,
     OF_JOSEPH = 190,
-    OF_UD = 1470
+    OF_UD = 1950
 };
 
 #ifdef BORESIGHT_FLOAT

@@ -39,13 +39,13 @@ static const double out_v_m_n[N_VECTORS][3] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_v_m_n[N_VECTORS][3] = {
-    { 2.59e-03F, 2.71e-03F, 2.59e-03F },
-    { 5.84e-04F, 5.56e-04F, 4.39e-04F }
+    { 2.53e-03F, 2.53e-03F, 2.53e-03F },
+    { 4.86e-04F, 4.71e-04F, 4.85e-04F }
 };
 #else
 static const float tol_v_m_n[N_VECTORS][3] = {
-    { 4.94e-12F, 5.17e-12F, 4.94e-12F },
-    { 1.15e-12F, 1.15e-12F, 8.72e-13F }
+    { 4.83e-12F, 4.83e-12F, 4.83e-12F },
+    { 9.66e-13F, 9.91e-13F, 9.59e-13F }
 };
 #endif
 static const unsigned short at_v_m_n[3] = { 0, 1, 2 };
@@ -73,13 +73,13 @@ static const double out_omega_nb_n[N_VECTORS][3] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_omega_nb_n[N_VECTORS][3] = {
-    { 1.24e-05F, 9.95e-06F, 1.24e-05F },
-    { 4.72e-06F, 5.84e-06F, 5.01e-06F }
+    { 1.24e-05F, 1.18e-05F, 1.24e-05F },
+    { 4.08e-06F, 5.83e-06F, 4.93e-06F }
 };
 #else
 static const float tol_omega_nb_n[N_VECTORS][3] = {
-    { 2.53e-14F, 2.08e-14F, 2.53e-14F },
-    { 9.65e-15F, 1.23e-14F, 1.02e-14F }
+    { 2.53e-14F, 2.42e-14F, 2.53e-14F },
+    { 8.46e-15F, 1.23e-14F, 1.00e-14F }
 };
 #endif
 static const unsigned short at_omega_nb_n[3] = { 0, 1, 2 };

@@ -60,13 +60,13 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 7.76e-07F, 7.61e-07F, 1.34e-06F, 7.47e-07F },
-    { 8.71e-07F, 6.96e-07F, 8.16e-07F, 8.20e-07F }
+    { 7.33e-07F, 7.63e-07F, 1.29e-06F, 7.28e-07F },
+    { 8.36e-07F, 6.90e-07F, 7.69e-07F, 7.72e-07F }
 };
 #else
 static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 1.48e-15F, 1.46e-15F, 2.59e-15F, 1.43e-15F },
-    { 1.69e-15F, 1.35e-15F, 1.57e-15F, 1.59e-15F }
+    { 1.40e-15F, 1.46e-15F, 2.49e-15F, 1.39e-15F },
+    { 1.62e-15F, 1.33e-15F, 1.49e-15F, 1.50e-15F }
 };
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };
@@ -111,13 +111,13 @@ static const double out_q_b2m_wxyz[N_VECTORS][4] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_q_b2m_wxyz[N_VECTORS][4] = {
-    { 7.34e-07F, 7.63e-07F, 1.31e-06F, 7.34e-07F },
-    { 9.34e-07F, 6.91e-07F, 2.74e-07F, 6.42e-07F }
+    { 7.33e-07F, 7.63e-07F, 1.29e-06F, 7.28e-07F },
+    { 9.26e-07F, 6.85e-07F, 2.82e-07F, 6.21e-07F }
 };
 #else
 static const float tol_q_b2m_wxyz[N_VECTORS][4] = {
-    { 1.40e-15F, 1.46e-15F, 2.53e-15F, 1.40e-15F },
-    { 1.82e-15F, 1.35e-15F, 5.22e-16F, 1.24e-15F }
+    { 1.40e-15F, 1.46e-15F, 2.49e-15F, 1.39e-15F },
+    { 1.80e-15F, 1.34e-15F, 5.37e-16F, 1.20e-15F }
 };
 #endif
 static const unsigned short at_q_b2m_wxyz[4] = { 0, 1, 2, 3 };

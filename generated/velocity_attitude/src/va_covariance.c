@@ -357,7 +357,8 @@ static bs_real raise_by(bs_real *UD, bs_real c, bs_real *v, int last, int first)
         if (sum >= LEAST) { /* or nothing depends on it, and nothing may be divided by it */
             const bs_real gain = (left * own) / sum;
             left *= d / sum;
-            for (int i = 0; i < j; i += 2) { /* by twos: beyond the end stands what is done with */
+            for (int i = 0; i < j; i += 2) { /* the last pair may touch u[j], which is written
+                                              * below, and v[j], which is not read any more */
                 const bs_real u0 = u[i];
                 const bs_real u1 = u[i + 1];
                 const bs_real v0 = v[i] - (own * u0);

@@ -22,7 +22,7 @@ static void val_quaternion_H_kernel(const bs_real x[19],
     const double *arg[8] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[135] = {0};
+    double w[120] = {0};
     arg[0] = x;
     arg[1] = lat_lon_height;
     arg[2] = v_n;

@@ -21,7 +21,7 @@ static void val_quaternion_z_kernel(const bs_real lat_lon_height[3],
     const double *arg[7] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[35] = {0};
+    double w[32] = {0};
     arg[0] = lat_lon_height;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;

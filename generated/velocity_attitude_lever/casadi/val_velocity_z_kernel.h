@@ -22,7 +22,7 @@ static void val_velocity_z_kernel(const bs_real lat_lon_height[3],
     const double *arg[8] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[27] = {0};
+    double w[30] = {0};
     arg[0] = lat_lon_height;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;

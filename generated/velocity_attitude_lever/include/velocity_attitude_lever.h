@@ -120,6 +120,7 @@ typedef struct {
 } val_master;
 
 /* System matrix, x' = F x + G w.
+ * Equations: mechanics (alignment-1).
  * in   nav->lat_lon_height  geodetic latitude, longitude, not wrapped, height above the ellipsoid
  *                           (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
  *                           -500 to 30000
@@ -136,6 +137,7 @@ bs_status val_F(const val_nav *nav,
 bs_status val_F_nz(const val_nav *nav, const val_corrected_imu *corrected_imu, bs_real F_nz[41]);
 
 /* Transition matrix over dt, I + F dt + (F dt)^2 / 2, with F as it is at the start.
+ * Equations: mechanics (alignment-1), mechanics (transition-1).
  * in   nav->lat_lon_height  geodetic latitude, longitude, not wrapped, height above the ellipsoid
  *                           (rad, rad, m, WGS-84); -1.48353 to 1.48353, -6.28319 to 6.28319,
  *                           -500 to 30000
@@ -154,6 +156,7 @@ bs_status val_Phi_nz(const val_nav *nav,
                      bs_real Phi_nz[85]);
 
 /* Noise covariance per second, G W G'.
+ * Equations: mechanics (alignment-1).
  * in   nav->q_b2n_wxyz          attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
  * in   noise->gyro_noise        noise density of the gyros (angle random walk, ARW)
  *                               (rad/sqrt(s), body); 0 to 0.1
@@ -174,6 +177,7 @@ bs_status val_Qc(const val_nav *nav, const val_noise *noise, bs_real Qc[19 * VAL
 bs_status val_Qc_nz(const val_nav *nav, const val_noise *noise, bs_real Qc_nz[28]);
 
 /* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
+ * Equations: mechanics (alignment-1), mechanics (transition-2).
  * in   nav->lat_lon_height      geodetic latitude, longitude, not wrapped, height above the
  *                               ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                               -6.28319 to 6.28319, -500 to 30000
@@ -207,7 +211,7 @@ bs_status val_Q_nz(const val_nav *nav,
 
 /* Attitude of the master: z = -e, e the turn from the computed to the measured one;
  * z = H x + noise; rows n, e, d.
- * Equations: kang-2025 (4), kang-2025 (5).
+ * Equations: kang-2025 (4), kang-2025 (5), mechanics (alignment-3).
  * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                 -6.28319 to 6.28319, -500 to 30000
@@ -229,7 +233,7 @@ bs_status val_dcm_z(const val_nav *nav,
 
 /* Attitude of the master: z = -e, e the turn from the computed to the measured one; measurement
  * matrix H = d z / d x; rows n, e, d.
- * Equations: kang-2025 (4), kang-2025 (5).
+ * Equations: kang-2025 (4), kang-2025 (5), mechanics (alignment-3).
  * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                 -6.28319 to 6.28319, -500 to 30000
@@ -251,6 +255,7 @@ bs_status val_dcm_H_nz(const val_nav *nav,
 
 /* Attitude of the master, twice the vector part of a quaternion: z = -e, e the turn from the
  * computed to the measured one; z = h(x) + noise; rows n, e, d.
+ * Derived from: the model velocity-attitude-lever, which states it.
  * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                 -6.28319 to 6.28319, -500 to 30000
@@ -272,6 +277,7 @@ bs_status val_quaternion_z(const val_nav *nav,
 
 /* Attitude of the master, twice the vector part of a quaternion: z = -e, e the turn from the
  * computed to the measured one; h(x), the z of an error state x without noise; rows n, e, d.
+ * Derived from: the model velocity-attitude-lever, which states it.
  * in   x                          error state (rad, m/s, rad/s, m/s^2, rad, s, m); -0.5 to 0.5,
  *                                 -0.5 to 0.5, -0.5 to 0.5, -100 to 100, -100 to 100, -100 to 100,
  *                                 -0.0174533 to 0.0174533, -0.0174533 to 0.0174533,
@@ -300,6 +306,7 @@ bs_status val_quaternion_h(const bs_real x[VAL_N_STATES],
 
 /* Attitude of the master, twice the vector part of a quaternion: z = -e, e the turn from the
  * computed to the measured one; measurement matrix H = d h / d x at x; rows n, e, d.
+ * Derived from: quaternion_h by differentiation.
  * in   x                          error state (rad, m/s, rad/s, m/s^2, rad, s, m); -0.5 to 0.5,
  *                                 -0.5 to 0.5, -0.5 to 0.5, -100 to 100, -100 to 100, -100 to 100,
  *                                 -0.0174533 to 0.0174533, -0.0174533 to 0.0174533,
@@ -381,7 +388,7 @@ bs_status val_euler_H_nz(const val_nav *nav,
                          bs_real H_nz[17]);
 
 /* Velocity of the master: z = computed - measured; z = H x + noise; rows n, e, d.
- * Equations: kang-2025 (1), kang-2025 (3).
+ * Equations: kang-2025 (1), kang-2025 (3), mechanics (alignment-2).
  * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                 -6.28319 to 6.28319, -500 to 30000
@@ -403,7 +410,7 @@ bs_status val_velocity_z(const val_nav *nav,
                          bs_real z[3]);
 
 /* Velocity of the master: z = computed - measured; measurement matrix H = d z / d x; rows n, e, d.
- * Equations: kang-2025 (1), kang-2025 (3).
+ * Equations: kang-2025 (1), kang-2025 (3), mechanics (alignment-2).
  * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                 -6.28319 to 6.28319, -500 to 30000
@@ -429,6 +436,7 @@ bs_status val_velocity_H_nz(const val_nav *nav,
                             bs_real H_nz[33]);
 
 /* Position, velocity and attitude after one step of inertial increments, estimated biases removed.
+ * Equations: mechanics (strapdown-1).
  * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                 -6.28319 to 6.28319, -500 to 30000
@@ -479,6 +487,8 @@ bs_status val_expected(const val_nav *nav,
                        bs_real omega_nb_n[3]);
 
 /* The slave with the estimated errors taken out.
+ * Derived from: the definition of the errors at the head of velocity_attitude_lever.h, by finite
+ * rotations.
  * in   x                  error state (rad, m/s, rad/s, m/s^2, rad, s, m); -0.5 to 0.5,
  *                         -0.5 to 0.5, -0.5 to 0.5, -100 to 100, -100 to 100, -100 to 100,
  *                         -0.0174533 to 0.0174533, -0.0174533 to 0.0174533,

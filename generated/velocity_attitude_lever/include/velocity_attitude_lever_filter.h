@@ -149,7 +149,7 @@ bs_status val_filter_consider(val_filter *filter, const unsigned char considered
 
 /* Attitude of the master: z = -e, e the turn from the computed to the measured one; rows n, e, d
  * (rad).
- * Equations: kang-2025 (4), kang-2025 (5).
+ * Equations: kang-2025 (4), kang-2025 (5), mechanics (alignment-3).
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
  * in   gates       see bs_gates; NULL: every row, no gate
  * out  innovation  nu, S and used of each row, nis of those used; written with BS_OK and
@@ -201,7 +201,7 @@ bs_status val_filter_measure_euler(val_filter *filter,
                                    val_innovation *innovation);
 
 /* Velocity of the master: z = computed - measured; rows n, e, d (m/s).
- * Equations: kang-2025 (1), kang-2025 (3).
+ * Equations: kang-2025 (1), kang-2025 (3), mechanics (alignment-2).
  * in   R           variance of each row, whose errors are independent; 1e-30 to 1e+30
  * in   gates       see bs_gates; NULL: every row, no gate
  * out  innovation  nu, S and used of each row, nis of those used; written with BS_OK and

@@ -22,7 +22,7 @@ enum {
      * terms */
     OF_STATE = 46,
     OF_JOSEPH = 220,
-    OF_UD = 2025
+    OF_UD = 2595
 };
 
 #ifdef BORESIGHT_FLOAT

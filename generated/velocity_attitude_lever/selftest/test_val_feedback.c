@@ -64,13 +64,13 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 1.06e-06F, 1.06e-06F, 1.05e-06F, 4.72e-07F },
-    { 5.16e-07F, 1.13e-06F, 7.09e-07F, 6.88e-07F }
+    { 1.02e-06F, 1.05e-06F, 1.00e-06F, 4.65e-07F },
+    { 4.97e-07F, 1.11e-06F, 6.84e-07F, 6.51e-07F }
 };
 #else
 static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 2.04e-15F, 2.04e-15F, 2.02e-15F, 8.89e-16F },
-    { 9.89e-16F, 2.19e-15F, 1.37e-15F, 1.32e-15F }
+    { 1.97e-15F, 2.03e-15F, 1.93e-15F, 8.76e-16F },
+    { 9.55e-16F, 2.15e-15F, 1.32e-15F, 1.26e-15F }
 };
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };
@@ -115,13 +115,13 @@ static const double out_q_b2m_wxyz[N_VECTORS][4] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_q_b2m_wxyz[N_VECTORS][4] = {
-    { 4.73e-07F, 1.07e-06F, 1.07e-06F, 1.07e-06F },
-    { 7.51e-07F, 9.13e-07F, 7.15e-07F, 3.46e-07F }
+    { 4.71e-07F, 1.05e-06F, 1.03e-06F, 1.03e-06F },
+    { 7.47e-07F, 9.08e-07F, 6.84e-07F, 3.40e-07F }
 };
 #else
 static const float tol_q_b2m_wxyz[N_VECTORS][4] = {
-    { 8.90e-16F, 2.05e-15F, 2.05e-15F, 2.05e-15F },
-    { 1.46e-15F, 1.78e-15F, 1.39e-15F, 6.62e-16F }
+    { 8.87e-16F, 2.03e-15F, 1.99e-15F, 1.99e-15F },
+    { 1.45e-15F, 1.77e-15F, 1.33e-15F, 6.50e-16F }
 };
 #endif
 static const unsigned short at_q_b2m_wxyz[4] = { 0, 1, 2, 3 };

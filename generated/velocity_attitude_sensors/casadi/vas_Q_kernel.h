@@ -33,7 +33,7 @@ static void vas_Q_kernel(const bs_real lat_lon_height[3],
     const double *arg[20] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[161] = {0};
+    double w[160] = {0};
     arg[0] = lat_lon_height;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;

@@ -44,7 +44,7 @@ static void vas_feedback_kernel(const bs_real x[46],
     const double *arg[16] = {0};
     double *res[15] = {0};
     int iw[1] = {0};
-    double w[18] = {0};
+    double w[16] = {0};
     arg[0] = x;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;

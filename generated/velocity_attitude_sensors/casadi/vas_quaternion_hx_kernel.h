@@ -26,7 +26,7 @@ static void vas_quaternion_h_kernel(const bs_real x[46],
     const double *arg[12] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[85] = {0};
+    double w[73] = {0};
     arg[0] = x;
     arg[1] = lat_lon_height;
     arg[2] = v_n;

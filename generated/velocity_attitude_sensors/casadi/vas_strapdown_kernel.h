@@ -42,7 +42,7 @@ static void vas_strapdown_kernel(const bs_real lat_lon_height[3],
     const double *arg[22] = {0};
     double *res[7] = {0};
     int iw[1] = {0};
-    double w[88] = {0};
+    double w[87] = {0};
     arg[0] = lat_lon_height;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;

@@ -190,6 +190,7 @@ typedef struct {
 } vas_biases;
 
 /* System matrix, x' = F x + G w.
+ * Equations: mechanics (alignment-1).
  * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                 -6.28319 to 6.28319, -500 to 30000
@@ -229,6 +230,7 @@ bs_status vas_F_nz(const vas_nav *nav,
                    bs_real F_nz[107]);
 
 /* Transition matrix over dt, I + F dt + (F dt)^2 / 2, with F as it is at the start.
+ * Equations: mechanics (alignment-1), mechanics (transition-1).
  * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                 -6.28319 to 6.28319, -500 to 30000
@@ -269,6 +271,7 @@ bs_status vas_Phi_nz(const vas_nav *nav,
                      bs_real Phi_nz[232]);
 
 /* Noise covariance per second, G W G'.
+ * Equations: mechanics (alignment-1).
  * in   nav->q_b2n_wxyz          attitude (1, body to NED); -1.001 to 1.001, norm 0.999 to 1.001
  * in   noise->gyro_noise        noise density of the gyros (angle random walk, ARW)
  *                               (rad/sqrt(s), body); 0 to 0.1
@@ -306,6 +309,7 @@ bs_status vas_Qc_nz(const vas_nav *nav,
                     bs_real Qc_nz[31]);
 
 /* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
+ * Equations: mechanics (alignment-1), mechanics (transition-2).
  * in   nav->lat_lon_height       geodetic latitude, longitude, not wrapped, height above the
  *                                ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                -6.28319 to 6.28319, -500 to 30000
@@ -360,7 +364,7 @@ bs_status vas_Q_nz(const vas_nav *nav,
 
 /* Attitude of the master: z = -e, e the turn from the computed to the measured one;
  * z = H x + noise; rows n, e, d.
- * Equations: kang-2025 (4), kang-2025 (5).
+ * Equations: kang-2025 (4), kang-2025 (5), mechanics (alignment-3).
  * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                 -6.28319 to 6.28319, -500 to 30000
@@ -390,7 +394,7 @@ bs_status vas_dcm_z(const vas_nav *nav,
 
 /* Attitude of the master: z = -e, e the turn from the computed to the measured one; measurement
  * matrix H = d z / d x; rows n, e, d.
- * Equations: kang-2025 (4), kang-2025 (5).
+ * Equations: kang-2025 (4), kang-2025 (5), mechanics (alignment-3).
  * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                 -6.28319 to 6.28319, -500 to 30000
@@ -422,6 +426,7 @@ bs_status vas_dcm_H_nz(const vas_nav *nav,
 
 /* Attitude of the master, twice the vector part of a quaternion: z = -e, e the turn from the
  * computed to the measured one; z = h(x) + noise; rows n, e, d.
+ * Derived from: the model velocity-attitude-sensors, which states it.
  * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                 -6.28319 to 6.28319, -500 to 30000
@@ -451,6 +456,7 @@ bs_status vas_quaternion_z(const vas_nav *nav,
 
 /* Attitude of the master, twice the vector part of a quaternion: z = -e, e the turn from the
  * computed to the measured one; h(x), the z of an error state x without noise; rows n, e, d.
+ * Derived from: the model velocity-attitude-sensors, which states it.
  * in   x                          error state (rad, m/s, rad/s, m/s^2, rad, s, m, rad, rad/s, 1, 1,
  *                                 rad, rad, rad/s, m/s^2); -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5,
  *                                 -100 to 100, -100 to 100, -100 to 100, -0.0174533 to 0.0174533,
@@ -493,6 +499,7 @@ bs_status vas_quaternion_h(const bs_real x[VAS_N_STATES],
 
 /* Attitude of the master, twice the vector part of a quaternion: z = -e, e the turn from the
  * computed to the measured one; measurement matrix H = d h / d x at x; rows n, e, d.
+ * Derived from: quaternion_h by differentiation.
  * in   x                          error state (rad, m/s, rad/s, m/s^2, rad, s, m, rad, rad/s, 1, 1,
  *                                 rad, rad, rad/s, m/s^2); -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5,
  *                                 -100 to 100, -100 to 100, -100 to 100, -0.0174533 to 0.0174533,
@@ -608,7 +615,7 @@ bs_status vas_euler_H_nz(const vas_nav *nav,
                          bs_real H_nz[24]);
 
 /* Velocity of the master: z = computed - measured; z = H x + noise; rows n, e, d.
- * Equations: kang-2025 (1), kang-2025 (3).
+ * Equations: kang-2025 (1), kang-2025 (3), mechanics (alignment-2).
  * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                 -6.28319 to 6.28319, -500 to 30000
@@ -638,7 +645,7 @@ bs_status vas_velocity_z(const vas_nav *nav,
                          bs_real z[3]);
 
 /* Velocity of the master: z = computed - measured; measurement matrix H = d z / d x; rows n, e, d.
- * Equations: kang-2025 (1), kang-2025 (3).
+ * Equations: kang-2025 (1), kang-2025 (3), mechanics (alignment-2).
  * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                 -6.28319 to 6.28319, -500 to 30000
@@ -704,6 +711,7 @@ bs_status vas_expected(const vas_nav *nav,
                        bs_real omega_nb_n[3]);
 
 /* Position, velocity and attitude after one step of inertial increments, estimated biases removed.
+ * Equations: mechanics (strapdown-1).
  * in   nav->lat_lon_height        geodetic latitude, longitude, not wrapped, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -1.48353 to 1.48353,
  *                                 -6.28319 to 6.28319, -500 to 30000
@@ -767,6 +775,8 @@ bs_status vas_strapdown(const vas_nav *nav,
                         bs_real accel_bias[3]);
 
 /* The slave with the estimated errors taken out.
+ * Derived from: the definition of the errors at the head of velocity_attitude_sensors.h, by finite
+ * rotations.
  * in   x                      error state (rad, m/s, rad/s, m/s^2, rad, s, m, rad, rad/s, 1, 1,
  *                             rad, rad, rad/s, m/s^2); -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5,
  *                             -100 to 100, -100 to 100, -100 to 100, -0.0174533 to 0.0174533,

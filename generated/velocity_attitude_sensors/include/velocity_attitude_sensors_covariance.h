@@ -34,15 +34,24 @@ extern "C" {
                             * VAS_ROW + j], and all others are 0 */
 #define VAS_N_WORK 4379    /* numbers of scratch memory */
 
+/* Whether a prediction is printed over the non-zeros of F and Phi.  BORESIGHT_BLOCKS chooses loops
+ * over blocks instead, which take less memory for code and more time; BORESIGHT_ROWS chooses rows
+ * of vectors, on a host; no bit of a covariance differs. */
+#if defined(BORESIGHT_BLOCKS) || defined(BORESIGHT_ROWS)
+#define VAS_OVER_NONZEROS 0
+#else
+#define VAS_OVER_NONZEROS 1
+#endif
+
 /* Phi = I + F dt + (F dt)^2 / 2, and Q, the covariance that noise of density Qc adds over dt:
  * Q = S S' / 4 + 3/4 B S S' B', B = I + 2/3 A + 2/9 A^2, S S' = Qc dt, A = F dt: squares, so that
  * no dt makes it indefinite.
  * What is left out of Phi begins with (F dt)^3 / 6, and dt^2 / 2 times the rate of F;
  * of the integral over the step, with F as it is at the start, Q leaves out (A^3 W + W A'^3) /
  * 24 + (A^2 W A' + A W A'^2) / 72 and higher powers of dt, W = Qc dt.
- * It costs 58174 additions, multiplications and divisions.
+ * It costs 2474 additions, multiplications and divisions.
  * in   F, Qc: non-zeros
- * out  Phi: the rows that move; Q: packed */
+ * out  Phi: the rows that move, where a step of this model may make them other than 0; Q: packed */
 void vas_discretize(const bs_real F[VAS_N_F],
                     const bs_real Qc[VAS_N_QC],
                     bs_real dt,
@@ -75,6 +84,16 @@ void vas_ud_predict(const bs_real UD[VAS_N_PACKED],
                     const bs_real Q[VAS_N_PACKED],
                     bs_real next[VAS_N_PACKED],
                     bs_real work[VAS_N_WORK]);
+
+#if VAS_OVER_NONZEROS
+/* P = Phi P Phi' + Q in place.  Q becomes what P was where it may have changed, and joseph_back
+ * takes the step back. */
+void vas_joseph_step(bs_real P[VAS_N_PACKED],
+                     const bs_real Phi[VAS_N_PHI],
+                     bs_real Q[VAS_N_PACKED],
+                     bs_real work[VAS_N_WORK]);
+void vas_joseph_back(bs_real P[VAS_N_PACKED], const bs_real Q[VAS_N_PACKED]);
+#endif
 
 /* One scalar measurement, see bs_row: x and P are changed if row->used says so afterwards.
  * in   row->R > 0; row->used: 0 to compute nu and S alone

@@ -20,7 +20,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "992e9f16d8f8ce3c173625d5e9ca59d8162b334be0f5209d37cfe00dfd91e876"
+#define VAS_MODEL_HASH "0cfad9e289891cacbf4d86c24d12a029d12835bdd6779677675259b1f5f598bb"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1
@@ -52,9 +52,11 @@
 #define vas_feedback vas_feedback_f32
 #define vas_identity vas_identity_f32
 #define vas_joseph_add vas_joseph_add_f32
+#define vas_joseph_back vas_joseph_back_f32
 #define vas_joseph_dense vas_joseph_dense_f32
 #define vas_joseph_init vas_joseph_init_f32
 #define vas_joseph_predict vas_joseph_predict_f32
+#define vas_joseph_step vas_joseph_step_f32
 #define vas_joseph_update vas_joseph_update_f32
 #define vas_predict_state vas_predict_state_f32
 #define vas_quaternion_H vas_quaternion_H_f32

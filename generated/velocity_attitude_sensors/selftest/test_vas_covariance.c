@@ -22,7 +22,7 @@ enum {
      * terms */
     OF_STATE = 100,
     OF_JOSEPH = 490,
-    OF_UD = 11070
+    OF_UD = 16820
 };
 
 #ifdef BORESIGHT_FLOAT

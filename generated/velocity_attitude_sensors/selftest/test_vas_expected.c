@@ -55,13 +55,13 @@ static const double out_v_m_n[N_VECTORS][3] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_v_m_n[N_VECTORS][3] = {
-    { 4.69e-03F, 5.37e-03F, 5.11e-03F },
-    { 2.95e-03F, 2.55e-03F, 2.31e-03F }
+    { 4.32e-03F, 5.66e-03F, 5.49e-03F },
+    { 3.23e-03F, 2.64e-03F, 2.36e-03F }
 };
 #else
 static const float tol_v_m_n[N_VECTORS][3] = {
-    { 8.86e-12F, 1.06e-11F, 1.02e-11F },
-    { 5.82e-12F, 4.84e-12F, 4.43e-12F }
+    { 8.16e-12F, 1.12e-11F, 1.08e-11F },
+    { 6.35e-12F, 5.00e-12F, 4.51e-12F }
 };
 #endif
 static const unsigned short at_v_m_n[3] = { 0, 1, 2 };
@@ -72,13 +72,13 @@ static const double out_q_m2n_wxyz[N_VECTORS][4] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_q_m2n_wxyz[N_VECTORS][4] = {
-    { 1.53e-06F, 1.42e-06F, 1.39e-06F, 1.39e-06F },
-    { 6.25e-07F, 1.02e-06F, 6.73e-07F, 1.59e-06F }
+    { 1.48e-06F, 1.38e-06F, 1.38e-06F, 1.38e-06F },
+    { 5.94e-07F, 9.78e-07F, 6.04e-07F, 1.53e-06F }
 };
 #else
 static const float tol_q_m2n_wxyz[N_VECTORS][4] = {
-    { 2.91e-15F, 2.69e-15F, 2.63e-15F, 2.63e-15F },
-    { 1.17e-15F, 1.96e-15F, 1.27e-15F, 3.05e-15F }
+    { 2.83e-15F, 2.61e-15F, 2.61e-15F, 2.61e-15F },
+    { 1.12e-15F, 1.88e-15F, 1.14e-15F, 2.94e-15F }
 };
 #endif
 static const unsigned short at_q_m2n_wxyz[4] = { 0, 1, 2, 3 };
@@ -89,13 +89,13 @@ static const double out_omega_nb_n[N_VECTORS][3] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_omega_nb_n[N_VECTORS][3] = {
-    { 2.62e-05F, 1.99e-05F, 2.05e-05F },
-    { 1.90e-05F, 2.02e-05F, 2.12e-05F }
+    { 2.44e-05F, 2.15e-05F, 2.06e-05F },
+    { 1.86e-05F, 2.06e-05F, 2.23e-05F }
 };
 #else
 static const float tol_omega_nb_n[N_VECTORS][3] = {
-    { 5.16e-14F, 3.94e-14F, 4.06e-14F },
-    { 3.58e-14F, 3.86e-14F, 4.23e-14F }
+    { 4.83e-14F, 4.25e-14F, 4.06e-14F },
+    { 3.49e-14F, 3.95e-14F, 4.43e-14F }
 };
 #endif
 static const unsigned short at_omega_nb_n[3] = { 0, 1, 2 };

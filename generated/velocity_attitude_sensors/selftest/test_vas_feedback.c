@@ -96,13 +96,13 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 1.05e-06F, 4.72e-07F, 1.06e-06F, 1.05e-06F },
-    { 1.10e-06F, 3.70e-07F, 3.25e-07F, 2.18e-07F }
+    { 1.03e-06F, 4.68e-07F, 1.02e-06F, 9.91e-07F },
+    { 1.16e-06F, 3.72e-07F, 3.20e-07F, 2.20e-07F }
 };
 #else
 static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 2.02e-15F, 8.89e-16F, 2.05e-15F, 2.02e-15F },
-    { 2.15e-15F, 7.11e-16F, 6.24e-16F, 4.13e-16F }
+    { 1.97e-15F, 8.82e-16F, 1.96e-15F, 1.91e-15F },
+    { 2.26e-15F, 7.14e-16F, 6.15e-16F, 4.16e-16F }
 };
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };
@@ -147,13 +147,13 @@ static const double out_q_b2m_wxyz[N_VECTORS][4] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_q_b2m_wxyz[N_VECTORS][4] = {
-    { 7.60e-07F, 1.34e-06F, 7.45e-07F, 7.60e-07F },
-    { 3.32e-07F, 6.94e-07F, 2.74e-07F, 8.98e-07F }
+    { 7.57e-07F, 1.33e-06F, 7.37e-07F, 7.37e-07F },
+    { 3.19e-07F, 6.63e-07F, 2.54e-07F, 8.11e-07F }
 };
 #else
 static const float tol_q_b2m_wxyz[N_VECTORS][4] = {
-    { 1.45e-15F, 2.58e-15F, 1.42e-15F, 1.45e-15F },
-    { 6.47e-16F, 1.36e-15F, 5.32e-16F, 1.76e-15F }
+    { 1.45e-15F, 2.57e-15F, 1.41e-15F, 1.41e-15F },
+    { 6.22e-16F, 1.30e-15F, 4.95e-16F, 1.59e-15F }
 };
 #endif
 static const unsigned short at_q_b2m_wxyz[4] = { 0, 1, 2, 3 };

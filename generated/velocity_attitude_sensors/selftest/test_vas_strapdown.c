@@ -103,13 +103,13 @@ static const double out_lat_lon_height[N_VECTORS][3] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_lat_lon_height[N_VECTORS][3] = {
-    { 9.13e-08F, 4.18e-07F, 7.43e-03F },
-    { 7.32e-08F, 2.42e-07F, 3.04e-03F }
+    { 9.09e-08F, 4.14e-07F, 6.31e-03F },
+    { 7.31e-08F, 2.42e-07F, 2.40e-03F }
 };
 #else
 static const float tol_lat_lon_height[N_VECTORS][3] = {
-    { 3.36e-16F, 1.48e-15F, 1.59e-11F },
-    { 2.72e-16F, 8.99e-16F, 5.91e-12F }
+    { 3.35e-16F, 1.47e-15F, 1.39e-11F },
+    { 2.71e-16F, 8.98e-16F, 4.72e-12F }
 };
 #endif
 static const unsigned short at_lat_lon_height[3] = { 0, 1, 2 };
@@ -120,13 +120,13 @@ static const double out_v_n[N_VECTORS][3] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_v_n[N_VECTORS][3] = {
-    { 4.64e-04F, 3.89e-04F, 5.62e-04F },
-    { 2.26e-04F, 1.83e-04F, 3.23e-04F }
+    { 5.00e-04F, 4.42e-04F, 6.08e-04F },
+    { 2.54e-04F, 2.01e-04F, 3.70e-04F }
 };
 #else
 static const float tol_v_n[N_VECTORS][3] = {
-    { 9.89e-13F, 8.28e-13F, 1.19e-12F },
-    { 4.79e-13F, 3.69e-13F, 7.12e-13F }
+    { 1.06e-12F, 9.27e-13F, 1.27e-12F },
+    { 5.29e-13F, 4.02e-13F, 7.99e-13F }
 };
 #endif
 static const unsigned short at_v_n[3] = { 0, 1, 2 };
@@ -137,13 +137,13 @@ static const double out_q_b2n_wxyz[N_VECTORS][4] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 1.24e-06F, 2.46e-06F, 2.22e-06F, 2.81e-06F },
-    { 1.07e-06F, 1.25e-06F, 1.40e-06F, 6.12e-07F }
+    { 1.22e-06F, 2.44e-06F, 2.21e-06F, 2.75e-06F },
+    { 1.11e-06F, 1.33e-06F, 1.48e-06F, 6.25e-07F }
 };
 #else
 static const float tol_q_b2n_wxyz[N_VECTORS][4] = {
-    { 2.32e-15F, 4.65e-15F, 4.19e-15F, 5.32e-15F },
-    { 2.05e-15F, 2.40e-15F, 2.67e-15F, 1.16e-15F }
+    { 2.28e-15F, 4.61e-15F, 4.16e-15F, 5.20e-15F },
+    { 2.12e-15F, 2.54e-15F, 2.84e-15F, 1.19e-15F }
 };
 #endif
 static const unsigned short at_q_b2n_wxyz[4] = { 0, 1, 2, 3 };
@@ -154,13 +154,13 @@ static const double out_flexure[N_VECTORS][3] = {
 };
 #ifdef BORESIGHT_FLOAT
 static const float tol_flexure[N_VECTORS][3] = {
-    { 2.41e-02F, 4.21e-02F, 2.41e-06F },
-    { 8.44e-06F, 4.65e-05F, 2.13e-03F }
+    { 2.11e-02F, 4.21e-02F, 2.41e-06F },
+    { 9.19e-06F, 4.65e-05F, 2.13e-03F }
 };
 #else
 static const float tol_flexure[N_VECTORS][3] = {
-    { 5.05e-11F, 8.41e-11F, 4.51e-15F },
-    { 1.81e-14F, 1.00e-13F, 4.34e-12F }
+    { 4.49e-11F, 8.41e-11F, 4.51e-15F },
+    { 1.95e-14F, 1.00e-13F, 4.34e-12F }
 };
 #endif
 static const unsigned short at_flexure[3] = { 0, 1, 2 };
@@ -172,12 +172,12 @@ static const double out_flexure_rate[N_VECTORS][3] = {
 #ifdef BORESIGHT_FLOAT
 static const float tol_flexure_rate[N_VECTORS][3] = {
     { 2.08e-01F, 1.09e+02F, 6.04e-07F },
-    { 5.19e-05F, 1.96e-03F, 1.31e+00F }
+    { 5.39e-05F, 1.96e-03F, 1.31e+00F }
 };
 #else
 static const float tol_flexure_rate[N_VECTORS][3] = {
     { 4.42e-10F, 2.13e-07F, 1.24e-15F },
-    { 9.71e-14F, 4.00e-12F, 2.60e-09F }
+    { 1.01e-13F, 4.00e-12F, 2.60e-09F }
 };
 #endif
 static const unsigned short at_flexure_rate[3] = { 0, 1, 2 };

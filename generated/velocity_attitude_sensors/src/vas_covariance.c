@@ -207,6 +207,109 @@ static const unsigned short whole[N][WIDE] = {
 };
 #endif
 
+#if VAS_OVER_NONZEROS
+#define END 46 /* behind this state no state that moves depends on any but itself */
+
+/* The rows of Phi that move times x, whose first END numbers count, into y[0], y[WIDTH] and so
+ * on. */
+static void times_Phi(const bs_real *Phi, const bs_real *x, bs_real *y)
+{
+    const bs_real y0 = BS_REAL(0.0) + (Phi[0] * x[0]) + (Phi[1] * x[1]) + (Phi[2] * x[2]) +
+        (Phi[3] * x[3]) + (Phi[4] * x[4]) + (Phi[5] * x[5]) + (Phi[6] * x[6]) + (Phi[7] * x[7]) +
+        (Phi[8] * x[8]) + (Phi[9] * x[9]) + (Phi[10] * x[10]) + (Phi[11] * x[11]) +
+        (Phi[25] * x[25]) + (Phi[26] * x[26]) + (Phi[27] * x[27]) + (Phi[28] * x[28]) +
+        (Phi[29] * x[29]) + (Phi[30] * x[30]) + (Phi[31] * x[31]) + (Phi[32] * x[32]) +
+        (Phi[33] * x[33]) + (Phi[34] * x[34]) + (Phi[35] * x[35]) + (Phi[36] * x[36]) +
+        (Phi[37] * x[37]) + (Phi[38] * x[38]) + (Phi[39] * x[39]) + (Phi[40] * x[40]) +
+        (Phi[41] * x[41]) + (Phi[42] * x[42]);
+    const bs_real y1 = BS_REAL(0.0) + (Phi[50] * x[0]) + (Phi[51] * x[1]) + (Phi[52] * x[2]) +
+        (Phi[53] * x[3]) + (Phi[54] * x[4]) + (Phi[55] * x[5]) + (Phi[56] * x[6]) +
+        (Phi[57] * x[7]) + (Phi[58] * x[8]) + (Phi[59] * x[9]) + (Phi[60] * x[10]) +
+        (Phi[61] * x[11]) + (Phi[75] * x[25]) + (Phi[76] * x[26]) + (Phi[77] * x[27]) +
+        (Phi[78] * x[28]) + (Phi[79] * x[29]) + (Phi[80] * x[30]) + (Phi[81] * x[31]) +
+        (Phi[82] * x[32]) + (Phi[83] * x[33]) + (Phi[84] * x[34]) + (Phi[85] * x[35]) +
+        (Phi[86] * x[36]) + (Phi[87] * x[37]) + (Phi[88] * x[38]) + (Phi[89] * x[39]) +
+        (Phi[90] * x[40]) + (Phi[91] * x[41]) + (Phi[92] * x[42]);
+    const bs_real y2 = BS_REAL(0.0) + (Phi[100] * x[0]) + (Phi[101] * x[1]) + (Phi[102] * x[2]) +
+        (Phi[103] * x[3]) + (Phi[104] * x[4]) + (Phi[105] * x[5]) + (Phi[106] * x[6]) +
+        (Phi[107] * x[7]) + (Phi[108] * x[8]) + (Phi[109] * x[9]) + (Phi[110] * x[10]) +
+        (Phi[111] * x[11]) + (Phi[125] * x[25]) + (Phi[126] * x[26]) + (Phi[127] * x[27]) +
+        (Phi[128] * x[28]) + (Phi[129] * x[29]) + (Phi[130] * x[30]) + (Phi[131] * x[31]) +
+        (Phi[132] * x[32]) + (Phi[133] * x[33]) + (Phi[134] * x[34]) + (Phi[135] * x[35]) +
+        (Phi[136] * x[36]) + (Phi[137] * x[37]) + (Phi[138] * x[38]) + (Phi[139] * x[39]) +
+        (Phi[140] * x[40]) + (Phi[141] * x[41]) + (Phi[142] * x[42]);
+    const bs_real y3 = BS_REAL(0.0) + (Phi[150] * x[0]) + (Phi[151] * x[1]) + (Phi[152] * x[2]) +
+        (Phi[153] * x[3]) + (Phi[154] * x[4]) + (Phi[155] * x[5]) + (Phi[156] * x[6]) +
+        (Phi[157] * x[7]) + (Phi[158] * x[8]) + (Phi[159] * x[9]) + (Phi[160] * x[10]) +
+        (Phi[161] * x[11]) + (Phi[175] * x[25]) + (Phi[176] * x[26]) + (Phi[177] * x[27]) +
+        (Phi[178] * x[28]) + (Phi[179] * x[29]) + (Phi[180] * x[30]) + (Phi[181] * x[31]) +
+        (Phi[182] * x[32]) + (Phi[183] * x[33]) + (Phi[184] * x[34]) + (Phi[185] * x[35]) +
+        (Phi[186] * x[36]) + (Phi[187] * x[37]) + (Phi[188] * x[38]) + (Phi[189] * x[39]) +
+        (Phi[193] * x[43]) + (Phi[194] * x[44]) + (Phi[195] * x[45]);
+    const bs_real y4 = BS_REAL(0.0) + (Phi[200] * x[0]) + (Phi[201] * x[1]) + (Phi[202] * x[2]) +
+        (Phi[203] * x[3]) + (Phi[204] * x[4]) + (Phi[205] * x[5]) + (Phi[206] * x[6]) +
+        (Phi[207] * x[7]) + (Phi[208] * x[8]) + (Phi[209] * x[9]) + (Phi[210] * x[10]) +
+        (Phi[211] * x[11]) + (Phi[225] * x[25]) + (Phi[226] * x[26]) + (Phi[227] * x[27]) +
+        (Phi[228] * x[28]) + (Phi[229] * x[29]) + (Phi[230] * x[30]) + (Phi[231] * x[31]) +
+        (Phi[232] * x[32]) + (Phi[233] * x[33]) + (Phi[234] * x[34]) + (Phi[235] * x[35]) +
+        (Phi[236] * x[36]) + (Phi[237] * x[37]) + (Phi[238] * x[38]) + (Phi[239] * x[39]) +
+        (Phi[243] * x[43]) + (Phi[244] * x[44]) + (Phi[245] * x[45]);
+    const bs_real y5 = BS_REAL(0.0) + (Phi[250] * x[0]) + (Phi[251] * x[1]) + (Phi[252] * x[2]) +
+        (Phi[253] * x[3]) + (Phi[254] * x[4]) + (Phi[255] * x[5]) + (Phi[256] * x[6]) +
+        (Phi[257] * x[7]) + (Phi[258] * x[8]) + (Phi[259] * x[9]) + (Phi[260] * x[10]) +
+        (Phi[261] * x[11]) + (Phi[275] * x[25]) + (Phi[276] * x[26]) + (Phi[277] * x[27]) +
+        (Phi[278] * x[28]) + (Phi[279] * x[29]) + (Phi[280] * x[30]) + (Phi[281] * x[31]) +
+        (Phi[282] * x[32]) + (Phi[283] * x[33]) + (Phi[284] * x[34]) + (Phi[285] * x[35]) +
+        (Phi[286] * x[36]) + (Phi[287] * x[37]) + (Phi[288] * x[38]) + (Phi[289] * x[39]) +
+        (Phi[293] * x[43]) + (Phi[294] * x[44]) + (Phi[295] * x[45]);
+    const bs_real y6 = BS_REAL(0.0) + (Phi[306] * x[6]) + (Phi[340] * x[40]);
+    const bs_real y7 = BS_REAL(0.0) + (Phi[357] * x[7]) + (Phi[391] * x[41]);
+    const bs_real y8 = BS_REAL(0.0) + (Phi[408] * x[8]) + (Phi[442] * x[42]);
+    const bs_real y9 = BS_REAL(0.0) + (Phi[459] * x[9]) + (Phi[493] * x[43]);
+    const bs_real y10 = BS_REAL(0.0) + (Phi[510] * x[10]) + (Phi[544] * x[44]);
+    const bs_real y11 = BS_REAL(0.0) + (Phi[561] * x[11]) + (Phi[595] * x[45]);
+    const bs_real y12 = BS_REAL(0.0) + x[12];
+    const bs_real y13 = BS_REAL(0.0) + x[13];
+    const bs_real y14 = BS_REAL(0.0) + x[14];
+    const bs_real y15 = BS_REAL(0.0) + x[15];
+    const bs_real y16 = BS_REAL(0.0) + x[16];
+    const bs_real y17 = BS_REAL(0.0) + x[17];
+    const bs_real y18 = BS_REAL(0.0) + x[18];
+    const bs_real y19 = BS_REAL(0.0) + (Phi[969] * x[19]) + (Phi[972] * x[22]);
+    const bs_real y20 = BS_REAL(0.0) + (Phi[1020] * x[20]) + (Phi[1023] * x[23]);
+    const bs_real y21 = BS_REAL(0.0) + (Phi[1071] * x[21]) + (Phi[1074] * x[24]);
+    const bs_real y22 = BS_REAL(0.0) + (Phi[1119] * x[19]) + (Phi[1122] * x[22]);
+    const bs_real y23 = BS_REAL(0.0) + (Phi[1170] * x[20]) + (Phi[1173] * x[23]);
+    const bs_real y24 = BS_REAL(0.0) + (Phi[1221] * x[21]) + (Phi[1224] * x[24]);
+    y[0] = y0;
+    y[WIDTH] = y1;
+    y[2 * WIDTH] = y2;
+    y[3 * WIDTH] = y3;
+    y[4 * WIDTH] = y4;
+    y[5 * WIDTH] = y5;
+    y[6 * WIDTH] = y6;
+    y[7 * WIDTH] = y7;
+    y[8 * WIDTH] = y8;
+    y[9 * WIDTH] = y9;
+    y[10 * WIDTH] = y10;
+    y[11 * WIDTH] = y11;
+    y[12 * WIDTH] = y12;
+    y[13 * WIDTH] = y13;
+    y[14 * WIDTH] = y14;
+    y[15 * WIDTH] = y15;
+    y[16 * WIDTH] = y16;
+    y[17 * WIDTH] = y17;
+    y[18 * WIDTH] = y18;
+    y[19 * WIDTH] = y19;
+    y[20 * WIDTH] = y20;
+    y[21 * WIDTH] = y21;
+    y[22 * WIDTH] = y22;
+    y[23 * WIDTH] = y23;
+    y[24 * WIDTH] = y24;
+}
+#endif
+
+#if !VAS_OVER_NONZEROS && !defined(BORESIGHT_ROWS)
 #ifndef BORESIGHT_ROWS
 /* The first rows of A X, row i of them from to[i * stride] on.  Of X the first `inner` rows count,
  * or where it is upper triangular fewer; the rows of A and X have ROW numbers.  Blocks of 3 x 5
@@ -339,6 +442,8 @@ static void across(const bs_real *A, const bs_real *B, int begin, int end, bs_re
     }
 }
 
+#endif
+
 /* Whether a pivot is more than the rounding of its variance. */
 static bool counts(bs_real pivot, bs_real variance)
 {
@@ -397,7 +502,8 @@ static bs_real raise_by(bs_real *UD, bs_real c, bs_real *v, int last, int first)
         if (sum >= LEAST) { /* or nothing depends on it, and nothing may be divided by it */
             const bs_real gain = (left * own) / sum;
             left *= d / sum;
-            for (int i = 0; i < j; i += 2) { /* by twos: beyond the end stands what is done with */
+            for (int i = 0; i < j; i += 2) { /* the last pair may touch u[j], which is written
+                                              * below, and v[j], which is not read any more */
                 const bs_real u0 = u[i];
                 const bs_real u1 = u[i + 1];
                 const bs_real v0 = v[i] - (own * u0);
@@ -411,6 +517,48 @@ static bs_real raise_by(bs_real *UD, bs_real c, bs_real *v, int last, int first)
         }
     }
     return left;
+}
+
+/* raise_by(UD, c[0], v, last - 1, first) and raise_by(UD, c[1], w, last, first), after which c is
+ * what is left: by both at a time, for most of the time goes into loads and stores. */
+static void raise_by_two(bs_real *UD, bs_real *c, bs_real *v, bs_real *w, int last, int first)
+{
+    bs_real of_v = c[0];
+    bs_real of_w = raise_by(UD, c[1], w, last, last);
+    for (int j = last - 1; j >= first; --j) {
+        bs_real *const u = &UD[column(j)];
+        const bs_real d = u[j];
+        const bs_real own_v = v[j];
+        const bs_real own_w = w[j];
+        const bs_real between = d + (of_v * (own_v * own_v));
+        const bs_real sum = between + (of_w * (own_w * own_w));
+        if ((of_v > BS_REAL(0.0)) && (of_w > BS_REAL(0.0)) && (between >= LEAST)) {
+            const bs_real gain_v = (of_v * own_v) / between;
+            const bs_real gain_w = (of_w * own_w) / sum;
+            of_v *= d / between;
+            of_w *= between / sum;
+            for (int i = 0; i < j; i += 2) {
+                const bs_real v0 = v[i] - (own_v * u[i]);
+                const bs_real v1 = v[i + 1] - (own_v * u[i + 1]);
+                const bs_real u0 = u[i] + (gain_v * v0);
+                const bs_real u1 = u[i + 1] + (gain_v * v1);
+                const bs_real w0 = w[i] - (own_w * u0);
+                const bs_real w1 = w[i + 1] - (own_w * u1);
+                v[i] = v0;
+                v[i + 1] = v1;
+                w[i] = w0;
+                w[i + 1] = w1;
+                u[i] = u0 + (gain_w * w0);
+                u[i + 1] = u1 + (gain_w * w1);
+            }
+            u[j] = sum;
+        } else {
+            of_v = raise_by(UD, of_v, v, j, j);
+            of_w = raise_by(UD, of_w, w, j, j);
+        }
+    }
+    c[0] = of_v;
+    c[1] = of_w;
 }
 
 #ifdef BORESIGHT_ROWS
@@ -479,6 +627,1235 @@ BS_INSIDE void begin_series(vector *s, vector *b, const bs_real *A, int columns)
 }
 #endif
 
+#if VAS_OVER_NONZEROS
+void vas_discretize(const bs_real F[VAS_N_F],
+                    const bs_real Qc[VAS_N_QC],
+                    bs_real dt,
+                    bs_real Phi[VAS_N_PHI],
+                    bs_real Q[VAS_N_PACKED],
+                    bs_real work[VAS_N_WORK])
+{
+    /* of Qc the upper triangle: which of its numbers, and their place in Q; first those whose row
+     * moves */
+    static const unsigned char from[25] = { 0, 1, 2, 4, 5, 8, 9, 10, 11, 13, 14, 17, 18, 19, 20, 21,
+                                            22, 23, 24, 25, 26, 27, 28, 29, 30 };
+    static const unsigned short place[25] = { 0, 1, 3, 2, 4, 5, 9, 13, 18, 14, 19, 20, 27, 35, 44,
+                                              54, 65, 77, 90, 104, 119, 135, 275, 299, 324 };
+    /* states whose noise has a part in common with others', from the last, and the first of
+     * these */
+    static const unsigned char coupled[6] = { 5, 4, 3, 2, 1, 0 };
+    static const unsigned char reach[6] = { 3, 3, 3, 0, 0, 0 };
+    bs_real w[N];
+    bs_real *const B = work; /* non-zeros of B U in the columns that noise drives, row after row */
+    bs_real *const T = &work[88]; /* the same times the variances of the columns */
+    bs_real *const A = &work[176];
+    const bs_real share = BS_REAL(0.75) * dt;
+    /* Q = S S' / 4 + 3/4 B S S' B', B = I + 2/3 A + 2/9 A^2.  Of 3/4 S S' = U W U', U stands in Q
+     * until it is used. */
+    clear(Q, VAS_N_PACKED);
+    for (int p = 0; p < 25; ++p) {
+        Q[place[p]] = Qc[from[p]] * share;
+    }
+    w[0] = Q[0];
+    w[1] = Q[2];
+    w[2] = Q[5];
+    w[3] = Q[9];
+    w[4] = Q[14];
+    w[5] = Q[20];
+    w[6] = Q[27];
+    w[7] = Q[35];
+    w[8] = Q[44];
+    w[9] = Q[54];
+    w[10] = Q[65];
+    w[11] = Q[77];
+    w[12] = Q[90];
+    w[13] = Q[104];
+    w[14] = Q[119];
+    w[15] = Q[135];
+    w[22] = Q[275];
+    w[23] = Q[299];
+    w[24] = Q[324];
+    for (int p = 0; p < 6; ++p) {
+        const int k = (int)coupled[p];
+        bs_real *const u = &Q[column(k)];
+        if (counts(w[k], u[k])) {
+            const bs_real inverse = BS_REAL(1.0) / w[k];
+            for (int l = k - 1; l >= (int)reach[p]; --l) {
+                const bs_real gain = u[l] * inverse;
+                for (int i = (int)reach[p]; i < l; ++i) {
+                    Q[column(l) + i] -= u[i] * gain;
+                }
+                w[l] -= u[l] * gain;
+                u[l] = gain;
+            }
+        } else { /* rounding: the others have it all */
+            clear(&u[reach[p]], k - (int)reach[p]);
+            w[k] = BS_REAL(0.0);
+        }
+    }
+    for (int p = 0; p < VAS_N_F; ++p) {
+        A[p] = F[p] * dt;
+    }
+    {
+        const bs_real t0 = BS_REAL(0.0) + (A[0] * A[15]) + (A[1] * A[30]) + (A[2] * A[59]);
+        const bs_real b0 = (BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t0)) + BS_REAL(1.0);
+        const bs_real a1 = A[0];
+        const bs_real t1 = BS_REAL(0.0) + (A[1] * A[31]);
+        bs_real b1 = (BS_REAL(0.6666666666666666) * a1) + (BS_REAL(0.2222222222222222) * t1);
+        const bs_real a2 = A[1];
+        const bs_real t2 = BS_REAL(0.0) + (A[0] * A[16]) + (A[2] * A[60]);
+        bs_real b2 = (BS_REAL(0.6666666666666666) * a2) + (BS_REAL(0.2222222222222222) * t2);
+        const bs_real t3 = BS_REAL(0.0) + (A[0] * A[17]) + (A[2] * A[61]);
+        const bs_real b3 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t3);
+        const bs_real a4 = A[2];
+        const bs_real t4 = BS_REAL(0.0) + (A[1] * A[32]) + (A[2] * A[62]);
+        bs_real b4 = (BS_REAL(0.6666666666666666) * a4) + (BS_REAL(0.2222222222222222) * t4);
+        const bs_real t5 = BS_REAL(0.0) + (A[2] * A[63]);
+        bs_real b5 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t5);
+        const bs_real a6 = A[3];
+        const bs_real t6 = BS_REAL(0.0) + (A[0] * A[18]) + (A[1] * A[33]) + (A[3] * A[86]);
+        const bs_real b6 = (BS_REAL(0.6666666666666666) * a6) + (BS_REAL(0.2222222222222222) * t6);
+        const bs_real a7 = A[4];
+        const bs_real t7 = BS_REAL(0.0) + (A[0] * A[19]) + (A[1] * A[34]) + (A[4] * A[88]);
+        const bs_real b7 = (BS_REAL(0.6666666666666666) * a7) + (BS_REAL(0.2222222222222222) * t7);
+        const bs_real a8 = A[5];
+        const bs_real t8 = BS_REAL(0.0) + (A[0] * A[20]) + (A[1] * A[35]) + (A[5] * A[90]);
+        const bs_real b8 = (BS_REAL(0.6666666666666666) * a8) + (BS_REAL(0.2222222222222222) * t8);
+        const bs_real t9 = BS_REAL(0.0) + (A[2] * A[64]);
+        const bs_real b9 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t9);
+        const bs_real t10 = BS_REAL(0.0) + (A[2] * A[65]);
+        const bs_real b10 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t10);
+        const bs_real t11 = BS_REAL(0.0) + (A[2] * A[66]);
+        const bs_real b11 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t11);
+        const bs_real a25 = A[6];
+        const bs_real t25 = BS_REAL(0.0) + (A[0] * A[21]) + (A[1] * A[36]);
+        const bs_real a26 = A[7];
+        const bs_real t26 = BS_REAL(0.0) + (A[0] * A[22]) + (A[1] * A[37]);
+        const bs_real a27 = A[8];
+        const bs_real t27 = BS_REAL(0.0) + (A[0] * A[23]) + (A[1] * A[38]);
+        const bs_real t28 = BS_REAL(0.0) + (A[2] * A[67]);
+        const bs_real t29 = BS_REAL(0.0) + (A[2] * A[68]);
+        const bs_real t30 = BS_REAL(0.0) + (A[2] * A[69]);
+        const bs_real a31 = A[9];
+        const bs_real t31 = BS_REAL(0.0) + (A[0] * A[24]) + (A[1] * A[39]);
+        const bs_real a32 = A[10];
+        const bs_real t32 = BS_REAL(0.0) + (A[0] * A[25]) + (A[1] * A[40]);
+        const bs_real a33 = A[11];
+        const bs_real t33 = BS_REAL(0.0) + (A[0] * A[26]) + (A[1] * A[41]);
+        const bs_real a34 = A[12];
+        const bs_real t34 = BS_REAL(0.0) + (A[0] * A[27]) + (A[1] * A[42]);
+        const bs_real a35 = A[13];
+        const bs_real t35 = BS_REAL(0.0) + (A[0] * A[28]) + (A[1] * A[43]);
+        const bs_real a36 = A[14];
+        const bs_real t36 = BS_REAL(0.0) + (A[0] * A[29]) + (A[1] * A[44]);
+        const bs_real t37 = BS_REAL(0.0) + (A[2] * A[70]);
+        const bs_real t38 = BS_REAL(0.0) + (A[2] * A[71]);
+        const bs_real t39 = BS_REAL(0.0) + (A[2] * A[72]);
+        const bs_real t40 = BS_REAL(0.0) + (A[3] * A[87]);
+        const bs_real t41 = BS_REAL(0.0) + (A[4] * A[89]);
+        const bs_real t42 = BS_REAL(0.0) + (A[5] * A[91]);
+        Phi[0] = (BS_REAL(0.0) + (BS_REAL(0.5) * t0)) + BS_REAL(1.0);
+        Phi[1] = a1 + (BS_REAL(0.5) * t1);
+        Phi[2] = a2 + (BS_REAL(0.5) * t2);
+        Phi[3] = BS_REAL(0.0) + (BS_REAL(0.5) * t3);
+        Phi[4] = a4 + (BS_REAL(0.5) * t4);
+        Phi[5] = BS_REAL(0.0) + (BS_REAL(0.5) * t5);
+        Phi[6] = a6 + (BS_REAL(0.5) * t6);
+        Phi[7] = a7 + (BS_REAL(0.5) * t7);
+        Phi[8] = a8 + (BS_REAL(0.5) * t8);
+        Phi[9] = BS_REAL(0.0) + (BS_REAL(0.5) * t9);
+        Phi[10] = BS_REAL(0.0) + (BS_REAL(0.5) * t10);
+        Phi[11] = BS_REAL(0.0) + (BS_REAL(0.5) * t11);
+        Phi[25] = a25 + (BS_REAL(0.5) * t25);
+        Phi[26] = a26 + (BS_REAL(0.5) * t26);
+        Phi[27] = a27 + (BS_REAL(0.5) * t27);
+        Phi[28] = BS_REAL(0.0) + (BS_REAL(0.5) * t28);
+        Phi[29] = BS_REAL(0.0) + (BS_REAL(0.5) * t29);
+        Phi[30] = BS_REAL(0.0) + (BS_REAL(0.5) * t30);
+        Phi[31] = a31 + (BS_REAL(0.5) * t31);
+        Phi[32] = a32 + (BS_REAL(0.5) * t32);
+        Phi[33] = a33 + (BS_REAL(0.5) * t33);
+        Phi[34] = a34 + (BS_REAL(0.5) * t34);
+        Phi[35] = a35 + (BS_REAL(0.5) * t35);
+        Phi[36] = a36 + (BS_REAL(0.5) * t36);
+        Phi[37] = BS_REAL(0.0) + (BS_REAL(0.5) * t37);
+        Phi[38] = BS_REAL(0.0) + (BS_REAL(0.5) * t38);
+        Phi[39] = BS_REAL(0.0) + (BS_REAL(0.5) * t39);
+        Phi[40] = BS_REAL(0.0) + (BS_REAL(0.5) * t40);
+        Phi[41] = BS_REAL(0.0) + (BS_REAL(0.5) * t41);
+        Phi[42] = BS_REAL(0.0) + (BS_REAL(0.5) * t42);
+        b5 += b4 * Q[19];
+        b5 += b3 * Q[18];
+        b4 += b3 * Q[13];
+        b2 += b1 * Q[4];
+        b2 += b0 * Q[3];
+        b1 += b0 * Q[1];
+        B[0] = b0;
+        T[0] = b0 * w[0];
+        B[1] = b1;
+        T[1] = b1 * w[1];
+        B[2] = b2;
+        T[2] = b2 * w[2];
+        B[3] = b3;
+        T[3] = b3 * w[3];
+        B[4] = b4;
+        T[4] = b4 * w[4];
+        B[5] = b5;
+        T[5] = b5 * w[5];
+        B[6] = b6;
+        T[6] = b6 * w[6];
+        B[7] = b7;
+        T[7] = b7 * w[7];
+        B[8] = b8;
+        T[8] = b8 * w[8];
+        B[9] = b9;
+        T[9] = b9 * w[9];
+        B[10] = b10;
+        T[10] = b10 * w[10];
+        B[11] = b11;
+        T[11] = b11 * w[11];
+    }
+    {
+        const bs_real a0 = A[15];
+        const bs_real t0 = BS_REAL(0.0) + (A[16] * A[30]);
+        const bs_real b0 = (BS_REAL(0.6666666666666666) * a0) + (BS_REAL(0.2222222222222222) * t0);
+        const bs_real t1 = BS_REAL(0.0) + (A[15] * A[0]) + (A[16] * A[31]) + (A[17] * A[45]);
+        bs_real b1 = (BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t1)) + BS_REAL(1.0);
+        const bs_real a2 = A[16];
+        const bs_real t2 = BS_REAL(0.0) + (A[15] * A[1]) + (A[17] * A[46]);
+        bs_real b2 = (BS_REAL(0.6666666666666666) * a2) + (BS_REAL(0.2222222222222222) * t2);
+        const bs_real a3 = A[17];
+        const bs_real t3 = BS_REAL(0.0) + (A[17] * A[47]);
+        const bs_real b3 = (BS_REAL(0.6666666666666666) * a3) + (BS_REAL(0.2222222222222222) * t3);
+        const bs_real t4 = BS_REAL(0.0) + (A[15] * A[2]) + (A[16] * A[32]) + (A[17] * A[48]);
+        bs_real b4 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t4);
+        const bs_real t5 = BS_REAL(0.0) + (A[17] * A[49]);
+        bs_real b5 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t5);
+        const bs_real a6 = A[18];
+        const bs_real t6 = BS_REAL(0.0) + (A[15] * A[3]) + (A[16] * A[33]) + (A[18] * A[86]);
+        const bs_real b6 = (BS_REAL(0.6666666666666666) * a6) + (BS_REAL(0.2222222222222222) * t6);
+        const bs_real a7 = A[19];
+        const bs_real t7 = BS_REAL(0.0) + (A[15] * A[4]) + (A[16] * A[34]) + (A[19] * A[88]);
+        const bs_real b7 = (BS_REAL(0.6666666666666666) * a7) + (BS_REAL(0.2222222222222222) * t7);
+        const bs_real a8 = A[20];
+        const bs_real t8 = BS_REAL(0.0) + (A[15] * A[5]) + (A[16] * A[35]) + (A[20] * A[90]);
+        const bs_real b8 = (BS_REAL(0.6666666666666666) * a8) + (BS_REAL(0.2222222222222222) * t8);
+        const bs_real t9 = BS_REAL(0.0) + (A[17] * A[50]);
+        const bs_real b9 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t9);
+        const bs_real t10 = BS_REAL(0.0) + (A[17] * A[51]);
+        const bs_real b10 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t10);
+        const bs_real t11 = BS_REAL(0.0) + (A[17] * A[52]);
+        const bs_real b11 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t11);
+        const bs_real a25 = A[21];
+        const bs_real t25 = BS_REAL(0.0) + (A[15] * A[6]) + (A[16] * A[36]);
+        const bs_real a26 = A[22];
+        const bs_real t26 = BS_REAL(0.0) + (A[15] * A[7]) + (A[16] * A[37]);
+        const bs_real a27 = A[23];
+        const bs_real t27 = BS_REAL(0.0) + (A[15] * A[8]) + (A[16] * A[38]);
+        const bs_real t28 = BS_REAL(0.0) + (A[17] * A[53]);
+        const bs_real t29 = BS_REAL(0.0) + (A[17] * A[54]);
+        const bs_real t30 = BS_REAL(0.0) + (A[17] * A[55]);
+        const bs_real a31 = A[24];
+        const bs_real t31 = BS_REAL(0.0) + (A[15] * A[9]) + (A[16] * A[39]);
+        const bs_real a32 = A[25];
+        const bs_real t32 = BS_REAL(0.0) + (A[15] * A[10]) + (A[16] * A[40]);
+        const bs_real a33 = A[26];
+        const bs_real t33 = BS_REAL(0.0) + (A[15] * A[11]) + (A[16] * A[41]);
+        const bs_real a34 = A[27];
+        const bs_real t34 = BS_REAL(0.0) + (A[15] * A[12]) + (A[16] * A[42]);
+        const bs_real a35 = A[28];
+        const bs_real t35 = BS_REAL(0.0) + (A[15] * A[13]) + (A[16] * A[43]);
+        const bs_real a36 = A[29];
+        const bs_real t36 = BS_REAL(0.0) + (A[15] * A[14]) + (A[16] * A[44]);
+        const bs_real t37 = BS_REAL(0.0) + (A[17] * A[56]);
+        const bs_real t38 = BS_REAL(0.0) + (A[17] * A[57]);
+        const bs_real t39 = BS_REAL(0.0) + (A[17] * A[58]);
+        const bs_real t40 = BS_REAL(0.0) + (A[18] * A[87]);
+        const bs_real t41 = BS_REAL(0.0) + (A[19] * A[89]);
+        const bs_real t42 = BS_REAL(0.0) + (A[20] * A[91]);
+        Phi[50] = a0 + (BS_REAL(0.5) * t0);
+        Phi[51] = (BS_REAL(0.0) + (BS_REAL(0.5) * t1)) + BS_REAL(1.0);
+        Phi[52] = a2 + (BS_REAL(0.5) * t2);
+        Phi[53] = a3 + (BS_REAL(0.5) * t3);
+        Phi[54] = BS_REAL(0.0) + (BS_REAL(0.5) * t4);
+        Phi[55] = BS_REAL(0.0) + (BS_REAL(0.5) * t5);
+        Phi[56] = a6 + (BS_REAL(0.5) * t6);
+        Phi[57] = a7 + (BS_REAL(0.5) * t7);
+        Phi[58] = a8 + (BS_REAL(0.5) * t8);
+        Phi[59] = BS_REAL(0.0) + (BS_REAL(0.5) * t9);
+        Phi[60] = BS_REAL(0.0) + (BS_REAL(0.5) * t10);
+        Phi[61] = BS_REAL(0.0) + (BS_REAL(0.5) * t11);
+        Phi[75] = a25 + (BS_REAL(0.5) * t25);
+        Phi[76] = a26 + (BS_REAL(0.5) * t26);
+        Phi[77] = a27 + (BS_REAL(0.5) * t27);
+        Phi[78] = BS_REAL(0.0) + (BS_REAL(0.5) * t28);
+        Phi[79] = BS_REAL(0.0) + (BS_REAL(0.5) * t29);
+        Phi[80] = BS_REAL(0.0) + (BS_REAL(0.5) * t30);
+        Phi[81] = a31 + (BS_REAL(0.5) * t31);
+        Phi[82] = a32 + (BS_REAL(0.5) * t32);
+        Phi[83] = a33 + (BS_REAL(0.5) * t33);
+        Phi[84] = a34 + (BS_REAL(0.5) * t34);
+        Phi[85] = a35 + (BS_REAL(0.5) * t35);
+        Phi[86] = a36 + (BS_REAL(0.5) * t36);
+        Phi[87] = BS_REAL(0.0) + (BS_REAL(0.5) * t37);
+        Phi[88] = BS_REAL(0.0) + (BS_REAL(0.5) * t38);
+        Phi[89] = BS_REAL(0.0) + (BS_REAL(0.5) * t39);
+        Phi[90] = BS_REAL(0.0) + (BS_REAL(0.5) * t40);
+        Phi[91] = BS_REAL(0.0) + (BS_REAL(0.5) * t41);
+        Phi[92] = BS_REAL(0.0) + (BS_REAL(0.5) * t42);
+        b5 += b4 * Q[19];
+        b5 += b3 * Q[18];
+        b4 += b3 * Q[13];
+        b2 += b1 * Q[4];
+        b2 += b0 * Q[3];
+        b1 += b0 * Q[1];
+        B[12] = b0;
+        T[12] = b0 * w[0];
+        B[13] = b1;
+        T[13] = b1 * w[1];
+        B[14] = b2;
+        T[14] = b2 * w[2];
+        B[15] = b3;
+        T[15] = b3 * w[3];
+        B[16] = b4;
+        T[16] = b4 * w[4];
+        B[17] = b5;
+        T[17] = b5 * w[5];
+        B[18] = b6;
+        T[18] = b6 * w[6];
+        B[19] = b7;
+        T[19] = b7 * w[7];
+        B[20] = b8;
+        T[20] = b8 * w[8];
+        B[21] = b9;
+        T[21] = b9 * w[9];
+        B[22] = b10;
+        T[22] = b10 * w[10];
+        B[23] = b11;
+        T[23] = b11 * w[11];
+    }
+    {
+        const bs_real a0 = A[30];
+        const bs_real t0 = BS_REAL(0.0) + (A[31] * A[15]) + (A[32] * A[59]);
+        const bs_real b0 = (BS_REAL(0.6666666666666666) * a0) + (BS_REAL(0.2222222222222222) * t0);
+        const bs_real a1 = A[31];
+        const bs_real t1 = BS_REAL(0.0) + (A[30] * A[0]);
+        bs_real b1 = (BS_REAL(0.6666666666666666) * a1) + (BS_REAL(0.2222222222222222) * t1);
+        const bs_real t2 = BS_REAL(0.0) + (A[30] * A[1]) + (A[31] * A[16]) + (A[32] * A[60]);
+        bs_real b2 = (BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t2)) + BS_REAL(1.0);
+        const bs_real t3 = BS_REAL(0.0) + (A[31] * A[17]) + (A[32] * A[61]);
+        const bs_real b3 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t3);
+        const bs_real a4 = A[32];
+        const bs_real t4 = BS_REAL(0.0) + (A[30] * A[2]) + (A[32] * A[62]);
+        bs_real b4 = (BS_REAL(0.6666666666666666) * a4) + (BS_REAL(0.2222222222222222) * t4);
+        const bs_real t5 = BS_REAL(0.0) + (A[32] * A[63]);
+        bs_real b5 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t5);
+        const bs_real a6 = A[33];
+        const bs_real t6 = BS_REAL(0.0) + (A[30] * A[3]) + (A[31] * A[18]) + (A[33] * A[86]);
+        const bs_real b6 = (BS_REAL(0.6666666666666666) * a6) + (BS_REAL(0.2222222222222222) * t6);
+        const bs_real a7 = A[34];
+        const bs_real t7 = BS_REAL(0.0) + (A[30] * A[4]) + (A[31] * A[19]) + (A[34] * A[88]);
+        const bs_real b7 = (BS_REAL(0.6666666666666666) * a7) + (BS_REAL(0.2222222222222222) * t7);
+        const bs_real a8 = A[35];
+        const bs_real t8 = BS_REAL(0.0) + (A[30] * A[5]) + (A[31] * A[20]) + (A[35] * A[90]);
+        const bs_real b8 = (BS_REAL(0.6666666666666666) * a8) + (BS_REAL(0.2222222222222222) * t8);
+        const bs_real t9 = BS_REAL(0.0) + (A[32] * A[64]);
+        const bs_real b9 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t9);
+        const bs_real t10 = BS_REAL(0.0) + (A[32] * A[65]);
+        const bs_real b10 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t10);
+        const bs_real t11 = BS_REAL(0.0) + (A[32] * A[66]);
+        const bs_real b11 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t11);
+        const bs_real a25 = A[36];
+        const bs_real t25 = BS_REAL(0.0) + (A[30] * A[6]) + (A[31] * A[21]);
+        const bs_real a26 = A[37];
+        const bs_real t26 = BS_REAL(0.0) + (A[30] * A[7]) + (A[31] * A[22]);
+        const bs_real a27 = A[38];
+        const bs_real t27 = BS_REAL(0.0) + (A[30] * A[8]) + (A[31] * A[23]);
+        const bs_real t28 = BS_REAL(0.0) + (A[32] * A[67]);
+        const bs_real t29 = BS_REAL(0.0) + (A[32] * A[68]);
+        const bs_real t30 = BS_REAL(0.0) + (A[32] * A[69]);
+        const bs_real a31 = A[39];
+        const bs_real t31 = BS_REAL(0.0) + (A[30] * A[9]) + (A[31] * A[24]);
+        const bs_real a32 = A[40];
+        const bs_real t32 = BS_REAL(0.0) + (A[30] * A[10]) + (A[31] * A[25]);
+        const bs_real a33 = A[41];
+        const bs_real t33 = BS_REAL(0.0) + (A[30] * A[11]) + (A[31] * A[26]);
+        const bs_real a34 = A[42];
+        const bs_real t34 = BS_REAL(0.0) + (A[30] * A[12]) + (A[31] * A[27]);
+        const bs_real a35 = A[43];
+        const bs_real t35 = BS_REAL(0.0) + (A[30] * A[13]) + (A[31] * A[28]);
+        const bs_real a36 = A[44];
+        const bs_real t36 = BS_REAL(0.0) + (A[30] * A[14]) + (A[31] * A[29]);
+        const bs_real t37 = BS_REAL(0.0) + (A[32] * A[70]);
+        const bs_real t38 = BS_REAL(0.0) + (A[32] * A[71]);
+        const bs_real t39 = BS_REAL(0.0) + (A[32] * A[72]);
+        const bs_real t40 = BS_REAL(0.0) + (A[33] * A[87]);
+        const bs_real t41 = BS_REAL(0.0) + (A[34] * A[89]);
+        const bs_real t42 = BS_REAL(0.0) + (A[35] * A[91]);
+        Phi[100] = a0 + (BS_REAL(0.5) * t0);
+        Phi[101] = a1 + (BS_REAL(0.5) * t1);
+        Phi[102] = (BS_REAL(0.0) + (BS_REAL(0.5) * t2)) + BS_REAL(1.0);
+        Phi[103] = BS_REAL(0.0) + (BS_REAL(0.5) * t3);
+        Phi[104] = a4 + (BS_REAL(0.5) * t4);
+        Phi[105] = BS_REAL(0.0) + (BS_REAL(0.5) * t5);
+        Phi[106] = a6 + (BS_REAL(0.5) * t6);
+        Phi[107] = a7 + (BS_REAL(0.5) * t7);
+        Phi[108] = a8 + (BS_REAL(0.5) * t8);
+        Phi[109] = BS_REAL(0.0) + (BS_REAL(0.5) * t9);
+        Phi[110] = BS_REAL(0.0) + (BS_REAL(0.5) * t10);
+        Phi[111] = BS_REAL(0.0) + (BS_REAL(0.5) * t11);
+        Phi[125] = a25 + (BS_REAL(0.5) * t25);
+        Phi[126] = a26 + (BS_REAL(0.5) * t26);
+        Phi[127] = a27 + (BS_REAL(0.5) * t27);
+        Phi[128] = BS_REAL(0.0) + (BS_REAL(0.5) * t28);
+        Phi[129] = BS_REAL(0.0) + (BS_REAL(0.5) * t29);
+        Phi[130] = BS_REAL(0.0) + (BS_REAL(0.5) * t30);
+        Phi[131] = a31 + (BS_REAL(0.5) * t31);
+        Phi[132] = a32 + (BS_REAL(0.5) * t32);
+        Phi[133] = a33 + (BS_REAL(0.5) * t33);
+        Phi[134] = a34 + (BS_REAL(0.5) * t34);
+        Phi[135] = a35 + (BS_REAL(0.5) * t35);
+        Phi[136] = a36 + (BS_REAL(0.5) * t36);
+        Phi[137] = BS_REAL(0.0) + (BS_REAL(0.5) * t37);
+        Phi[138] = BS_REAL(0.0) + (BS_REAL(0.5) * t38);
+        Phi[139] = BS_REAL(0.0) + (BS_REAL(0.5) * t39);
+        Phi[140] = BS_REAL(0.0) + (BS_REAL(0.5) * t40);
+        Phi[141] = BS_REAL(0.0) + (BS_REAL(0.5) * t41);
+        Phi[142] = BS_REAL(0.0) + (BS_REAL(0.5) * t42);
+        b5 += b4 * Q[19];
+        b5 += b3 * Q[18];
+        b4 += b3 * Q[13];
+        b2 += b1 * Q[4];
+        b2 += b0 * Q[3];
+        b1 += b0 * Q[1];
+        B[24] = b0;
+        T[24] = b0 * w[0];
+        B[25] = b1;
+        T[25] = b1 * w[1];
+        B[26] = b2;
+        T[26] = b2 * w[2];
+        B[27] = b3;
+        T[27] = b3 * w[3];
+        B[28] = b4;
+        T[28] = b4 * w[4];
+        B[29] = b5;
+        T[29] = b5 * w[5];
+        B[30] = b6;
+        T[30] = b6 * w[6];
+        B[31] = b7;
+        T[31] = b7 * w[7];
+        B[32] = b8;
+        T[32] = b8 * w[8];
+        B[33] = b9;
+        T[33] = b9 * w[9];
+        B[34] = b10;
+        T[34] = b10 * w[10];
+        B[35] = b11;
+        T[35] = b11 * w[11];
+    }
+    {
+        const bs_real t0 = BS_REAL(0.0) + (A[45] * A[15]) + (A[46] * A[30]) + (A[48] * A[59]) +
+            (A[49] * A[73]);
+        const bs_real b0 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t0);
+        const bs_real a1 = A[45];
+        const bs_real t1 = BS_REAL(0.0) + (A[46] * A[31]) + (A[47] * A[45]) + (A[49] * A[74]);
+        bs_real b1 = (BS_REAL(0.6666666666666666) * a1) + (BS_REAL(0.2222222222222222) * t1);
+        const bs_real a2 = A[46];
+        const bs_real t2 = BS_REAL(0.0) + (A[45] * A[16]) + (A[47] * A[46]) + (A[48] * A[60]);
+        bs_real b2 = (BS_REAL(0.6666666666666666) * a2) + (BS_REAL(0.2222222222222222) * t2);
+        const bs_real a3 = A[47];
+        const bs_real t3 = BS_REAL(0.0) + (A[45] * A[17]) + (A[47] * A[47]) + (A[48] * A[61]) +
+            (A[49] * A[75]);
+        const bs_real b3 = ((BS_REAL(0.6666666666666666) * a3) +
+                            (BS_REAL(0.2222222222222222) * t3)) + BS_REAL(1.0);
+        const bs_real a4 = A[48];
+        const bs_real t4 = BS_REAL(0.0) + (A[46] * A[32]) + (A[47] * A[48]) + (A[48] * A[62]) +
+            (A[49] * A[76]);
+        bs_real b4 = (BS_REAL(0.6666666666666666) * a4) + (BS_REAL(0.2222222222222222) * t4);
+        const bs_real a5 = A[49];
+        const bs_real t5 = BS_REAL(0.0) + (A[47] * A[49]) + (A[48] * A[63]);
+        bs_real b5 = (BS_REAL(0.6666666666666666) * a5) + (BS_REAL(0.2222222222222222) * t5);
+        const bs_real t6 = BS_REAL(0.0) + (A[45] * A[18]) + (A[46] * A[33]);
+        const bs_real b6 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t6);
+        const bs_real t7 = BS_REAL(0.0) + (A[45] * A[19]) + (A[46] * A[34]);
+        const bs_real b7 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t7);
+        const bs_real t8 = BS_REAL(0.0) + (A[45] * A[20]) + (A[46] * A[35]);
+        const bs_real b8 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t8);
+        const bs_real a9 = A[50];
+        const bs_real t9 = BS_REAL(0.0) + (A[47] * A[50]) + (A[48] * A[64]) + (A[49] * A[77]) +
+            (A[50] * A[92]);
+        const bs_real b9 = (BS_REAL(0.6666666666666666) * a9) + (BS_REAL(0.2222222222222222) * t9);
+        const bs_real a10 = A[51];
+        const bs_real t10 = BS_REAL(0.0) + (A[47] * A[51]) + (A[48] * A[65]) + (A[49] * A[78]) +
+            (A[51] * A[94]);
+        const bs_real b10 = (BS_REAL(0.6666666666666666) * a10) +
+            (BS_REAL(0.2222222222222222) * t10);
+        const bs_real a11 = A[52];
+        const bs_real t11 = BS_REAL(0.0) + (A[47] * A[52]) + (A[48] * A[66]) + (A[49] * A[79]) +
+            (A[52] * A[96]);
+        const bs_real b11 = (BS_REAL(0.6666666666666666) * a11) +
+            (BS_REAL(0.2222222222222222) * t11);
+        const bs_real t25 = BS_REAL(0.0) + (A[45] * A[21]) + (A[46] * A[36]);
+        const bs_real t26 = BS_REAL(0.0) + (A[45] * A[22]) + (A[46] * A[37]);
+        const bs_real t27 = BS_REAL(0.0) + (A[45] * A[23]) + (A[46] * A[38]);
+        const bs_real a28 = A[53];
+        const bs_real t28 = BS_REAL(0.0) + (A[47] * A[53]) + (A[48] * A[67]) + (A[49] * A[80]);
+        const bs_real a29 = A[54];
+        const bs_real t29 = BS_REAL(0.0) + (A[47] * A[54]) + (A[48] * A[68]) + (A[49] * A[81]);
+        const bs_real a30 = A[55];
+        const bs_real t30 = BS_REAL(0.0) + (A[47] * A[55]) + (A[48] * A[69]) + (A[49] * A[82]);
+        const bs_real t31 = BS_REAL(0.0) + (A[45] * A[24]) + (A[46] * A[39]);
+        const bs_real t32 = BS_REAL(0.0) + (A[45] * A[25]) + (A[46] * A[40]);
+        const bs_real t33 = BS_REAL(0.0) + (A[45] * A[26]) + (A[46] * A[41]);
+        const bs_real t34 = BS_REAL(0.0) + (A[45] * A[27]) + (A[46] * A[42]);
+        const bs_real t35 = BS_REAL(0.0) + (A[45] * A[28]) + (A[46] * A[43]);
+        const bs_real t36 = BS_REAL(0.0) + (A[45] * A[29]) + (A[46] * A[44]);
+        const bs_real a37 = A[56];
+        const bs_real t37 = BS_REAL(0.0) + (A[47] * A[56]) + (A[48] * A[70]) + (A[49] * A[83]);
+        const bs_real a38 = A[57];
+        const bs_real t38 = BS_REAL(0.0) + (A[47] * A[57]) + (A[48] * A[71]) + (A[49] * A[84]);
+        const bs_real a39 = A[58];
+        const bs_real t39 = BS_REAL(0.0) + (A[47] * A[58]) + (A[48] * A[72]) + (A[49] * A[85]);
+        const bs_real t43 = BS_REAL(0.0) + (A[50] * A[93]);
+        const bs_real t44 = BS_REAL(0.0) + (A[51] * A[95]);
+        const bs_real t45 = BS_REAL(0.0) + (A[52] * A[97]);
+        Phi[150] = BS_REAL(0.0) + (BS_REAL(0.5) * t0);
+        Phi[151] = a1 + (BS_REAL(0.5) * t1);
+        Phi[152] = a2 + (BS_REAL(0.5) * t2);
+        Phi[153] = (a3 + (BS_REAL(0.5) * t3)) + BS_REAL(1.0);
+        Phi[154] = a4 + (BS_REAL(0.5) * t4);
+        Phi[155] = a5 + (BS_REAL(0.5) * t5);
+        Phi[156] = BS_REAL(0.0) + (BS_REAL(0.5) * t6);
+        Phi[157] = BS_REAL(0.0) + (BS_REAL(0.5) * t7);
+        Phi[158] = BS_REAL(0.0) + (BS_REAL(0.5) * t8);
+        Phi[159] = a9 + (BS_REAL(0.5) * t9);
+        Phi[160] = a10 + (BS_REAL(0.5) * t10);
+        Phi[161] = a11 + (BS_REAL(0.5) * t11);
+        Phi[175] = BS_REAL(0.0) + (BS_REAL(0.5) * t25);
+        Phi[176] = BS_REAL(0.0) + (BS_REAL(0.5) * t26);
+        Phi[177] = BS_REAL(0.0) + (BS_REAL(0.5) * t27);
+        Phi[178] = a28 + (BS_REAL(0.5) * t28);
+        Phi[179] = a29 + (BS_REAL(0.5) * t29);
+        Phi[180] = a30 + (BS_REAL(0.5) * t30);
+        Phi[181] = BS_REAL(0.0) + (BS_REAL(0.5) * t31);
+        Phi[182] = BS_REAL(0.0) + (BS_REAL(0.5) * t32);
+        Phi[183] = BS_REAL(0.0) + (BS_REAL(0.5) * t33);
+        Phi[184] = BS_REAL(0.0) + (BS_REAL(0.5) * t34);
+        Phi[185] = BS_REAL(0.0) + (BS_REAL(0.5) * t35);
+        Phi[186] = BS_REAL(0.0) + (BS_REAL(0.5) * t36);
+        Phi[187] = a37 + (BS_REAL(0.5) * t37);
+        Phi[188] = a38 + (BS_REAL(0.5) * t38);
+        Phi[189] = a39 + (BS_REAL(0.5) * t39);
+        Phi[193] = BS_REAL(0.0) + (BS_REAL(0.5) * t43);
+        Phi[194] = BS_REAL(0.0) + (BS_REAL(0.5) * t44);
+        Phi[195] = BS_REAL(0.0) + (BS_REAL(0.5) * t45);
+        b5 += b4 * Q[19];
+        b5 += b3 * Q[18];
+        b4 += b3 * Q[13];
+        b2 += b1 * Q[4];
+        b2 += b0 * Q[3];
+        b1 += b0 * Q[1];
+        B[36] = b0;
+        T[36] = b0 * w[0];
+        B[37] = b1;
+        T[37] = b1 * w[1];
+        B[38] = b2;
+        T[38] = b2 * w[2];
+        B[39] = b3;
+        T[39] = b3 * w[3];
+        B[40] = b4;
+        T[40] = b4 * w[4];
+        B[41] = b5;
+        T[41] = b5 * w[5];
+        B[42] = b6;
+        T[42] = b6 * w[6];
+        B[43] = b7;
+        T[43] = b7 * w[7];
+        B[44] = b8;
+        T[44] = b8 * w[8];
+        B[45] = b9;
+        T[45] = b9 * w[9];
+        B[46] = b10;
+        T[46] = b10 * w[10];
+        B[47] = b11;
+        T[47] = b11 * w[11];
+    }
+    {
+        const bs_real a0 = A[59];
+        const bs_real t0 = BS_REAL(0.0) + (A[60] * A[30]) + (A[62] * A[59]) + (A[63] * A[73]);
+        const bs_real b0 = (BS_REAL(0.6666666666666666) * a0) + (BS_REAL(0.2222222222222222) * t0);
+        const bs_real t1 = BS_REAL(0.0) + (A[59] * A[0]) + (A[60] * A[31]) + (A[61] * A[45]) +
+            (A[63] * A[74]);
+        bs_real b1 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t1);
+        const bs_real a2 = A[60];
+        const bs_real t2 = BS_REAL(0.0) + (A[59] * A[1]) + (A[61] * A[46]) + (A[62] * A[60]);
+        bs_real b2 = (BS_REAL(0.6666666666666666) * a2) + (BS_REAL(0.2222222222222222) * t2);
+        const bs_real a3 = A[61];
+        const bs_real t3 = BS_REAL(0.0) + (A[61] * A[47]) + (A[62] * A[61]) + (A[63] * A[75]);
+        const bs_real b3 = (BS_REAL(0.6666666666666666) * a3) + (BS_REAL(0.2222222222222222) * t3);
+        const bs_real a4 = A[62];
+        const bs_real t4 = BS_REAL(0.0) + (A[59] * A[2]) + (A[60] * A[32]) + (A[61] * A[48]) +
+            (A[62] * A[62]) + (A[63] * A[76]);
+        bs_real b4 = ((BS_REAL(0.6666666666666666) * a4) + (BS_REAL(0.2222222222222222) * t4)) +
+            BS_REAL(1.0);
+        const bs_real a5 = A[63];
+        const bs_real t5 = BS_REAL(0.0) + (A[61] * A[49]) + (A[62] * A[63]);
+        bs_real b5 = (BS_REAL(0.6666666666666666) * a5) + (BS_REAL(0.2222222222222222) * t5);
+        const bs_real t6 = BS_REAL(0.0) + (A[59] * A[3]) + (A[60] * A[33]);
+        const bs_real b6 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t6);
+        const bs_real t7 = BS_REAL(0.0) + (A[59] * A[4]) + (A[60] * A[34]);
+        const bs_real b7 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t7);
+        const bs_real t8 = BS_REAL(0.0) + (A[59] * A[5]) + (A[60] * A[35]);
+        const bs_real b8 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t8);
+        const bs_real a9 = A[64];
+        const bs_real t9 = BS_REAL(0.0) + (A[61] * A[50]) + (A[62] * A[64]) + (A[63] * A[77]) +
+            (A[64] * A[92]);
+        const bs_real b9 = (BS_REAL(0.6666666666666666) * a9) + (BS_REAL(0.2222222222222222) * t9);
+        const bs_real a10 = A[65];
+        const bs_real t10 = BS_REAL(0.0) + (A[61] * A[51]) + (A[62] * A[65]) + (A[63] * A[78]) +
+            (A[65] * A[94]);
+        const bs_real b10 = (BS_REAL(0.6666666666666666) * a10) +
+            (BS_REAL(0.2222222222222222) * t10);
+        const bs_real a11 = A[66];
+        const bs_real t11 = BS_REAL(0.0) + (A[61] * A[52]) + (A[62] * A[66]) + (A[63] * A[79]) +
+            (A[66] * A[96]);
+        const bs_real b11 = (BS_REAL(0.6666666666666666) * a11) +
+            (BS_REAL(0.2222222222222222) * t11);
+        const bs_real t25 = BS_REAL(0.0) + (A[59] * A[6]) + (A[60] * A[36]);
+        const bs_real t26 = BS_REAL(0.0) + (A[59] * A[7]) + (A[60] * A[37]);
+        const bs_real t27 = BS_REAL(0.0) + (A[59] * A[8]) + (A[60] * A[38]);
+        const bs_real a28 = A[67];
+        const bs_real t28 = BS_REAL(0.0) + (A[61] * A[53]) + (A[62] * A[67]) + (A[63] * A[80]);
+        const bs_real a29 = A[68];
+        const bs_real t29 = BS_REAL(0.0) + (A[61] * A[54]) + (A[62] * A[68]) + (A[63] * A[81]);
+        const bs_real a30 = A[69];
+        const bs_real t30 = BS_REAL(0.0) + (A[61] * A[55]) + (A[62] * A[69]) + (A[63] * A[82]);
+        const bs_real t31 = BS_REAL(0.0) + (A[59] * A[9]) + (A[60] * A[39]);
+        const bs_real t32 = BS_REAL(0.0) + (A[59] * A[10]) + (A[60] * A[40]);
+        const bs_real t33 = BS_REAL(0.0) + (A[59] * A[11]) + (A[60] * A[41]);
+        const bs_real t34 = BS_REAL(0.0) + (A[59] * A[12]) + (A[60] * A[42]);
+        const bs_real t35 = BS_REAL(0.0) + (A[59] * A[13]) + (A[60] * A[43]);
+        const bs_real t36 = BS_REAL(0.0) + (A[59] * A[14]) + (A[60] * A[44]);
+        const bs_real a37 = A[70];
+        const bs_real t37 = BS_REAL(0.0) + (A[61] * A[56]) + (A[62] * A[70]) + (A[63] * A[83]);
+        const bs_real a38 = A[71];
+        const bs_real t38 = BS_REAL(0.0) + (A[61] * A[57]) + (A[62] * A[71]) + (A[63] * A[84]);
+        const bs_real a39 = A[72];
+        const bs_real t39 = BS_REAL(0.0) + (A[61] * A[58]) + (A[62] * A[72]) + (A[63] * A[85]);
+        const bs_real t43 = BS_REAL(0.0) + (A[64] * A[93]);
+        const bs_real t44 = BS_REAL(0.0) + (A[65] * A[95]);
+        const bs_real t45 = BS_REAL(0.0) + (A[66] * A[97]);
+        Phi[200] = a0 + (BS_REAL(0.5) * t0);
+        Phi[201] = BS_REAL(0.0) + (BS_REAL(0.5) * t1);
+        Phi[202] = a2 + (BS_REAL(0.5) * t2);
+        Phi[203] = a3 + (BS_REAL(0.5) * t3);
+        Phi[204] = (a4 + (BS_REAL(0.5) * t4)) + BS_REAL(1.0);
+        Phi[205] = a5 + (BS_REAL(0.5) * t5);
+        Phi[206] = BS_REAL(0.0) + (BS_REAL(0.5) * t6);
+        Phi[207] = BS_REAL(0.0) + (BS_REAL(0.5) * t7);
+        Phi[208] = BS_REAL(0.0) + (BS_REAL(0.5) * t8);
+        Phi[209] = a9 + (BS_REAL(0.5) * t9);
+        Phi[210] = a10 + (BS_REAL(0.5) * t10);
+        Phi[211] = a11 + (BS_REAL(0.5) * t11);
+        Phi[225] = BS_REAL(0.0) + (BS_REAL(0.5) * t25);
+        Phi[226] = BS_REAL(0.0) + (BS_REAL(0.5) * t26);
+        Phi[227] = BS_REAL(0.0) + (BS_REAL(0.5) * t27);
+        Phi[228] = a28 + (BS_REAL(0.5) * t28);
+        Phi[229] = a29 + (BS_REAL(0.5) * t29);
+        Phi[230] = a30 + (BS_REAL(0.5) * t30);
+        Phi[231] = BS_REAL(0.0) + (BS_REAL(0.5) * t31);
+        Phi[232] = BS_REAL(0.0) + (BS_REAL(0.5) * t32);
+        Phi[233] = BS_REAL(0.0) + (BS_REAL(0.5) * t33);
+        Phi[234] = BS_REAL(0.0) + (BS_REAL(0.5) * t34);
+        Phi[235] = BS_REAL(0.0) + (BS_REAL(0.5) * t35);
+        Phi[236] = BS_REAL(0.0) + (BS_REAL(0.5) * t36);
+        Phi[237] = a37 + (BS_REAL(0.5) * t37);
+        Phi[238] = a38 + (BS_REAL(0.5) * t38);
+        Phi[239] = a39 + (BS_REAL(0.5) * t39);
+        Phi[243] = BS_REAL(0.0) + (BS_REAL(0.5) * t43);
+        Phi[244] = BS_REAL(0.0) + (BS_REAL(0.5) * t44);
+        Phi[245] = BS_REAL(0.0) + (BS_REAL(0.5) * t45);
+        b5 += b4 * Q[19];
+        b5 += b3 * Q[18];
+        b4 += b3 * Q[13];
+        b2 += b1 * Q[4];
+        b2 += b0 * Q[3];
+        b1 += b0 * Q[1];
+        B[48] = b0;
+        T[48] = b0 * w[0];
+        B[49] = b1;
+        T[49] = b1 * w[1];
+        B[50] = b2;
+        T[50] = b2 * w[2];
+        B[51] = b3;
+        T[51] = b3 * w[3];
+        B[52] = b4;
+        T[52] = b4 * w[4];
+        B[53] = b5;
+        T[53] = b5 * w[5];
+        B[54] = b6;
+        T[54] = b6 * w[6];
+        B[55] = b7;
+        T[55] = b7 * w[7];
+        B[56] = b8;
+        T[56] = b8 * w[8];
+        B[57] = b9;
+        T[57] = b9 * w[9];
+        B[58] = b10;
+        T[58] = b10 * w[10];
+        B[59] = b11;
+        T[59] = b11 * w[11];
+    }
+    {
+        const bs_real a0 = A[73];
+        const bs_real t0 = BS_REAL(0.0) + (A[74] * A[15]) + (A[76] * A[59]);
+        const bs_real b0 = (BS_REAL(0.6666666666666666) * a0) + (BS_REAL(0.2222222222222222) * t0);
+        const bs_real a1 = A[74];
+        const bs_real t1 = BS_REAL(0.0) + (A[73] * A[0]) + (A[75] * A[45]);
+        bs_real b1 = (BS_REAL(0.6666666666666666) * a1) + (BS_REAL(0.2222222222222222) * t1);
+        const bs_real t2 = BS_REAL(0.0) + (A[73] * A[1]) + (A[74] * A[16]) + (A[75] * A[46]) +
+            (A[76] * A[60]);
+        bs_real b2 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t2);
+        const bs_real a3 = A[75];
+        const bs_real t3 = BS_REAL(0.0) + (A[74] * A[17]) + (A[75] * A[47]) + (A[76] * A[61]);
+        const bs_real b3 = (BS_REAL(0.6666666666666666) * a3) + (BS_REAL(0.2222222222222222) * t3);
+        const bs_real a4 = A[76];
+        const bs_real t4 = BS_REAL(0.0) + (A[73] * A[2]) + (A[75] * A[48]) + (A[76] * A[62]);
+        bs_real b4 = (BS_REAL(0.6666666666666666) * a4) + (BS_REAL(0.2222222222222222) * t4);
+        const bs_real t5 = BS_REAL(0.0) + (A[75] * A[49]) + (A[76] * A[63]);
+        bs_real b5 = (BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t5)) + BS_REAL(1.0);
+        const bs_real t6 = BS_REAL(0.0) + (A[73] * A[3]) + (A[74] * A[18]);
+        const bs_real b6 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t6);
+        const bs_real t7 = BS_REAL(0.0) + (A[73] * A[4]) + (A[74] * A[19]);
+        const bs_real b7 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t7);
+        const bs_real t8 = BS_REAL(0.0) + (A[73] * A[5]) + (A[74] * A[20]);
+        const bs_real b8 = BS_REAL(0.0) + (BS_REAL(0.2222222222222222) * t8);
+        const bs_real a9 = A[77];
+        const bs_real t9 = BS_REAL(0.0) + (A[75] * A[50]) + (A[76] * A[64]) + (A[77] * A[92]);
+        const bs_real b9 = (BS_REAL(0.6666666666666666) * a9) + (BS_REAL(0.2222222222222222) * t9);
+        const bs_real a10 = A[78];
+        const bs_real t10 = BS_REAL(0.0) + (A[75] * A[51]) + (A[76] * A[65]) + (A[78] * A[94]);
+        const bs_real b10 = (BS_REAL(0.6666666666666666) * a10) +
+            (BS_REAL(0.2222222222222222) * t10);
+        const bs_real a11 = A[79];
+        const bs_real t11 = BS_REAL(0.0) + (A[75] * A[52]) + (A[76] * A[66]) + (A[79] * A[96]);
+        const bs_real b11 = (BS_REAL(0.6666666666666666) * a11) +
+            (BS_REAL(0.2222222222222222) * t11);
+        const bs_real t25 = BS_REAL(0.0) + (A[73] * A[6]) + (A[74] * A[21]);
+        const bs_real t26 = BS_REAL(0.0) + (A[73] * A[7]) + (A[74] * A[22]);
+        const bs_real t27 = BS_REAL(0.0) + (A[73] * A[8]) + (A[74] * A[23]);
+        const bs_real a28 = A[80];
+        const bs_real t28 = BS_REAL(0.0) + (A[75] * A[53]) + (A[76] * A[67]);
+        const bs_real a29 = A[81];
+        const bs_real t29 = BS_REAL(0.0) + (A[75] * A[54]) + (A[76] * A[68]);
+        const bs_real a30 = A[82];
+        const bs_real t30 = BS_REAL(0.0) + (A[75] * A[55]) + (A[76] * A[69]);
+        const bs_real t31 = BS_REAL(0.0) + (A[73] * A[9]) + (A[74] * A[24]);
+        const bs_real t32 = BS_REAL(0.0) + (A[73] * A[10]) + (A[74] * A[25]);
+        const bs_real t33 = BS_REAL(0.0) + (A[73] * A[11]) + (A[74] * A[26]);
+        const bs_real t34 = BS_REAL(0.0) + (A[73] * A[12]) + (A[74] * A[27]);
+        const bs_real t35 = BS_REAL(0.0) + (A[73] * A[13]) + (A[74] * A[28]);
+        const bs_real t36 = BS_REAL(0.0) + (A[73] * A[14]) + (A[74] * A[29]);
+        const bs_real a37 = A[83];
+        const bs_real t37 = BS_REAL(0.0) + (A[75] * A[56]) + (A[76] * A[70]);
+        const bs_real a38 = A[84];
+        const bs_real t38 = BS_REAL(0.0) + (A[75] * A[57]) + (A[76] * A[71]);
+        const bs_real a39 = A[85];
+        const bs_real t39 = BS_REAL(0.0) + (A[75] * A[58]) + (A[76] * A[72]);
+        const bs_real t43 = BS_REAL(0.0) + (A[77] * A[93]);
+        const bs_real t44 = BS_REAL(0.0) + (A[78] * A[95]);
+        const bs_real t45 = BS_REAL(0.0) + (A[79] * A[97]);
+        Phi[250] = a0 + (BS_REAL(0.5) * t0);
+        Phi[251] = a1 + (BS_REAL(0.5) * t1);
+        Phi[252] = BS_REAL(0.0) + (BS_REAL(0.5) * t2);
+        Phi[253] = a3 + (BS_REAL(0.5) * t3);
+        Phi[254] = a4 + (BS_REAL(0.5) * t4);
+        Phi[255] = (BS_REAL(0.0) + (BS_REAL(0.5) * t5)) + BS_REAL(1.0);
+        Phi[256] = BS_REAL(0.0) + (BS_REAL(0.5) * t6);
+        Phi[257] = BS_REAL(0.0) + (BS_REAL(0.5) * t7);
+        Phi[258] = BS_REAL(0.0) + (BS_REAL(0.5) * t8);
+        Phi[259] = a9 + (BS_REAL(0.5) * t9);
+        Phi[260] = a10 + (BS_REAL(0.5) * t10);
+        Phi[261] = a11 + (BS_REAL(0.5) * t11);
+        Phi[275] = BS_REAL(0.0) + (BS_REAL(0.5) * t25);
+        Phi[276] = BS_REAL(0.0) + (BS_REAL(0.5) * t26);
+        Phi[277] = BS_REAL(0.0) + (BS_REAL(0.5) * t27);
+        Phi[278] = a28 + (BS_REAL(0.5) * t28);
+        Phi[279] = a29 + (BS_REAL(0.5) * t29);
+        Phi[280] = a30 + (BS_REAL(0.5) * t30);
+        Phi[281] = BS_REAL(0.0) + (BS_REAL(0.5) * t31);
+        Phi[282] = BS_REAL(0.0) + (BS_REAL(0.5) * t32);
+        Phi[283] = BS_REAL(0.0) + (BS_REAL(0.5) * t33);
+        Phi[284] = BS_REAL(0.0) + (BS_REAL(0.5) * t34);
+        Phi[285] = BS_REAL(0.0) + (BS_REAL(0.5) * t35);
+        Phi[286] = BS_REAL(0.0) + (BS_REAL(0.5) * t36);
+        Phi[287] = a37 + (BS_REAL(0.5) * t37);
+        Phi[288] = a38 + (BS_REAL(0.5) * t38);
+        Phi[289] = a39 + (BS_REAL(0.5) * t39);
+        Phi[293] = BS_REAL(0.0) + (BS_REAL(0.5) * t43);
+        Phi[294] = BS_REAL(0.0) + (BS_REAL(0.5) * t44);
+        Phi[295] = BS_REAL(0.0) + (BS_REAL(0.5) * t45);
+        b5 += b4 * Q[19];
+        b5 += b3 * Q[18];
+        b4 += b3 * Q[13];
+        b2 += b1 * Q[4];
+        b2 += b0 * Q[3];
+        b1 += b0 * Q[1];
+        B[60] = b0;
+        T[60] = b0 * w[0];
+        B[61] = b1;
+        T[61] = b1 * w[1];
+        B[62] = b2;
+        T[62] = b2 * w[2];
+        B[63] = b3;
+        T[63] = b3 * w[3];
+        B[64] = b4;
+        T[64] = b4 * w[4];
+        B[65] = b5;
+        T[65] = b5 * w[5];
+        B[66] = b6;
+        T[66] = b6 * w[6];
+        B[67] = b7;
+        T[67] = b7 * w[7];
+        B[68] = b8;
+        T[68] = b8 * w[8];
+        B[69] = b9;
+        T[69] = b9 * w[9];
+        B[70] = b10;
+        T[70] = b10 * w[10];
+        B[71] = b11;
+        T[71] = b11 * w[11];
+    }
+    {
+        const bs_real a6 = A[86];
+        const bs_real t6 = BS_REAL(0.0) + (A[86] * A[86]);
+        const bs_real b6 = ((BS_REAL(0.6666666666666666) * a6) +
+                            (BS_REAL(0.2222222222222222) * t6)) + BS_REAL(1.0);
+        const bs_real a40 = A[87];
+        const bs_real t40 = BS_REAL(0.0) + (A[86] * A[87]);
+        Phi[306] = (a6 + (BS_REAL(0.5) * t6)) + BS_REAL(1.0);
+        Phi[340] = a40 + (BS_REAL(0.5) * t40);
+        B[72] = b6;
+        T[72] = b6 * w[6];
+    }
+    {
+        const bs_real a7 = A[88];
+        const bs_real t7 = BS_REAL(0.0) + (A[88] * A[88]);
+        const bs_real b7 = ((BS_REAL(0.6666666666666666) * a7) +
+                            (BS_REAL(0.2222222222222222) * t7)) + BS_REAL(1.0);
+        const bs_real a41 = A[89];
+        const bs_real t41 = BS_REAL(0.0) + (A[88] * A[89]);
+        Phi[357] = (a7 + (BS_REAL(0.5) * t7)) + BS_REAL(1.0);
+        Phi[391] = a41 + (BS_REAL(0.5) * t41);
+        B[73] = b7;
+        T[73] = b7 * w[7];
+    }
+    {
+        const bs_real a8 = A[90];
+        const bs_real t8 = BS_REAL(0.0) + (A[90] * A[90]);
+        const bs_real b8 = ((BS_REAL(0.6666666666666666) * a8) +
+                            (BS_REAL(0.2222222222222222) * t8)) + BS_REAL(1.0);
+        const bs_real a42 = A[91];
+        const bs_real t42 = BS_REAL(0.0) + (A[90] * A[91]);
+        Phi[408] = (a8 + (BS_REAL(0.5) * t8)) + BS_REAL(1.0);
+        Phi[442] = a42 + (BS_REAL(0.5) * t42);
+        B[74] = b8;
+        T[74] = b8 * w[8];
+    }
+    {
+        const bs_real a9 = A[92];
+        const bs_real t9 = BS_REAL(0.0) + (A[92] * A[92]);
+        const bs_real b9 = ((BS_REAL(0.6666666666666666) * a9) +
+                            (BS_REAL(0.2222222222222222) * t9)) + BS_REAL(1.0);
+        const bs_real a43 = A[93];
+        const bs_real t43 = BS_REAL(0.0) + (A[92] * A[93]);
+        Phi[459] = (a9 + (BS_REAL(0.5) * t9)) + BS_REAL(1.0);
+        Phi[493] = a43 + (BS_REAL(0.5) * t43);
+        B[75] = b9;
+        T[75] = b9 * w[9];
+    }
+    {
+        const bs_real a10 = A[94];
+        const bs_real t10 = BS_REAL(0.0) + (A[94] * A[94]);
+        const bs_real b10 = ((BS_REAL(0.6666666666666666) * a10) +
+                             (BS_REAL(0.2222222222222222) * t10)) + BS_REAL(1.0);
+        const bs_real a44 = A[95];
+        const bs_real t44 = BS_REAL(0.0) + (A[94] * A[95]);
+        Phi[510] = (a10 + (BS_REAL(0.5) * t10)) + BS_REAL(1.0);
+        Phi[544] = a44 + (BS_REAL(0.5) * t44);
+        B[76] = b10;
+        T[76] = b10 * w[10];
+    }
+    {
+        const bs_real a11 = A[96];
+        const bs_real t11 = BS_REAL(0.0) + (A[96] * A[96]);
+        const bs_real b11 = ((BS_REAL(0.6666666666666666) * a11) +
+                             (BS_REAL(0.2222222222222222) * t11)) + BS_REAL(1.0);
+        const bs_real a45 = A[97];
+        const bs_real t45 = BS_REAL(0.0) + (A[96] * A[97]);
+        Phi[561] = (a11 + (BS_REAL(0.5) * t11)) + BS_REAL(1.0);
+        Phi[595] = a45 + (BS_REAL(0.5) * t45);
+        B[77] = b11;
+        T[77] = b11 * w[11];
+    }
+    {
+        const bs_real b12 = BS_REAL(1.0);
+        Phi[612] = BS_REAL(1.0);
+        B[78] = b12;
+        T[78] = b12 * w[12];
+    }
+    {
+        const bs_real b13 = BS_REAL(1.0);
+        Phi[663] = BS_REAL(1.0);
+        B[79] = b13;
+        T[79] = b13 * w[13];
+    }
+    {
+        const bs_real b14 = BS_REAL(1.0);
+        Phi[714] = BS_REAL(1.0);
+        B[80] = b14;
+        T[80] = b14 * w[14];
+    }
+    {
+        const bs_real b15 = BS_REAL(1.0);
+        Phi[765] = BS_REAL(1.0);
+        B[81] = b15;
+        T[81] = b15 * w[15];
+    }
+    {
+        Phi[816] = BS_REAL(1.0);
+    }
+    {
+        Phi[867] = BS_REAL(1.0);
+    }
+    {
+        Phi[918] = BS_REAL(1.0);
+    }
+    {
+        const bs_real t19 = BS_REAL(0.0) + (A[98] * A[101]);
+        const bs_real a22 = A[98];
+        const bs_real t22 = BS_REAL(0.0) + (A[98] * A[102]);
+        const bs_real b22 = (BS_REAL(0.6666666666666666) * a22) +
+            (BS_REAL(0.2222222222222222) * t22);
+        Phi[969] = (BS_REAL(0.0) + (BS_REAL(0.5) * t19)) + BS_REAL(1.0);
+        Phi[972] = a22 + (BS_REAL(0.5) * t22);
+        B[82] = b22;
+        T[82] = b22 * w[22];
+    }
+    {
+        const bs_real t20 = BS_REAL(0.0) + (A[99] * A[103]);
+        const bs_real a23 = A[99];
+        const bs_real t23 = BS_REAL(0.0) + (A[99] * A[104]);
+        const bs_real b23 = (BS_REAL(0.6666666666666666) * a23) +
+            (BS_REAL(0.2222222222222222) * t23);
+        Phi[1020] = (BS_REAL(0.0) + (BS_REAL(0.5) * t20)) + BS_REAL(1.0);
+        Phi[1023] = a23 + (BS_REAL(0.5) * t23);
+        B[83] = b23;
+        T[83] = b23 * w[23];
+    }
+    {
+        const bs_real t21 = BS_REAL(0.0) + (A[100] * A[105]);
+        const bs_real a24 = A[100];
+        const bs_real t24 = BS_REAL(0.0) + (A[100] * A[106]);
+        const bs_real b24 = (BS_REAL(0.6666666666666666) * a24) +
+            (BS_REAL(0.2222222222222222) * t24);
+        Phi[1071] = (BS_REAL(0.0) + (BS_REAL(0.5) * t21)) + BS_REAL(1.0);
+        Phi[1074] = a24 + (BS_REAL(0.5) * t24);
+        B[84] = b24;
+        T[84] = b24 * w[24];
+    }
+    {
+        const bs_real a19 = A[101];
+        const bs_real t19 = BS_REAL(0.0) + (A[102] * A[101]);
+        const bs_real a22 = A[102];
+        const bs_real t22 = BS_REAL(0.0) + (A[101] * A[98]) + (A[102] * A[102]);
+        const bs_real b22 = ((BS_REAL(0.6666666666666666) * a22) +
+                             (BS_REAL(0.2222222222222222) * t22)) + BS_REAL(1.0);
+        Phi[1119] = a19 + (BS_REAL(0.5) * t19);
+        Phi[1122] = (a22 + (BS_REAL(0.5) * t22)) + BS_REAL(1.0);
+        B[85] = b22;
+        T[85] = b22 * w[22];
+    }
+    {
+        const bs_real a20 = A[103];
+        const bs_real t20 = BS_REAL(0.0) + (A[104] * A[103]);
+        const bs_real a23 = A[104];
+        const bs_real t23 = BS_REAL(0.0) + (A[103] * A[99]) + (A[104] * A[104]);
+        const bs_real b23 = ((BS_REAL(0.6666666666666666) * a23) +
+                             (BS_REAL(0.2222222222222222) * t23)) + BS_REAL(1.0);
+        Phi[1170] = a20 + (BS_REAL(0.5) * t20);
+        Phi[1173] = (a23 + (BS_REAL(0.5) * t23)) + BS_REAL(1.0);
+        B[86] = b23;
+        T[86] = b23 * w[23];
+    }
+    {
+        const bs_real a21 = A[105];
+        const bs_real t21 = BS_REAL(0.0) + (A[106] * A[105]);
+        const bs_real a24 = A[106];
+        const bs_real t24 = BS_REAL(0.0) + (A[105] * A[100]) + (A[106] * A[106]);
+        const bs_real b24 = ((BS_REAL(0.6666666666666666) * a24) +
+                             (BS_REAL(0.2222222222222222) * t24)) + BS_REAL(1.0);
+        Phi[1221] = a21 + (BS_REAL(0.5) * t21);
+        Phi[1224] = (a24 + (BS_REAL(0.5) * t24)) + BS_REAL(1.0);
+        B[87] = b24;
+        T[87] = b24 * w[24];
+    }
+    {
+        const bs_real b0 = B[0];
+        const bs_real b1 = B[1];
+        const bs_real b2 = B[2];
+        const bs_real b3 = B[3];
+        const bs_real b4 = B[4];
+        const bs_real b5 = B[5];
+        const bs_real b6 = B[6];
+        const bs_real b7 = B[7];
+        const bs_real b8 = B[8];
+        const bs_real b9 = B[9];
+        const bs_real b10 = B[10];
+        const bs_real b11 = B[11];
+        Q[0] = BS_REAL(0.0) + (T[0] * b0) + (T[1] * b1) + (T[2] * b2) + (T[3] * b3) + (T[4] * b4) +
+            (T[5] * b5) + (T[6] * b6) + (T[7] * b7) + (T[8] * b8) + (T[9] * b9) + (T[10] * b10) +
+            (T[11] * b11);
+    }
+    {
+        const bs_real b12 = B[12];
+        const bs_real b13 = B[13];
+        const bs_real b14 = B[14];
+        const bs_real b15 = B[15];
+        const bs_real b16 = B[16];
+        const bs_real b17 = B[17];
+        const bs_real b18 = B[18];
+        const bs_real b19 = B[19];
+        const bs_real b20 = B[20];
+        const bs_real b21 = B[21];
+        const bs_real b22 = B[22];
+        const bs_real b23 = B[23];
+        Q[1] = BS_REAL(0.0) + (T[0] * b12) + (T[1] * b13) + (T[2] * b14) + (T[3] * b15) +
+            (T[4] * b16) + (T[5] * b17) + (T[6] * b18) + (T[7] * b19) + (T[8] * b20) +
+            (T[9] * b21) + (T[10] * b22) + (T[11] * b23);
+        Q[2] = BS_REAL(0.0) + (T[12] * b12) + (T[13] * b13) + (T[14] * b14) + (T[15] * b15) +
+            (T[16] * b16) + (T[17] * b17) + (T[18] * b18) + (T[19] * b19) + (T[20] * b20) +
+            (T[21] * b21) + (T[22] * b22) + (T[23] * b23);
+    }
+    {
+        const bs_real b24 = B[24];
+        const bs_real b25 = B[25];
+        const bs_real b26 = B[26];
+        const bs_real b27 = B[27];
+        const bs_real b28 = B[28];
+        const bs_real b29 = B[29];
+        const bs_real b30 = B[30];
+        const bs_real b31 = B[31];
+        const bs_real b32 = B[32];
+        const bs_real b33 = B[33];
+        const bs_real b34 = B[34];
+        const bs_real b35 = B[35];
+        Q[3] = BS_REAL(0.0) + (T[0] * b24) + (T[1] * b25) + (T[2] * b26) + (T[3] * b27) +
+            (T[4] * b28) + (T[5] * b29) + (T[6] * b30) + (T[7] * b31) + (T[8] * b32) +
+            (T[9] * b33) + (T[10] * b34) + (T[11] * b35);
+        Q[4] = BS_REAL(0.0) + (T[12] * b24) + (T[13] * b25) + (T[14] * b26) + (T[15] * b27) +
+            (T[16] * b28) + (T[17] * b29) + (T[18] * b30) + (T[19] * b31) + (T[20] * b32) +
+            (T[21] * b33) + (T[22] * b34) + (T[23] * b35);
+        Q[5] = BS_REAL(0.0) + (T[24] * b24) + (T[25] * b25) + (T[26] * b26) + (T[27] * b27) +
+            (T[28] * b28) + (T[29] * b29) + (T[30] * b30) + (T[31] * b31) + (T[32] * b32) +
+            (T[33] * b33) + (T[34] * b34) + (T[35] * b35);
+    }
+    {
+        const bs_real b36 = B[36];
+        const bs_real b37 = B[37];
+        const bs_real b38 = B[38];
+        const bs_real b39 = B[39];
+        const bs_real b40 = B[40];
+        const bs_real b41 = B[41];
+        const bs_real b42 = B[42];
+        const bs_real b43 = B[43];
+        const bs_real b44 = B[44];
+        const bs_real b45 = B[45];
+        const bs_real b46 = B[46];
+        const bs_real b47 = B[47];
+        Q[6] = BS_REAL(0.0) + (T[0] * b36) + (T[1] * b37) + (T[2] * b38) + (T[3] * b39) +
+            (T[4] * b40) + (T[5] * b41) + (T[6] * b42) + (T[7] * b43) + (T[8] * b44) +
+            (T[9] * b45) + (T[10] * b46) + (T[11] * b47);
+        Q[7] = BS_REAL(0.0) + (T[12] * b36) + (T[13] * b37) + (T[14] * b38) + (T[15] * b39) +
+            (T[16] * b40) + (T[17] * b41) + (T[18] * b42) + (T[19] * b43) + (T[20] * b44) +
+            (T[21] * b45) + (T[22] * b46) + (T[23] * b47);
+        Q[8] = BS_REAL(0.0) + (T[24] * b36) + (T[25] * b37) + (T[26] * b38) + (T[27] * b39) +
+            (T[28] * b40) + (T[29] * b41) + (T[30] * b42) + (T[31] * b43) + (T[32] * b44) +
+            (T[33] * b45) + (T[34] * b46) + (T[35] * b47);
+        Q[9] = BS_REAL(0.0) + (T[36] * b36) + (T[37] * b37) + (T[38] * b38) + (T[39] * b39) +
+            (T[40] * b40) + (T[41] * b41) + (T[42] * b42) + (T[43] * b43) + (T[44] * b44) +
+            (T[45] * b45) + (T[46] * b46) + (T[47] * b47);
+    }
+    {
+        const bs_real b48 = B[48];
+        const bs_real b49 = B[49];
+        const bs_real b50 = B[50];
+        const bs_real b51 = B[51];
+        const bs_real b52 = B[52];
+        const bs_real b53 = B[53];
+        const bs_real b54 = B[54];
+        const bs_real b55 = B[55];
+        const bs_real b56 = B[56];
+        const bs_real b57 = B[57];
+        const bs_real b58 = B[58];
+        const bs_real b59 = B[59];
+        Q[10] = BS_REAL(0.0) + (T[0] * b48) + (T[1] * b49) + (T[2] * b50) + (T[3] * b51) +
+            (T[4] * b52) + (T[5] * b53) + (T[6] * b54) + (T[7] * b55) + (T[8] * b56) +
+            (T[9] * b57) + (T[10] * b58) + (T[11] * b59);
+        Q[11] = BS_REAL(0.0) + (T[12] * b48) + (T[13] * b49) + (T[14] * b50) + (T[15] * b51) +
+            (T[16] * b52) + (T[17] * b53) + (T[18] * b54) + (T[19] * b55) + (T[20] * b56) +
+            (T[21] * b57) + (T[22] * b58) + (T[23] * b59);
+        Q[12] = BS_REAL(0.0) + (T[24] * b48) + (T[25] * b49) + (T[26] * b50) + (T[27] * b51) +
+            (T[28] * b52) + (T[29] * b53) + (T[30] * b54) + (T[31] * b55) + (T[32] * b56) +
+            (T[33] * b57) + (T[34] * b58) + (T[35] * b59);
+        Q[13] = BS_REAL(0.0) + (T[36] * b48) + (T[37] * b49) + (T[38] * b50) + (T[39] * b51) +
+            (T[40] * b52) + (T[41] * b53) + (T[42] * b54) + (T[43] * b55) + (T[44] * b56) +
+            (T[45] * b57) + (T[46] * b58) + (T[47] * b59);
+        Q[14] = BS_REAL(0.0) + (T[48] * b48) + (T[49] * b49) + (T[50] * b50) + (T[51] * b51) +
+            (T[52] * b52) + (T[53] * b53) + (T[54] * b54) + (T[55] * b55) + (T[56] * b56) +
+            (T[57] * b57) + (T[58] * b58) + (T[59] * b59);
+    }
+    {
+        const bs_real b60 = B[60];
+        const bs_real b61 = B[61];
+        const bs_real b62 = B[62];
+        const bs_real b63 = B[63];
+        const bs_real b64 = B[64];
+        const bs_real b65 = B[65];
+        const bs_real b66 = B[66];
+        const bs_real b67 = B[67];
+        const bs_real b68 = B[68];
+        const bs_real b69 = B[69];
+        const bs_real b70 = B[70];
+        const bs_real b71 = B[71];
+        Q[15] = BS_REAL(0.0) + (T[0] * b60) + (T[1] * b61) + (T[2] * b62) + (T[3] * b63) +
+            (T[4] * b64) + (T[5] * b65) + (T[6] * b66) + (T[7] * b67) + (T[8] * b68) +
+            (T[9] * b69) + (T[10] * b70) + (T[11] * b71);
+        Q[16] = BS_REAL(0.0) + (T[12] * b60) + (T[13] * b61) + (T[14] * b62) + (T[15] * b63) +
+            (T[16] * b64) + (T[17] * b65) + (T[18] * b66) + (T[19] * b67) + (T[20] * b68) +
+            (T[21] * b69) + (T[22] * b70) + (T[23] * b71);
+        Q[17] = BS_REAL(0.0) + (T[24] * b60) + (T[25] * b61) + (T[26] * b62) + (T[27] * b63) +
+            (T[28] * b64) + (T[29] * b65) + (T[30] * b66) + (T[31] * b67) + (T[32] * b68) +
+            (T[33] * b69) + (T[34] * b70) + (T[35] * b71);
+        Q[18] = BS_REAL(0.0) + (T[36] * b60) + (T[37] * b61) + (T[38] * b62) + (T[39] * b63) +
+            (T[40] * b64) + (T[41] * b65) + (T[42] * b66) + (T[43] * b67) + (T[44] * b68) +
+            (T[45] * b69) + (T[46] * b70) + (T[47] * b71);
+        Q[19] = BS_REAL(0.0) + (T[48] * b60) + (T[49] * b61) + (T[50] * b62) + (T[51] * b63) +
+            (T[52] * b64) + (T[53] * b65) + (T[54] * b66) + (T[55] * b67) + (T[56] * b68) +
+            (T[57] * b69) + (T[58] * b70) + (T[59] * b71);
+        Q[20] = BS_REAL(0.0) + (T[60] * b60) + (T[61] * b61) + (T[62] * b62) + (T[63] * b63) +
+            (T[64] * b64) + (T[65] * b65) + (T[66] * b66) + (T[67] * b67) + (T[68] * b68) +
+            (T[69] * b69) + (T[70] * b70) + (T[71] * b71);
+    }
+    {
+        const bs_real b72 = B[72];
+        Q[21] = BS_REAL(0.0) + (T[6] * b72);
+        Q[22] = BS_REAL(0.0) + (T[18] * b72);
+        Q[23] = BS_REAL(0.0) + (T[30] * b72);
+        Q[24] = BS_REAL(0.0) + (T[42] * b72);
+        Q[25] = BS_REAL(0.0) + (T[54] * b72);
+        Q[26] = BS_REAL(0.0) + (T[66] * b72);
+        Q[27] = BS_REAL(0.0) + (T[72] * b72);
+    }
+    {
+        const bs_real b73 = B[73];
+        Q[28] = BS_REAL(0.0) + (T[7] * b73);
+        Q[29] = BS_REAL(0.0) + (T[19] * b73);
+        Q[30] = BS_REAL(0.0) + (T[31] * b73);
+        Q[31] = BS_REAL(0.0) + (T[43] * b73);
+        Q[32] = BS_REAL(0.0) + (T[55] * b73);
+        Q[33] = BS_REAL(0.0) + (T[67] * b73);
+        Q[35] = BS_REAL(0.0) + (T[73] * b73);
+    }
+    {
+        const bs_real b74 = B[74];
+        Q[36] = BS_REAL(0.0) + (T[8] * b74);
+        Q[37] = BS_REAL(0.0) + (T[20] * b74);
+        Q[38] = BS_REAL(0.0) + (T[32] * b74);
+        Q[39] = BS_REAL(0.0) + (T[44] * b74);
+        Q[40] = BS_REAL(0.0) + (T[56] * b74);
+        Q[41] = BS_REAL(0.0) + (T[68] * b74);
+        Q[44] = BS_REAL(0.0) + (T[74] * b74);
+    }
+    {
+        const bs_real b75 = B[75];
+        Q[45] = BS_REAL(0.0) + (T[9] * b75);
+        Q[46] = BS_REAL(0.0) + (T[21] * b75);
+        Q[47] = BS_REAL(0.0) + (T[33] * b75);
+        Q[48] = BS_REAL(0.0) + (T[45] * b75);
+        Q[49] = BS_REAL(0.0) + (T[57] * b75);
+        Q[50] = BS_REAL(0.0) + (T[69] * b75);
+        Q[54] = BS_REAL(0.0) + (T[75] * b75);
+    }
+    {
+        const bs_real b76 = B[76];
+        Q[55] = BS_REAL(0.0) + (T[10] * b76);
+        Q[56] = BS_REAL(0.0) + (T[22] * b76);
+        Q[57] = BS_REAL(0.0) + (T[34] * b76);
+        Q[58] = BS_REAL(0.0) + (T[46] * b76);
+        Q[59] = BS_REAL(0.0) + (T[58] * b76);
+        Q[60] = BS_REAL(0.0) + (T[70] * b76);
+        Q[65] = BS_REAL(0.0) + (T[76] * b76);
+    }
+    {
+        const bs_real b77 = B[77];
+        Q[66] = BS_REAL(0.0) + (T[11] * b77);
+        Q[67] = BS_REAL(0.0) + (T[23] * b77);
+        Q[68] = BS_REAL(0.0) + (T[35] * b77);
+        Q[69] = BS_REAL(0.0) + (T[47] * b77);
+        Q[70] = BS_REAL(0.0) + (T[59] * b77);
+        Q[71] = BS_REAL(0.0) + (T[71] * b77);
+        Q[77] = BS_REAL(0.0) + (T[77] * b77);
+    }
+    {
+        const bs_real b78 = B[78];
+        Q[90] = BS_REAL(0.0) + (T[78] * b78);
+    }
+    {
+        const bs_real b79 = B[79];
+        Q[104] = BS_REAL(0.0) + (T[79] * b79);
+    }
+    {
+        const bs_real b80 = B[80];
+        Q[119] = BS_REAL(0.0) + (T[80] * b80);
+    }
+    {
+        const bs_real b81 = B[81];
+        Q[135] = BS_REAL(0.0) + (T[81] * b81);
+    }
+    {
+        const bs_real b82 = B[82];
+        Q[209] = BS_REAL(0.0) + (T[82] * b82);
+    }
+    {
+        const bs_real b83 = B[83];
+        Q[230] = BS_REAL(0.0) + (T[83] * b83);
+    }
+    {
+        const bs_real b84 = B[84];
+        Q[252] = BS_REAL(0.0) + (T[84] * b84);
+    }
+    {
+        const bs_real b85 = B[85];
+        Q[272] = BS_REAL(0.0) + (T[82] * b85);
+        Q[275] = BS_REAL(0.0) + (T[85] * b85);
+    }
+    {
+        const bs_real b86 = B[86];
+        Q[296] = BS_REAL(0.0) + (T[83] * b86);
+        Q[299] = BS_REAL(0.0) + (T[86] * b86);
+    }
+    {
+        const bs_real b87 = B[87];
+        Q[321] = BS_REAL(0.0) + (T[84] * b87);
+        Q[324] = BS_REAL(0.0) + (T[87] * b87);
+    }
+    for (int p = 0; p < 25; ++p) {
+        Q[place[p]] += (BS_REAL(0.25) * dt) * Qc[from[p]];
+    }
+}
+
+#else
 void vas_discretize(const bs_real F[VAS_N_F],
                     const bs_real Qc[VAS_N_QC],
                     bs_real dt,
@@ -856,11 +2233,6 @@ void vas_discretize(const bs_real F[VAS_N_F],
             *(vector *)&T[k][i] = *(const vector *)&B[k][i] * w[k];
         }
     }
-    for (int j = M; j < N; ++j) { /* B has rows of a unit matrix here */
-        for (int i = 0; i < M; ++i) {
-            Q[column(j) + i] = T[j][i];
-        }
-    }
     for (int j = 0; j < 4; ++j) {
         vector s[VECTORS] = { { BS_REAL(0.0) } };
         add_rows(s, &B[0][j], DEEP, &T[0][0], DEEP, &B_at[B_from[j]], &B_at[B_from[j + 1]], 4);
@@ -1073,11 +2445,6 @@ void vas_discretize(const bs_real F[VAS_N_F],
         }
     }
     across(T, B, 0, N, square); /* columns before 0 meet no noise */
-    for (int j = M; j < N; ++j) { /* B has rows of a unit matrix here */
-        for (int i = 0; i < M; ++i) {
-            Q[column(j) + i] = T[(i * ROW) + j];
-        }
-    }
     for (int j = 0; j < M; ++j) {
         for (int i = 0; i <= j; ++i) {
             Q[column(j) + i] = square[(j * DOWN) + i];
@@ -1089,13 +2456,34 @@ void vas_discretize(const bs_real F[VAS_N_F],
     }
 }
 
+#endif
+
 void vas_predict_state(const bs_real Phi[VAS_N_PHI], bs_real x[VAS_N_STATES])
 {
+    static const unsigned char row_start[M + 1] = { 0, 30, 60, 90, 120, 150, 180, 182, 184, 186,
+                                                    188, 190, 192, 193, 194, 195, 196, 197, 198,
+                                                    199, 201, 203, 205, 207, 209, 211 };
+    static const unsigned char columns[211] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 25, 26, 27,
+                                                28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40,
+                                                41, 42, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 25,
+                                                26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38,
+                                                39, 40, 41, 42, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10,
+                                                11, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36,
+                                                37, 38, 39, 40, 41, 42, 0, 1, 2, 3, 4, 5, 6, 7, 8,
+                                                9, 10, 11, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34,
+                                                35, 36, 37, 38, 39, 43, 44, 45, 0, 1, 2, 3, 4, 5, 6,
+                                                7, 8, 9, 10, 11, 25, 26, 27, 28, 29, 30, 31, 32, 33,
+                                                34, 35, 36, 37, 38, 39, 43, 44, 45, 0, 1, 2, 3, 4,
+                                                5, 6, 7, 8, 9, 10, 11, 25, 26, 27, 28, 29, 30, 31,
+                                                32, 33, 34, 35, 36, 37, 38, 39, 43, 44, 45, 6, 40,
+                                                7, 41, 8, 42, 9, 43, 10, 44, 11, 45, 12, 13, 14, 15,
+                                                16, 17, 18, 19, 22, 20, 23, 21, 24, 19, 22, 20, 23,
+                                                21, 24 };
     bs_real next[M];
     for (int i = 0; i < M; ++i) {
         next[i] = BS_REAL(0.0);
-        for (int k = 0; k < N; ++k) {
-            next[i] += Phi[(i * ROW) + k] * x[k];
+        for (int p = (int)row_start[i]; p < (int)row_start[i + 1]; ++p) {
+            next[i] += Phi[(i * ROW) + (int)columns[p]] * x[columns[p]];
         }
     }
     for (int i = 0; i < M; ++i) {
@@ -1151,13 +2539,168 @@ bs_status vas_joseph_init(const bs_real dense[VAS_N_STATES * VAS_N_STATES],
     if (status == BS_OK) {
         for (int j = 0; j < N; ++j) {
             for (int i = 0; i <= j; ++i) {
-                P[column(j) + i] = dense[(i * N) + j];
+                /* a zero has one sign in every form */
+                P[column(j) + i] = dense[(i * N) + j] + BS_REAL(0.0);
             }
         }
     }
     return status;
 }
 
+#if VAS_OVER_NONZEROS
+/* Phi P, in rows of WIDTH from work[REGION] on, and of the states that move Phi P Phi', in rows of
+ * WIDTH from work[0] on. */
+static void spread_P(const bs_real *P, const bs_real *Phi, bs_real *work)
+{
+    bs_real *const Y = &work[REGION];
+    bs_real *const X = work; /* P of the states before END, dense */
+    for (int j = 0; j < END; ++j) {
+        const bs_real *const p = &P[column(j)];
+        for (int i = 0; i <= j; ++i) {
+            X[(j * END) + i] = p[i];
+            X[(i * END) + j] = p[i];
+        }
+    }
+    for (int j = 0; j < END; ++j) {
+        times_Phi(Phi, &X[j * END], &Y[j]);
+    }
+    for (int j = END; j < N; ++j) {
+        times_Phi(Phi, &P[column(j)], &Y[j]);
+    }
+    for (int i = 0; i < M; ++i) {
+        times_Phi(Phi, &Y[i * WIDTH], &work[i]);
+    }
+}
+
+void vas_joseph_predict(const bs_real P[VAS_N_PACKED],
+                        const bs_real Phi[VAS_N_PHI],
+                        const bs_real Q[VAS_N_PACKED],
+                        bs_real next[VAS_N_PACKED],
+                        bs_real work[VAS_N_WORK])
+{
+    spread_P(P, Phi, work);
+    for (int j = 0; j < N; ++j) {
+        for (int i = 0; i <= j; ++i) {
+            const bs_real value = (j < M) ? work[(j * WIDTH) + i]
+                : (i < M) ? work[REGION + (i * WIDTH) + j] : P[column(j) + i];
+            next[column(j) + i] = value + Q[column(j) + i];
+        }
+    }
+}
+
+void vas_joseph_step(bs_real P[VAS_N_PACKED],
+                     const bs_real Phi[VAS_N_PHI],
+                     bs_real Q[VAS_N_PACKED],
+                     bs_real work[VAS_N_WORK])
+{
+    spread_P(P, Phi, work);
+    for (int j = 0; j < M; ++j) {
+        const bs_real *const s = &work[j * WIDTH];
+        bs_real *const p = &P[column(j)];
+        bs_real *const q = &Q[column(j)];
+        for (int i = 0; i <= j; ++i) {
+            const bs_real before = p[i];
+            p[i] = s[i] + q[i];
+            q[i] = before;
+        }
+    }
+    for (int j = M; j < N; ++j) {
+        const bs_real *const y = &work[REGION + j];
+        bs_real *const p = &P[column(j)];
+        bs_real *const q = &Q[column(j)];
+        const bs_real before = p[j];
+        const bs_real p0 = p[0];
+        const bs_real p1 = p[1];
+        const bs_real p2 = p[2];
+        const bs_real p3 = p[3];
+        const bs_real p4 = p[4];
+        const bs_real p5 = p[5];
+        const bs_real p6 = p[6];
+        const bs_real p7 = p[7];
+        const bs_real p8 = p[8];
+        const bs_real p9 = p[9];
+        const bs_real p10 = p[10];
+        const bs_real p11 = p[11];
+        const bs_real p12 = p[12];
+        const bs_real p13 = p[13];
+        const bs_real p14 = p[14];
+        const bs_real p15 = p[15];
+        const bs_real p16 = p[16];
+        const bs_real p17 = p[17];
+        const bs_real p18 = p[18];
+        const bs_real p19 = p[19];
+        const bs_real p20 = p[20];
+        const bs_real p21 = p[21];
+        const bs_real p22 = p[22];
+        const bs_real p23 = p[23];
+        const bs_real p24 = p[24];
+        p[0] = y[0] + q[0];
+        q[0] = p0;
+        p[1] = y[WIDTH] + q[1];
+        q[1] = p1;
+        p[2] = y[2 * WIDTH] + q[2];
+        q[2] = p2;
+        p[3] = y[3 * WIDTH] + q[3];
+        q[3] = p3;
+        p[4] = y[4 * WIDTH] + q[4];
+        q[4] = p4;
+        p[5] = y[5 * WIDTH] + q[5];
+        q[5] = p5;
+        p[6] = y[6 * WIDTH] + q[6];
+        q[6] = p6;
+        p[7] = y[7 * WIDTH] + q[7];
+        q[7] = p7;
+        p[8] = y[8 * WIDTH] + q[8];
+        q[8] = p8;
+        p[9] = y[9 * WIDTH] + q[9];
+        q[9] = p9;
+        p[10] = y[10 * WIDTH] + q[10];
+        q[10] = p10;
+        p[11] = y[11 * WIDTH] + q[11];
+        q[11] = p11;
+        p[12] = y[12 * WIDTH] + q[12];
+        q[12] = p12;
+        p[13] = y[13 * WIDTH] + q[13];
+        q[13] = p13;
+        p[14] = y[14 * WIDTH] + q[14];
+        q[14] = p14;
+        p[15] = y[15 * WIDTH] + q[15];
+        q[15] = p15;
+        p[16] = y[16 * WIDTH] + q[16];
+        q[16] = p16;
+        p[17] = y[17 * WIDTH] + q[17];
+        q[17] = p17;
+        p[18] = y[18 * WIDTH] + q[18];
+        q[18] = p18;
+        p[19] = y[19 * WIDTH] + q[19];
+        q[19] = p19;
+        p[20] = y[20 * WIDTH] + q[20];
+        q[20] = p20;
+        p[21] = y[21 * WIDTH] + q[21];
+        q[21] = p21;
+        p[22] = y[22 * WIDTH] + q[22];
+        q[22] = p22;
+        p[23] = y[23 * WIDTH] + q[23];
+        q[23] = p23;
+        p[24] = y[24 * WIDTH] + q[24];
+        q[24] = p24;
+        p[j] += q[j];
+        q[j] = before;
+    }
+}
+
+void vas_joseph_back(bs_real P[VAS_N_PACKED], const bs_real Q[VAS_N_PACKED])
+{
+    for (int j = 0; j < N; ++j) {
+        for (int i = 0; i < j; ++i) {
+            if (i < M) {
+                P[column(j) + i] = Q[column(j) + i];
+            }
+        }
+        P[column(j) + j] = Q[column(j) + j];
+    }
+}
+#else
 #ifdef BORESIGHT_ROWS
 void vas_joseph_predict(const bs_real P[VAS_N_PACKED],
                         const bs_real Phi[VAS_N_PHI],
@@ -2444,6 +3987,7 @@ void vas_joseph_predict(const bs_real P[VAS_N_PACKED],
     }
 }
 #endif
+#endif
 
 void vas_ud_predict(const bs_real UD[VAS_N_PACKED],
                     const bs_real Phi[VAS_N_PHI],
@@ -2468,41 +4012,32 @@ void vas_ud_predict(const bs_real UD[VAS_N_PACKED],
         bs_real *const u = &next[column(j)];
         if (counts(u[j], weight[j])) {
             const bs_real inverse = BS_REAL(1.0) / u[j];
-            for (int k = j - 1; k >= M; --k) {
-                const bs_real gain = u[k] * inverse;
-                /* noises of states that stay are mostly apart */
-                if ((gain > BS_REAL(0.0)) || (gain < BS_REAL(0.0))) {
-                    for (int i = 0; i <= k; ++i) {
-                        next[column(k) + i] -= u[i] * gain;
-                    }
-                }
-                u[k] = gain;
-            }
             for (int k = 0; k < M; ++k) {
                 X[(k * ROW) + j] = u[k];
                 u[k] *= inverse;
-                V[(k * ROW) + j] = u[k];
             }
         } else {
             clear(u, j + 1);
             for (int k = 0; k < M; ++k) {
                 X[(k * ROW) + j] = BS_REAL(0.0);
-                V[(k * ROW) + j] = BS_REAL(0.0);
             }
-        }
-        for (int k = M; k < DOWN; ++k) { /* rows that fill the last block */
-            X[(k * ROW) + j] = BS_REAL(0.0);
-            V[(k * ROW) + j] = BS_REAL(0.0);
-        }
-    }
-    across(X, V, M, N, &V[DOWN * ROW]);
-    for (int j = 0; j < M; ++j) {
-        for (int i = 0; i <= j; ++i) {
-            next[column(j) + i] -= V[(DOWN * ROW) + (j * DOWN) + i];
         }
     }
     (void)factorize(next, weight, M);
     /* V = [the factor of Q, Phi U] over the states that move. */
+#if VAS_OVER_NONZEROS
+    clear(X, END); /* and what it has of U ends with the diagonal */
+    for (int j = 0; j < END; ++j) {
+        for (int i = 0; i < j; ++i) {
+            X[i] = UD[column(j) + i];
+        }
+        X[j] = BS_REAL(1.0);
+        times_Phi(Phi, X, &V[M + j]);
+    }
+    for (int j = END; j < N; ++j) {
+        times_Phi(Phi, &UD[column(j)], &V[M + j]);
+    }
+#else
 #ifdef BORESIGHT_ROWS
     {
         ALIGNED bs_real U[N][WIDE] = {
@@ -3285,6 +4820,7 @@ void vas_ud_predict(const bs_real UD[VAS_N_PACKED],
     }
     product(Phi, X, M, N, true, &V[M], WIDTH);
 #endif
+#endif
     for (int j = 0; j < M; ++j) {
         for (int i = 0; i < j; ++i) {
             V[(i * WIDTH) + j] = next[column(j) + i];
@@ -3298,23 +4834,35 @@ void vas_ud_predict(const bs_real UD[VAS_N_PACKED],
     }
     /* The states that stay: U and D are theirs already.  Their noise raises them, and what of it is
      * left for the states that move takes the place of their columns in V. */
-    for (int j = M; j < N; ++j) {
-        bs_real v[N];
-        bs_real *const u = &next[column(j)];
-        const bs_real noise = u[j];
-        for (int i = 0; i < M; ++i) {
-            v[i] = u[i];
-            u[i] = V[(i * WIDTH) + M + j];
+    for (int begin = M; begin < N; begin += 2) {
+        const int count = ((begin + 1) < N) ? 2 : 1;
+        bs_real v[2][N + 1];
+        bs_real left[2];
+        for (int k = 0; k < count; ++k) {
+            const int j = begin + k;
+            bs_real *const u = &next[column(j)];
+            left[k] = u[j];
+            for (int i = 0; i < M; ++i) {
+                v[k][i] = u[i];
+                u[i] = V[(i * WIDTH) + M + j];
+            }
+            for (int i = M; i < j; ++i) {
+                v[k][i] = u[i];
+                u[i] = UD[column(j) + i];
+            }
+            v[k][j] = BS_REAL(1.0);
+            u[j] = UD[column(j) + j];
         }
-        for (int i = M; i < j; ++i) {
-            v[i] = u[i];
-            u[i] = UD[column(j) + i];
+        if (count == 2) {
+            raise_by_two(next, left, v[0], v[1], begin + 1, M);
+        } else {
+            left[0] = raise_by(next, left[0], v[0], begin, M);
         }
-        v[j] = BS_REAL(1.0);
-        u[j] = UD[column(j) + j];
-        weight[M + j] = raise_by(next, noise, v, j, M);
-        for (int i = 0; i < M; ++i) {
-            V[(i * WIDTH) + M + j] = v[i];
+        for (int k = 0; k < count; ++k) {
+            weight[M + begin + k] = left[k];
+            for (int i = 0; i < M; ++i) {
+                V[(i * WIDTH) + M + begin + k] = v[k][i];
+            }
         }
     }
     /* The rows of V, so weighted, are made orthogonal from the last to the first; row j begins in

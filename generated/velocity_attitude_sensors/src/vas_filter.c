@@ -50,10 +50,10 @@ static int diagonal(int i)
 
 static void copy(bs_real *to, const bs_real *from, int n)
 {
-    const int eights = n - (n % 8);
-    for (int i = 0; i < eights; i += 8) { /* most of a small target's time in a loop is the loop */
-        const bs_real *const these = &from[i];
-        bs_real *const those = &to[i];
+    const bs_real *these = from;
+    bs_real *those = to;
+    const bs_real *const end = &from[n - (n % 8)];
+    while (these < end) { /* eight at a time: most of a small target's time in a loop is the loop */
         those[0] = these[0];
         those[1] = these[1];
         those[2] = these[2];
@@ -62,8 +62,10 @@ static void copy(bs_real *to, const bs_real *from, int n)
         those[5] = these[5];
         those[6] = these[6];
         those[7] = these[7];
+        these += 8;
+        those += 8;
     }
-    for (int i = eights; i < n; ++i) {
+    for (int i = n - (n % 8); i < n; ++i) {
         to[i] = from[i];
     }
 }
@@ -370,8 +372,8 @@ static void variances(const bs_real *P, bs_real *value)
 /* A finite sum is one of finite numbers; where it is not, each number is checked. */
 static bs_status check_sum(const bs_real *value, int n)
 {
-    const int eights = n - (n % 8);
     bs_real sum = BS_REAL(0.0);
+    const int eights = n - (n % 8);
     for (int i = 0; i < eights; i += 8) {
         const bs_real *const next = &value[i];
         sum += ((next[0] + next[1]) + (next[2] + next[3])) +
@@ -1026,12 +1028,22 @@ static void predict_x(const bs_real *Phi, bs_real *x)
 static bs_status predict_P(vas_filter *filter, const bs_real *x)
 {
     bs_status status;
+#if !BORESIGHT_UD && VAS_OVER_NONZEROS
+    vas_joseph_step(filter->P, filter->Phi, filter->Q, filter->work);
+    status = check_step(x, filter->P);
+    if (bs_good(status)) {
+        copy(filter->x, x, VAS_N_STATES);
+    } else { /* nothing has been scaled: what is finite stays so where it becomes smaller */
+        vas_joseph_back(filter->P, filter->Q);
+    }
+#else
     PREDICT(filter->P, filter->Phi, filter->Q, filter->Q, filter->work);
     status = check_step(x, filter->Q);
     if (bs_good(status)) {
         copy(filter->x, x, VAS_N_STATES);
         copy(filter->P, filter->Q, VAS_N_PACKED);
     }
+#endif
     if ((status == BS_AT_CEILING) && (filter->ceilings < 65535U)) {
         filter->ceilings += 1U;
     }

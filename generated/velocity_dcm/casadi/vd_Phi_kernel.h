@@ -18,7 +18,7 @@ static void vd_Phi_kernel(const bs_real lon_lat_height[3],
     const double *arg[5] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[33] = {0};
+    double w[32] = {0};
     arg[0] = lon_lat_height;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;

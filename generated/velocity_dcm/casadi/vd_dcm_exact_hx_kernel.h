@@ -19,7 +19,7 @@ static void vd_dcm_exact_h_kernel(const bs_real x[10],
     const double *arg[5] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[91] = {0};
+    double w[93] = {0};
     arg[0] = x;
     arg[1] = q_b2n_wxyz;
     arg[2] = mu;

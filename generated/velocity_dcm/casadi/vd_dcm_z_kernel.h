@@ -17,7 +17,7 @@ static void vd_dcm_z_kernel(const bs_real q_b2n_wxyz[4],
     const double *arg[3] = {0};
     double *res[1] = {0};
     int iw[1] = {0};
-    double w[50] = {0};
+    double w[49] = {0};
     arg[0] = q_b2n_wxyz;
     arg[1] = mu;
     arg[2] = q_m2n_wxyz;

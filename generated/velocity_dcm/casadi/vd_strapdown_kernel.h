@@ -24,7 +24,7 @@ static void vd_strapdown_kernel(const bs_real lon_lat_height[3],
     const double *arg[8] = {0};
     double *res[3] = {0};
     int iw[1] = {0};
-    double w[81] = {0};
+    double w[79] = {0};
     arg[0] = lon_lat_height;
     arg[1] = v_n;
     arg[2] = q_b2n_wxyz;

@@ -99,7 +99,7 @@ bs_status vd_F(const vd_nav *nav,
 bs_status vd_F_nz(const vd_nav *nav, const vd_corrected_imu *corrected_imu, bs_real F_nz[18]);
 
 /* Transition matrix over dt, I + F dt + (F dt)^2 / 2, with F as it is at the start.
- * Equations: kim-2018 (2), kim-2018 (3).
+ * Equations: kim-2018 (2), kim-2018 (3), mechanics (transition-1).
  * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                           -500 to 30000
@@ -129,7 +129,7 @@ bs_status vd_Qc(const vd_nav *nav, const vd_noise *noise, bs_real Qc[10 * VD_N_S
 bs_status vd_Qc_nz(const vd_nav *nav, const vd_noise *noise, bs_real Qc_nz[18]);
 
 /* Covariance that the noise adds over dt, to dt^3, as squares, with F as it is at the start.
- * Equations: kim-2018 (2), kim-2018 (3).
+ * Equations: kim-2018 (2), kim-2018 (3), mechanics (transition-2).
  * in   nav->lon_lat_height  longitude, not wrapped, geodetic latitude, height above the ellipsoid
  *                           (rad, rad, m, WGS-84); -6.28319 to 6.28319, -1.48353 to 1.48353,
  *                           -500 to 30000
@@ -255,6 +255,7 @@ bs_status vd_dcm_exact_H_nz(const bs_real x[VD_N_STATES],
                             bs_real H_nz[21]);
 
 /* Position, velocity and attitude after one step of inertial increments.
+ * Equations: mechanics (strapdown-1).
  * in   nav->lon_lat_height        longitude, not wrapped, geodetic latitude, height above the
  *                                 ellipsoid (rad, rad, m, WGS-84); -6.28319 to 6.28319,
  *                                 -1.48353 to 1.48353, -500 to 30000
@@ -279,6 +280,7 @@ bs_status vd_strapdown(const vd_nav *nav,
                        bs_real q_b2n_wxyz[4]);
 
 /* The slave with the estimated errors taken out.
+ * Derived from: the definition of the errors at the head of velocity_dcm.h, by finite rotations.
  * in   x                error state (m/s, rad, rad, s); -100 to 100, -100 to 100, -100 to 100,
  *                       -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5, -0.5 to 0.5,
  *                       -0.5 to 0.5, -1 to 1

@@ -22,7 +22,7 @@ enum {
      * terms */
     OF_STATE = 28,
     OF_JOSEPH = 130,
-    OF_UD = 630
+    OF_UD = 930
 };
 
 #ifdef BORESIGHT_FLOAT

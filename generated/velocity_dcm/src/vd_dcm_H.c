@@ -2,7 +2,7 @@
  * from the computed to the measured one; measurement matrix H = d z / d x; rows e, n, u.  Generated
  * by Boresight: do not edit.
  * Equations: kim-2018 (5), kim-2018 (6).
- * 27 operations, list 5cbcee67c2b5ee45. */
+ * 26 operations, list dbc5dbaec89221b4. */
 #include "velocity_dcm.h"
 
 BS_EXACT_BEGIN

@@ -2,7 +2,7 @@
  * the computed to the measured one; measurement matrix H = d h / d x at x; rows e, n, u.  Generated
  * by Boresight: do not edit.
  * Equations: kim-2018 (5).
- * 1353 operations, list 2005516b03f2db56. */
+ * 1255 operations, list fbef6e63dfbe80ec. */
 #include "velocity_dcm.h"
 
 BS_EXACT_BEGIN
