@@ -762,11 +762,9 @@ def _equations(model: Model) -> Iterator[Section]:
     for name, equations in (*parts, *((f.name, f.equations) for f in model.functions)):
         for text in equations:
             cited.setdefault(text, []).append(name)
-    rows = tuple(
-        (text, f"boresight show {text.replace('(', '').replace(')', '')}", ", ".join(cited[text])) for text in cited
-    )
+    rows = tuple((text, text.replace("(", "").replace(")", ""), ", ".join(cited[text])) for text in cited)
     if rows:
-        table = Table(("equation", "shown by", "what stands on it"), rows, prose=2)
+        table = Table(("equation", "boresight show", "what stands on it"), rows, prose=2)
         yield Section("What it stands on", (table,), "equations")
 
 
