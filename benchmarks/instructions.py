@@ -37,7 +37,7 @@ def main(path: str = "generated/azimuth_hold", *flags: str) -> None:
     names = tuple(f"{prefix}_{name}{ending if name.startswith('filter') else '_f32'}" for name in WATCHED)
     with tempfile.TemporaryDirectory() as out:
         made = build(folder, M4F, "float", Path(out), *flags, "-ffunction-sections", "-fdata-sections")
-        machine = Machine(made, made.image, names, tuple(name for name in names if "filter" in name), accesses=True)
+        machine = Machine(made, made.image, names, tuple(name for name in names if "filter" in name))
         machine.run_tests([f"{prefix}_covariance", f"{prefix}_filter"])
         flown = [name for name in FLOWN if f"{prefix}_filter_{name}{ending}" in machine.symbols]
         text = linked(made, [f"{prefix}_filter_{name}{ending}" for name in flown])

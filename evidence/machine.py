@@ -49,18 +49,45 @@ class Frame:
     stores: int
 
 
+def accesses(first: int, second: int | None = None) -> tuple[bool, int]:
+    """Whether an instruction of Thumb stores, or else loads, and how many words of memory it touches.
+
+    second: the second half of a long one.
+    """
+    if second is None:
+        kind = first >> 12
+        if kind == 0b0101:
+            return first >> 9 & 7 < 3, 1
+        if kind == 0b0100 and first >> 11 & 1:
+            return False, 1  # of a constant
+        if 0b0110 <= kind <= 0b1001:
+            return not first >> 11 & 1, 1
+        if kind == 0b1100:
+            return not first >> 11 & 1, (first & 0xFF).bit_count()
+        if first >> 9 in (0b1011010, 0b1011110):  # push and pop
+            return not first >> 11 & 1, (first & 0x1FF).bit_count()
+        return False, 0
+    store = not first >> 4 & 1
+    if first & 0xFE40 == 0xE800:  # of many
+        return store, second.bit_count()
+    if first & 0xFE40 == 0xE840:  # of two, or a table of branches
+        return store, 2 if first & 0x0120 else 1
+    if first & 0xFE00 == 0xF800:
+        return store, 1
+    if first & 0xFE00 == 0xEC00 and second & 0x0E00 == 0x0A00 and first & 0x01A0:  # of floating-point registers
+        many = first & 0x0120 != 0x0100
+        return store, second & 0xFF if many else 1 + (second >> 8 & 1)
+    return False, 0
+
+
 @dataclass
 class Machine:
-    """One image, loaded.  After `call` nothing of a former call remains but what the program keeps itself.
-
-    accesses: whether the words that watched functions load and store are counted, which takes time.
-    """
+    """One image, loaded.  After `call` nothing of a former call remains but what the program keeps itself."""
 
     made: Build
     image: Path
     watched: tuple[str, ...] = ()
     answering: tuple[str, ...] = ()  # watched, and counted where their status is 0 alone
-    accesses: bool = False
     costs: dict[str, Cost] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -105,12 +132,9 @@ class Machine:
         else:
             self.core.reg_write(arm.UC_ARM_REG_C1_C0_2, ARM_FPU_ON)
             self.core.reg_write(arm.UC_ARM_REG_FPEXC, 0x4000_0000)
-        self.lengths: dict[tuple[int, int], int] = {}
+        self.lengths: dict[tuple[int, int], tuple[int, int, int]] = {}
         self.frames: list[Frame] = []
         self.executed = self.loads = self.stores = 0
-        if self.accesses:
-            self.core.hook_add(u.UC_HOOK_MEM_READ, self._load)
-            self.core.hook_add(u.UC_HOOK_MEM_WRITE, self._store)
         if self.watched:
             self.entries = {self.symbols[name] & ~1: name for name in self.watched if name in self.symbols}
             self.core.hook_add(u.UC_HOOK_BLOCK, self._block)
@@ -125,19 +149,22 @@ class Machine:
         value = int(self.core.reg_read(self.r0))
         return value - 2**32 if value >= 2**31 else value
 
-    def instructions(self, address: int, size: int) -> int:
-        """How many instructions a block holds, those whose condition fails among them: the core fetches them too.
+    def counted(self, address: int, size: int) -> tuple[int, int, int]:
+        """How many instructions a block holds, those whose condition fails among them: the core fetches them too; and
+        the words that they load and store.
 
         Thumb's are two or four bytes long, as their first half says.
         """
         key = (address, size)
         if key not in self.lengths:
-            halves = np.frombuffer(bytes(self.core.mem_read(address, size)), dtype="<u2")
-            at = count = 0
+            halves = np.frombuffer(bytes(self.core.mem_read(address, size)), dtype="<u2").tolist()
+            at, count, words = 0, 0, [0, 0]
             while at < len(halves):
-                at += 2 if halves[at] >> 11 in (0b11101, 0b11110, 0b11111) else 1
-                count += 1
-            self.lengths[key] = count
+                length = 2 if halves[at] >> 11 in (0b11101, 0b11110, 0b11111) else 1
+                store, touched = accesses(*halves[at : at + length])
+                words[store] += touched
+                at, count = at + length, count + 1
+            self.lengths[key] = count, words[0], words[1]
         return self.lengths[key]
 
     def _block(self, core: Any, address: int, size: int, _: Any) -> None:
@@ -164,13 +191,10 @@ class Machine:
             counts = self.executed, pointer, self.loads, self.stores
             self.frames.append(Frame(self.entries[address], back, pointer, *counts))
         if self.frames:
-            self.executed += self.instructions(address, size)
-
-    def _load(self, *_: Any) -> None:
-        self.loads += bool(self.frames)
-
-    def _store(self, *_: Any) -> None:
-        self.stores += bool(self.frames)
+            count, loads, stores = self.counted(address, size)
+            self.executed += count
+            self.loads += loads
+            self.stores += stores
 
     def read(self, name: str, dtype: type[np.generic], count: int) -> np.ndarray:
         size = count * np.dtype(dtype).itemsize

@@ -19,7 +19,7 @@ from boresight.mechanics import (
     skew,
 )
 
-GRAVITY = constant("g", "9.80665", "m/s^2", "gravity")
+GRAVITY = constant("g", "9.81", "m/s^2", "gravity")
 # What keeps roots and arguments of atan2 off zero.
 LEAST_V2 = constant("least_v2", "1e-6", "m^2/s^2", "keeps a square root off zero")
 LEAST_V = constant("least_v", "1e-3", "m/s", "keeps a speed off zero")

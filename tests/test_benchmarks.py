@@ -10,6 +10,7 @@ from benchmarks.peers import __main__ as bench
 from benchmarks.peers import batch, compiled, formulas, report
 from benchmarks.peers.printers import PRINTERS
 from boresight.derive.models.azimuth_hold import azimuth_hold
+from boresight.evidence.machine import accesses
 
 KERNELS = {name: getattr(np, name) for name in formulas.FUNCTIONS}
 
@@ -145,3 +146,22 @@ def test_the_readme_quotes_the_page():
     quoted = readme.split("| one call | -O2 | -O3 v3 |")[1].split("\n\n")[0].splitlines()[2:]
     kinds = [kind for kind in formulas.KINDS if kind != "updates, plain"]
     assert quoted == [f"| {kind} | {won['-O2'][kind]} | {won['-O3 v3'][kind]} |" for kind in kinds]
+
+
+@pytest.mark.parametrize(
+    ("halves", "expected"),
+    [
+        ((0x6808,), (False, 1)),  # ldr r0, [r1, #0]
+        ((0xF8CC, 0x0000), (True, 1)),  # str.w r0, [ip]
+        ((0xE92D, 0x43F8), (True, 8)),  # stmdb sp!, {r3-r9, lr}
+        ((0xED91, 0x1A01), (False, 1)),  # vldr s2, [r1, #4]
+        ((0xED2D, 0x8B02), (True, 2)),  # vpush {d8}
+        ((0xECB2, 0x7A01), (False, 1)),  # vldmia r2!, {s14}
+        ((0xEE37, 0x7A87), (False, 0)),  # vadd.f32
+        ((0xEC51, 0x0B10), (False, 0)),  # vmov r0, r1, d0
+        ((0xBDF0,), (False, 5)),  # pop {r4-r7, pc}
+    ],
+)
+def test_loads_and_stores_are_read_from_the_instructions(halves, expected):
+    """As objdump names them."""
+    assert accesses(*halves) == expected

@@ -91,7 +91,7 @@ def discretized(n: int, m: int, row: int, F: Places, Qc: Places, order: int) -> 
         "rows": rows, "count": len(at), "sums": sums,
         "cost": cost(rows, len(at), F, Qc, first, m, order) + of_sums,
         "weighed": [(k, packed(k, k)) for k in sorted({k for _, k in at} | set(coupled(first)))],
-        "again": again(m, first, order),
+        "rewritten": noise_rewritten(m, first, order),
     }  # fmt: skip
 
 
@@ -106,7 +106,7 @@ def cost(rows: list[dict[str, Any]], count: int, F: Places, Qc: Places, first: l
     inner = sum(i < m for i, _ in upper)
     found = len(F) + (order == 2) + len(upper) + count
     found += 3 * inner if order == 2 else 0
-    found += len(upper) - inner if again(m, first, order) else 0
+    found += len(upper) - inner if noise_rewritten(m, first, order) else 0
     for k in coupled(first):
         found += 3 + sum(3 + 2 * (i - first[k]) for i in range(first[k], k))
     for line in rows:
@@ -121,6 +121,6 @@ def cost(rows: list[dict[str, Any]], count: int, F: Places, Qc: Places, first: l
     return found
 
 
-def again(m: int, first: list[int], order: int) -> bool:
+def noise_rewritten(m: int, first: list[int], order: int) -> bool:
     """Whether noise of states that stay is to be written once more: where it was a part of Qc dt alone, or a factor."""
     return order == 2 or any(k >= m for k in coupled(first))
