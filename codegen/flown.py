@@ -315,13 +315,13 @@ def check_motion(model: Model, f: Function, level: ellipsoid.Level) -> Mechanics
     What reads the interval before is right to the third power of the step: coning, sculling, scrolling.  What does not
     read it is right to the second.
     """
-    inputs = {v.name: v for v in model.inputs}
-    outputs = [next(o for o in f.outputs if o.name == name) for name in NAVIGATION]
+    inputs, carried = {v.name: v for v in model.inputs}, NAVIGATION[model.frame[:3]]
+    outputs = [next(o for o in f.outputs if o.name == name) for name in carried]
     run, read = compiled(*(o.value for o in outputs)), symbols_in(*(o.value for o in outputs))
     before = {s for v in INCREMENTS[2:] for s in v.symbols}
     verdict, rng = Verdict(), generator("uneven", model.name, f.name)
     for values in points(model, f.name):
-        p, v, q = (Matrix([values[s] for s in inputs[name].symbols]) for name in NAVIGATION)
+        p, v, q = (Matrix([values[s] for s in inputs[name].symbols]) for name in carried)
         rate, force = ([Matrix([arb(float(c)) for c in rng.uniform(-1, 1, 3)]) for _ in range(3)] for _ in range(2))
         parts: list[list[Matrix]] = []
         with precise():
@@ -330,9 +330,7 @@ def check_motion(model: Model, f: Function, level: ellipsoid.Level) -> Mechanics
             for s in (TURNED, TURNED / 2):
                 now: Values = dict.fromkeys(read, arb(0)) | {inputs["dt"].scalar: STEP}
                 increments = [at(series, s) for series in sums] + [-at(series, -s) for series in sums]
-                columns = zip(
-                    (*(inputs[name] for name in NAVIGATION), *INCREMENTS), (p, v, q, *increments), strict=True
-                )
+                columns = zip((*(inputs[name] for name in carried), *INCREMENTS), (p, v, q, *increments), strict=True)
                 for variable, column in columns:
                     now.update(zip(variable.symbols, column, strict=True))
                 made = run(now)

@@ -319,6 +319,11 @@ static bool operator<=(bs_real a, bs_real b) { return a.v <= b.v; }
 #define BS_SQRT(a) bs_real(sqrt((a).v))
 #define BS_FABS(a) bs_real(fabs((a).v))
 #define BS_INSIDE static
+#define BS_EXACT_BEGIN
+#define BS_EXACT_END
+static bool bs_is_finite(bs_real a) { return a.v - a.v == 0.0; }
+static bool isgreaterequal(bs_real a, bs_real b) { return a.v >= b.v; }
+static bool islessequal(bs_real a, bs_real b) { return a.v <= b.v; }
 enum bs_status { BS_OK, BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE, BS_NOT_READY, BS_NOT_POSITIVE, BS_AT_CEILING };
 bs_status bs_check_finite(const bs_real *value, int n);
 """

@@ -20,7 +20,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "f717f092e2289ce7a9b07c9903ba06975b3d8aa40af9fad9259466ffa0a7ac73"
+#define AH_MODEL_HASH "d11ef3ae90422e64b6edef3d1b2a4b0782e97694418423fd5ea52b5f6fa5c73a"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

@@ -118,7 +118,7 @@ BS_INSIDE void add(vector *s, const bs_real *more, int columns)
     }
 }
 
-BS_INSIDE void put(bs_real *to, const vector *s, int columns)
+BS_INSIDE void store_whole(bs_real *to, const vector *s, int columns)
 {
     BS_UNROLLED
     for (int v = 0; (v * LANES) < columns; ++v) {
@@ -419,11 +419,11 @@ BS_INSIDE void add_rows(vector *s,
     BS_ROLLED
     for (const unsigned short *k = at; k < end; ++k) {
         const size_t row = *k;
-        const bs_real of_a = a[row * step];
+        const bs_real a_k = a[row * step];
         const bs_real *const x = &X[row * stride];
         BS_UNROLLED
         for (int v = 0; (v * LANES) < columns; ++v) {
-            s[v] += of_a * *(const vector *)&x[v * LANES];
+            s[v] += a_k * *(const vector *)&x[v * LANES];
         }
     }
 }
@@ -596,12 +596,12 @@ void va_discretize(const bs_real F[VA_N_F],
     for (int j = 0; j < 4; ++j) {
         vector s[VECTORS] = { { BS_REAL(0.0) } };
         add_rows(s, &B[0][j], DEEP, &T[0][0], DEEP, &B_at[B_from[j]], &B_at[B_from[j + 1]], 4);
-        put(&square[j][0], s, 4);
+        store_whole(&square[j][0], s, 4);
     }
     for (int j = 4; j < 6; ++j) {
         vector s[VECTORS] = { { BS_REAL(0.0) } };
         add_rows(s, &B[0][j], DEEP, &T[0][0], DEEP, &B_at[B_from[j]], &B_at[B_from[j + 1]], 8);
-        put(&square[j][0], s, 8);
+        store_whole(&square[j][0], s, 8);
     }
     {
         vector s[VECTORS];
@@ -674,7 +674,7 @@ void va_predict_state(const bs_real Phi[VA_N_PHI], bs_real x[VA_N_STATES])
 }
 
 /* The factors of a dense covariance, into work. */
-static bs_status judge_dense(const bs_real *dense, bs_real *work)
+static bs_status factors_of_dense(const bs_real *dense, bs_real *work)
 {
     bs_real variance[N];
     bool positive = true;
@@ -704,7 +704,7 @@ bs_status va_ud_init(const bs_real dense[VA_N_STATES * VA_N_STATES],
                      bs_real UD[VA_N_PACKED],
                      bs_real work[VA_N_WORK])
 {
-    const bs_status status = judge_dense(dense, work);
+    const bs_status status = factors_of_dense(dense, work);
     if (status == BS_OK) {
         for (int i = 0; i < VA_N_PACKED; ++i) {
             UD[i] = work[i];
@@ -717,7 +717,8 @@ bs_status va_joseph_init(const bs_real dense[VA_N_STATES * VA_N_STATES],
                          bs_real P[VA_N_PACKED],
                          bs_real work[VA_N_WORK])
 {
-    const bs_status status = judge_dense(dense, work); /* judged by its factors, kept as it is */
+    /* checked by its factors, kept as given */
+    const bs_status status = factors_of_dense(dense, work);
     if (status == BS_OK) {
         for (int j = 0; j < N; ++j) {
             for (int i = 0; i <= j; ++i) {
@@ -945,7 +946,7 @@ void va_ud_predict(const bs_real UD[VA_N_PACKED],
 {
     bs_real *const X = work;
     bs_real *const V = &work[REGION];
-    bs_real *const heavy = X; /* when X is done with: a row of V times the weights of its columns */
+    bs_real *const heavy = X; /* where X was: a row of V times the weights of its columns */
     bs_real *const gains = &heavy[WIDTH]; /* and what becomes a column of U */
     bs_real weight[M + N]; /* of the columns of V */
     if (next != Q) {
@@ -1120,14 +1121,14 @@ void va_ud_predict(const bs_real UD[VA_N_PACKED],
     clear(gains, M);
     for (int j = M - 1; j >= 0; --j) {
         bs_real *const v = &V[j * (WIDTH + 1)];
-        bs_real *const by = (j < (M - 1)) ? &v[WIDTH] : v; /* the row done before, if any */
+        bs_real *const below = (j < (M - 1)) ? &v[WIDTH] : v; /* the row that is finished, if any */
         bs_real *const u = &next[column(j)];
         const bs_real *const weights = &weight[j];
         bs_real *const weighted = &heavy[j];
         const int end = (M + N) - j;
         const bs_real d = weights[M];
         const bs_real taken = gains[j];
-        const bs_real kept = by[M];
+        const bs_real kept = below[M];
         const bs_real more = v[M] - (taken * kept); /* of the state's own part, 1 + more */
         const bs_real own = BS_REAL(1.0) + more;
         bs_real sum = weights[0];
@@ -1135,15 +1136,15 @@ void va_ud_predict(const bs_real UD[VA_N_PACKED],
         bs_real beyond = BS_REAL(0.0);
         bs_real inverse = BS_REAL(0.0);
         v[M] = BS_REAL(0.0);
-        by[M] = BS_REAL(0.0);
+        below[M] = BS_REAL(0.0);
         for (int k = 1; k < end; ++k) {
-            const bs_real value = v[k] - (taken * by[k]);
+            const bs_real value = v[k] - (taken * below[k]);
             const bs_real part = weights[k] * value;
             v[k] = value;
             weighted[k] = part;
             sum += part * value;
         }
-        by[M] = kept;
+        below[M] = kept;
         v[M] = own;
         /* In a short step D and U change by little.  What they change by is summed first and meets
          * them once, or the rounding of each of its parts would go the same way in every step. */
@@ -1164,7 +1165,7 @@ void va_ud_predict(const bs_real UD[VA_N_PACKED],
 #ifdef BORESIGHT_ROWS
         for (int i = j - 1; i >= 0; --i) {
             bs_real *const w = &V[i * WIDTH];
-            const bs_real u0 = lose(w, gains[i], by - j, heavy, weights[0] * w[j], j + 1, M + N);
+            const bs_real u0 = lose(w, gains[i], below - j, heavy, weights[0] * w[j], j + 1, M + N);
             const bs_real g0 = first * w[M + j];
             gains[i] = g0 + (((u0 + heavy[M + i]) - (g0 * beyond)) * inverse);
         }
@@ -1183,7 +1184,7 @@ void va_ud_predict(const bs_real UD[VA_N_PACKED],
             const bs_real lost2 = gain[2];
             bs_real u2 = weights[0] * w[2 * WIDTH];
             for (int k = 1; k < end; ++k) {
-                const bs_real along = by[k];
+                const bs_real along = below[k];
                 const bs_real part = weighted[k];
                 const bs_real w0 = w[k] - (lost0 * along);
                 w[k] = w0;
@@ -1210,8 +1211,9 @@ void va_ud_predict(const bs_real UD[VA_N_PACKED],
     }
 }
 
-/* Notes what a row says, and whether it is used. */
-BS_INSIDE bs_status judge(bs_row *row, bs_real nu, bs_real S)
+/* Writes nu and S of a row, and whether it is used: whether both are numbers and the gate accepts
+ * it. */
+BS_INSIDE bs_status assess(bs_row *row, bs_real nu, bs_real S)
 {
     row->nu = nu;
     row->S = S;
@@ -1297,7 +1299,7 @@ BS_INSIDE void correct(bs_real *P,
                        vector *s)
 {
     ALIGNED bs_real K[WIDE];
-    put(K, s, WIDE);
+    store_whole(K, s, WIDE);
     BS_UNROLLED
     for (int v = 0; v < ALL; ++v) {
         s[v] *= row->nu;
@@ -1330,11 +1332,11 @@ APART bs_status update_by_many(bs_real *P, bs_real *x, bs_row *row)
             s[v] += h * line[v];
         }
     }
-    put(g, s, WIDE);
+    store_whole(g, s, WIDE);
     for (int p = 0; p < row->count; ++p) {
         S += row->h[p] * g[row->at[p]];
     }
-    status = judge(row, nu, S);
+    status = assess(row, nu, S);
     if ((status == BS_OK) && (row->used != 0)) {
         const bs_real inverse = BS_REAL(1.0) / S;
         vector sum[ALL] = { { BS_REAL(0.0) } };
@@ -1345,18 +1347,18 @@ APART bs_status update_by_many(bs_real *P, bs_real *x, bs_row *row)
         BS_ROLLED
         for (int p = 0; p < row->count; ++p) {
             const bs_real h = row->h[p];
-            const bs_real of_g = g[row->at[p]];
+            const bs_real g_k = g[row->at[p]];
             gather(line, P, whole[row->at[p]]);
             BS_UNROLLED
             for (int v = 0; v < ALL; ++v) {
-                sum[v] += h * (line[v] - (s[v] * of_g));
+                sum[v] += h * (line[v] - (s[v] * g_k));
             }
         }
         BS_UNROLLED
         for (int v = 0; v < ALL; ++v) {
             sum[v] -= row->R * s[v];
         }
-        put(b, sum, WIDE);
+        store_whole(b, sum, WIDE);
         correct(P, x, row, g, b, s);
     }
     return status;
@@ -1368,10 +1370,10 @@ bs_status va_joseph_update(bs_real P[VA_N_PACKED], bs_real x[VA_N_STATES], bs_ro
                             * begins with 0, or -0 stays what it is */
         const int k = (int)row->at[0];
         const bs_real h = row->h[0];
-        const bs_real of_g = BS_REAL(0.0) + (h * P[column(k) + k]);
+        const bs_real g_k = BS_REAL(0.0) + (h * P[column(k) + k]);
         const bs_real nu = row->z - (h * x[k]);
-        const bs_real S = row->R + (h * of_g);
-        const bs_status status = judge(row, nu, S);
+        const bs_real S = row->R + (h * g_k);
+        const bs_status status = assess(row, nu, S);
         if ((status == BS_OK) && (row->used != 0)) {
             const bs_real inverse = BS_REAL(1.0) / S;
             ALIGNED bs_real g[WIDE]; /* P h */
@@ -1383,13 +1385,13 @@ bs_status va_joseph_update(bs_real P[VA_N_PACKED], bs_real x[VA_N_STATES], bs_ro
             for (int v = 0; v < ALL; ++v) {
                 s[v] = BS_REAL(0.0) + (h * line[v]);
             }
-            put(g, s, WIDE);
+            store_whole(g, s, WIDE);
             BS_UNROLLED
             for (int v = 0; v < ALL; ++v) {
                 s[v] *= inverse;
-                line[v] = (BS_REAL(0.0) + (h * (line[v] - (s[v] * of_g)))) - (row->R * s[v]);
+                line[v] = (BS_REAL(0.0) + (h * (line[v] - (s[v] * g_k)))) - (row->R * s[v]);
             }
-            put(b, line, WIDE);
+            store_whole(b, line, WIDE);
             correct(P, x, row, g, b, s);
         }
         return status;
@@ -1419,7 +1421,7 @@ bs_status va_joseph_update(bs_real P[VA_N_PACKED], bs_real x[VA_N_STATES], bs_ro
     for (int p = 0; p < row->count; ++p) {
         S += row->h[p] * g[row->at[p]];
     }
-    status = judge(row, nu, S);
+    status = assess(row, nu, S);
     if ((status == BS_OK) && (row->used != 0)) {
         const bs_real inverse = BS_REAL(1.0) / S;
         bs_real b[N]; /* A h - R K, of the rounded A = P - K g' */
@@ -1429,8 +1431,8 @@ bs_status va_joseph_update(bs_real P[VA_N_PACKED], bs_real x[VA_N_STATES], bs_ro
             b[i] = BS_REAL(0.0);
             for (int p = 0; p < row->count; ++p) {
                 const int k = (int)row->at[p];
-                const bs_real of_P = (i < k) ? P[column(k) + i] : P[column(i) + k];
-                b[i] += row->h[p] * (of_P - (K[i] * g[k]));
+                const bs_real P_ik = (i < k) ? P[column(k) + i] : P[column(i) + k];
+                b[i] += row->h[p] * (P_ik - (K[i] * g[k]));
             }
             b[i] -= row->R * K[i];
         }
@@ -1470,7 +1472,7 @@ bs_status va_ud_update(bs_real UD[VA_N_PACKED], bs_real x[VA_N_STATES], bs_row *
     for (int j = 0; j < N; ++j) {
         S += UD[column(j) + j] * (f[j] * f[j]);
     }
-    status = judge(row, nu, S);
+    status = assess(row, nu, S);
     if ((status == BS_OK) && (row->used != 0)) {
         bs_real alpha = row->R; /* grows to S */
         for (int j = 0; j < N; ++j) {

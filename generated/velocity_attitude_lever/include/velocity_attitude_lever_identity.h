@@ -20,7 +20,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "8ff6eacab617b0714272b588a0504e0a1f905451f0b3bb1455656d5ae1493bc5"
+#define VAL_MODEL_HASH "748fd74a1048f5cbe476a212fc5f1611904b11fcd90fb26857e3c7c3527e2e6b"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

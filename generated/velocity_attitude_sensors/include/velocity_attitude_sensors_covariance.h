@@ -34,6 +34,15 @@ extern "C" {
                             * VAS_ROW + j], and all others are 0 */
 #define VAS_N_WORK 4379    /* numbers of scratch memory */
 
+/* What lies in work, by function, from [0] on and from [2300] on:
+ * init            the factors of the dense matrix | -
+ * discretize      B U, T = B U W, A: non-zeros | -
+ * joseph_predict  P of the states that Phi reads, then Phi P Phi' of those that move | Phi P
+ * ud_predict      a column of U, then a row of V by weights, and gains | V = [factor of Q, Phi U]
+ * With BORESIGHT_ROWS or BORESIGHT_BLOCKS, dense: discretize B | T, squares; joseph_predict P | Phi
+ * P; ud_predict U | V.
+ * A filter keeps there, between these calls, H and the gain of a measurement. */
+
 /* Whether a prediction is printed over the non-zeros of F and Phi.  BORESIGHT_BLOCKS chooses loops
  * over blocks instead, which take less memory for code and more time; BORESIGHT_ROWS chooses rows
  * of vectors, on a host; no bit of a covariance differs. */

@@ -118,7 +118,7 @@ BS_INSIDE void add(vector *s, const bs_real *more, int columns)
     }
 }
 
-BS_INSIDE void put(bs_real *to, const vector *s, int columns)
+BS_INSIDE void store_whole(bs_real *to, const vector *s, int columns)
 {
     BS_UNROLLED
     for (int v = 0; (v * LANES) < columns; ++v) {
@@ -523,20 +523,20 @@ static bs_real raise_by(bs_real *UD, bs_real c, bs_real *v, int last, int first)
  * what is left: by both at a time, for most of the time goes into loads and stores. */
 static void raise_by_two(bs_real *UD, bs_real *c, bs_real *v, bs_real *w, int last, int first)
 {
-    bs_real of_v = c[0];
-    bs_real of_w = raise_by(UD, c[1], w, last, last);
+    bs_real c_v = c[0];
+    bs_real c_w = raise_by(UD, c[1], w, last, last);
     for (int j = last - 1; j >= first; --j) {
         bs_real *const u = &UD[column(j)];
         const bs_real d = u[j];
         const bs_real own_v = v[j];
         const bs_real own_w = w[j];
-        const bs_real between = d + (of_v * (own_v * own_v));
-        const bs_real sum = between + (of_w * (own_w * own_w));
-        if ((of_v > BS_REAL(0.0)) && (of_w > BS_REAL(0.0)) && (between >= LEAST)) {
-            const bs_real gain_v = (of_v * own_v) / between;
-            const bs_real gain_w = (of_w * own_w) / sum;
-            of_v *= d / between;
-            of_w *= between / sum;
+        const bs_real between = d + (c_v * (own_v * own_v));
+        const bs_real sum = between + (c_w * (own_w * own_w));
+        if ((c_v > BS_REAL(0.0)) && (c_w > BS_REAL(0.0)) && (between >= LEAST)) {
+            const bs_real gain_v = (c_v * own_v) / between;
+            const bs_real gain_w = (c_w * own_w) / sum;
+            c_v *= d / between;
+            c_w *= between / sum;
             for (int i = 0; i < j; i += 2) {
                 const bs_real v0 = v[i] - (own_v * u[i]);
                 const bs_real v1 = v[i + 1] - (own_v * u[i + 1]);
@@ -553,12 +553,12 @@ static void raise_by_two(bs_real *UD, bs_real *c, bs_real *v, bs_real *w, int la
             }
             u[j] = sum;
         } else {
-            of_v = raise_by(UD, of_v, v, j, j);
-            of_w = raise_by(UD, of_w, w, j, j);
+            c_v = raise_by(UD, c_v, v, j, j);
+            c_w = raise_by(UD, c_w, w, j, j);
         }
     }
-    c[0] = of_v;
-    c[1] = of_w;
+    c[0] = c_v;
+    c[1] = c_w;
 }
 
 #ifdef BORESIGHT_ROWS
@@ -606,11 +606,11 @@ BS_INSIDE void add_rows(vector *s,
     BS_ROLLED
     for (const unsigned short *k = at; k < end; ++k) {
         const size_t row = *k;
-        const bs_real of_a = a[row * step];
+        const bs_real a_k = a[row * step];
         const bs_real *const x = &X[row * stride];
         BS_UNROLLED
         for (int v = 0; (v * LANES) < columns; ++v) {
-            s[v] += of_a * *(const vector *)&x[v * LANES];
+            s[v] += a_k * *(const vector *)&x[v * LANES];
         }
     }
 }
@@ -2236,37 +2236,37 @@ void vas_discretize(const bs_real F[VAS_N_F],
     for (int j = 0; j < 4; ++j) {
         vector s[VECTORS] = { { BS_REAL(0.0) } };
         add_rows(s, &B[0][j], DEEP, &T[0][0], DEEP, &B_at[B_from[j]], &B_at[B_from[j + 1]], 4);
-        put(&square[j][0], s, 4);
+        store_whole(&square[j][0], s, 4);
     }
     for (int j = 4; j < 8; ++j) {
         vector s[VECTORS] = { { BS_REAL(0.0) } };
         add_rows(s, &B[0][j], DEEP, &T[0][0], DEEP, &B_at[B_from[j]], &B_at[B_from[j + 1]], 8);
-        put(&square[j][0], s, 8);
+        store_whole(&square[j][0], s, 8);
     }
     for (int j = 8; j < 12; ++j) {
         vector s[VECTORS] = { { BS_REAL(0.0) } };
         add_rows(s, &B[0][j], DEEP, &T[0][0], DEEP, &B_at[B_from[j]], &B_at[B_from[j + 1]], 12);
-        put(&square[j][0], s, 12);
+        store_whole(&square[j][0], s, 12);
     }
     for (int j = 12; j < 25; ++j) {
         vector s[VECTORS] = { { BS_REAL(0.0) } };
         add_rows(s, &B[0][j], DEEP, &T[0][0], DEEP, &B_at[B_from[j]], &B_at[B_from[j + 1]], 16);
-        put(&square[j][0], s, 16);
+        store_whole(&square[j][0], s, 16);
     }
     for (int j = 16; j < 20; ++j) {
         vector s[VECTORS] = { { BS_REAL(0.0) } };
         add_rows(s, &B[0][j], DEEP, &T[0][16], DEEP, &B_at[B_from[j]], &B_at[B_from[j + 1]], 4);
-        put(&square[j][16], s, 4);
+        store_whole(&square[j][16], s, 4);
     }
     for (int j = 20; j < 24; ++j) {
         vector s[VECTORS] = { { BS_REAL(0.0) } };
         add_rows(s, &B[0][j], DEEP, &T[0][16], DEEP, &B_at[B_from[j]], &B_at[B_from[j + 1]], 8);
-        put(&square[j][16], s, 8);
+        store_whole(&square[j][16], s, 8);
     }
     for (int j = 24; j < 25; ++j) {
         vector s[VECTORS] = { { BS_REAL(0.0) } };
         add_rows(s, &B[0][j], DEEP, &T[0][16], DEEP, &B_at[B_from[j]], &B_at[B_from[j + 1]], 12);
-        put(&square[j][16], s, 12);
+        store_whole(&square[j][16], s, 12);
     }
     {
         vector s[VECTORS];
@@ -2492,7 +2492,7 @@ void vas_predict_state(const bs_real Phi[VAS_N_PHI], bs_real x[VAS_N_STATES])
 }
 
 /* The factors of a dense covariance, into work. */
-static bs_status judge_dense(const bs_real *dense, bs_real *work)
+static bs_status factors_of_dense(const bs_real *dense, bs_real *work)
 {
     bs_real variance[N];
     bool positive = true;
@@ -2522,7 +2522,7 @@ bs_status vas_ud_init(const bs_real dense[VAS_N_STATES * VAS_N_STATES],
                       bs_real UD[VAS_N_PACKED],
                       bs_real work[VAS_N_WORK])
 {
-    const bs_status status = judge_dense(dense, work);
+    const bs_status status = factors_of_dense(dense, work);
     if (status == BS_OK) {
         for (int i = 0; i < VAS_N_PACKED; ++i) {
             UD[i] = work[i];
@@ -2535,7 +2535,8 @@ bs_status vas_joseph_init(const bs_real dense[VAS_N_STATES * VAS_N_STATES],
                           bs_real P[VAS_N_PACKED],
                           bs_real work[VAS_N_WORK])
 {
-    const bs_status status = judge_dense(dense, work); /* judged by its factors, kept as it is */
+    /* checked by its factors, kept as given */
+    const bs_status status = factors_of_dense(dense, work);
     if (status == BS_OK) {
         for (int j = 0; j < N; ++j) {
             for (int i = 0; i <= j; ++i) {
@@ -3997,7 +3998,7 @@ void vas_ud_predict(const bs_real UD[VAS_N_PACKED],
 {
     bs_real *const X = work;
     bs_real *const V = &work[REGION];
-    bs_real *const heavy = X; /* when X is done with: a row of V times the weights of its columns */
+    bs_real *const heavy = X; /* where X was: a row of V times the weights of its columns */
     bs_real *const gains = &heavy[WIDTH]; /* and what becomes a column of U */
     bs_real weight[M + N]; /* of the columns of V */
     if (next != Q) {
@@ -4871,14 +4872,14 @@ void vas_ud_predict(const bs_real UD[VAS_N_PACKED],
     clear(gains, M);
     for (int j = M - 1; j >= 0; --j) {
         bs_real *const v = &V[j * (WIDTH + 1)];
-        bs_real *const by = (j < (M - 1)) ? &v[WIDTH] : v; /* the row done before, if any */
+        bs_real *const below = (j < (M - 1)) ? &v[WIDTH] : v; /* the row that is finished, if any */
         bs_real *const u = &next[column(j)];
         const bs_real *const weights = &weight[j];
         bs_real *const weighted = &heavy[j];
         const int end = (M + N) - j;
         const bs_real d = weights[M];
         const bs_real taken = gains[j];
-        const bs_real kept = by[M];
+        const bs_real kept = below[M];
         const bs_real more = v[M] - (taken * kept); /* of the state's own part, 1 + more */
         const bs_real own = BS_REAL(1.0) + more;
         bs_real sum = weights[0];
@@ -4886,15 +4887,15 @@ void vas_ud_predict(const bs_real UD[VAS_N_PACKED],
         bs_real beyond = BS_REAL(0.0);
         bs_real inverse = BS_REAL(0.0);
         v[M] = BS_REAL(0.0);
-        by[M] = BS_REAL(0.0);
+        below[M] = BS_REAL(0.0);
         for (int k = 1; k < end; ++k) {
-            const bs_real value = v[k] - (taken * by[k]);
+            const bs_real value = v[k] - (taken * below[k]);
             const bs_real part = weights[k] * value;
             v[k] = value;
             weighted[k] = part;
             sum += part * value;
         }
-        by[M] = kept;
+        below[M] = kept;
         v[M] = own;
         /* In a short step D and U change by little.  What they change by is summed first and meets
          * them once, or the rounding of each of its parts would go the same way in every step. */
@@ -4915,7 +4916,7 @@ void vas_ud_predict(const bs_real UD[VAS_N_PACKED],
 #ifdef BORESIGHT_ROWS
         for (int i = j - 1; i >= 0; --i) {
             bs_real *const w = &V[i * WIDTH];
-            const bs_real u0 = lose(w, gains[i], by - j, heavy, weights[0] * w[j], j + 1, M + N);
+            const bs_real u0 = lose(w, gains[i], below - j, heavy, weights[0] * w[j], j + 1, M + N);
             const bs_real g0 = first * w[M + j];
             gains[i] = g0 + (((u0 + heavy[M + i]) - (g0 * beyond)) * inverse);
         }
@@ -4934,7 +4935,7 @@ void vas_ud_predict(const bs_real UD[VAS_N_PACKED],
             const bs_real lost2 = gain[2];
             bs_real u2 = weights[0] * w[2 * WIDTH];
             for (int k = 1; k < end; ++k) {
-                const bs_real along = by[k];
+                const bs_real along = below[k];
                 const bs_real part = weighted[k];
                 const bs_real w0 = w[k] - (lost0 * along);
                 w[k] = w0;
@@ -4961,8 +4962,9 @@ void vas_ud_predict(const bs_real UD[VAS_N_PACKED],
     }
 }
 
-/* Notes what a row says, and whether it is used. */
-BS_INSIDE bs_status judge(bs_row *row, bs_real nu, bs_real S)
+/* Writes nu and S of a row, and whether it is used: whether both are numbers and the gate accepts
+ * it. */
+BS_INSIDE bs_status assess(bs_row *row, bs_real nu, bs_real S)
 {
     row->nu = nu;
     row->S = S;
@@ -5086,7 +5088,7 @@ BS_INSIDE void correct(bs_real *P,
                        vector *s)
 {
     ALIGNED bs_real K[WIDE];
-    put(K, s, WIDE);
+    store_whole(K, s, WIDE);
     BS_UNROLLED
     for (int v = 0; v < ALL; ++v) {
         s[v] *= row->nu;
@@ -5123,11 +5125,11 @@ APART bs_status update_by_many(bs_real *P, bs_real *x, bs_row *row)
             s[v] += h * line[v];
         }
     }
-    put(g, s, WIDE);
+    store_whole(g, s, WIDE);
     for (int p = 0; p < row->count; ++p) {
         S += row->h[p] * g[row->at[p]];
     }
-    status = judge(row, nu, S);
+    status = assess(row, nu, S);
     if ((status == BS_OK) && (row->used != 0)) {
         const bs_real inverse = BS_REAL(1.0) / S;
         vector sum[ALL] = { { BS_REAL(0.0) } };
@@ -5138,18 +5140,18 @@ APART bs_status update_by_many(bs_real *P, bs_real *x, bs_row *row)
         BS_ROLLED
         for (int p = 0; p < row->count; ++p) {
             const bs_real h = row->h[p];
-            const bs_real of_g = g[row->at[p]];
+            const bs_real g_k = g[row->at[p]];
             gather(line, P, whole[row->at[p]]);
             BS_UNROLLED
             for (int v = 0; v < ALL; ++v) {
-                sum[v] += h * (line[v] - (s[v] * of_g));
+                sum[v] += h * (line[v] - (s[v] * g_k));
             }
         }
         BS_UNROLLED
         for (int v = 0; v < ALL; ++v) {
             sum[v] -= row->R * s[v];
         }
-        put(b, sum, WIDE);
+        store_whole(b, sum, WIDE);
         correct(P, x, row, g, b, s);
     }
     return status;
@@ -5161,10 +5163,10 @@ bs_status vas_joseph_update(bs_real P[VAS_N_PACKED], bs_real x[VAS_N_STATES], bs
                             * begins with 0, or -0 stays what it is */
         const int k = (int)row->at[0];
         const bs_real h = row->h[0];
-        const bs_real of_g = BS_REAL(0.0) + (h * P[column(k) + k]);
+        const bs_real g_k = BS_REAL(0.0) + (h * P[column(k) + k]);
         const bs_real nu = row->z - (h * x[k]);
-        const bs_real S = row->R + (h * of_g);
-        const bs_status status = judge(row, nu, S);
+        const bs_real S = row->R + (h * g_k);
+        const bs_status status = assess(row, nu, S);
         if ((status == BS_OK) && (row->used != 0)) {
             const bs_real inverse = BS_REAL(1.0) / S;
             ALIGNED bs_real g[WIDE]; /* P h */
@@ -5176,13 +5178,13 @@ bs_status vas_joseph_update(bs_real P[VAS_N_PACKED], bs_real x[VAS_N_STATES], bs
             for (int v = 0; v < ALL; ++v) {
                 s[v] = BS_REAL(0.0) + (h * line[v]);
             }
-            put(g, s, WIDE);
+            store_whole(g, s, WIDE);
             BS_UNROLLED
             for (int v = 0; v < ALL; ++v) {
                 s[v] *= inverse;
-                line[v] = (BS_REAL(0.0) + (h * (line[v] - (s[v] * of_g)))) - (row->R * s[v]);
+                line[v] = (BS_REAL(0.0) + (h * (line[v] - (s[v] * g_k)))) - (row->R * s[v]);
             }
-            put(b, line, WIDE);
+            store_whole(b, line, WIDE);
             correct(P, x, row, g, b, s);
         }
         return status;
@@ -5212,7 +5214,7 @@ bs_status vas_joseph_update(bs_real P[VAS_N_PACKED], bs_real x[VAS_N_STATES], bs
     for (int p = 0; p < row->count; ++p) {
         S += row->h[p] * g[row->at[p]];
     }
-    status = judge(row, nu, S);
+    status = assess(row, nu, S);
     if ((status == BS_OK) && (row->used != 0)) {
         const bs_real inverse = BS_REAL(1.0) / S;
         bs_real b[N]; /* A h - R K, of the rounded A = P - K g' */
@@ -5222,8 +5224,8 @@ bs_status vas_joseph_update(bs_real P[VAS_N_PACKED], bs_real x[VAS_N_STATES], bs
             b[i] = BS_REAL(0.0);
             for (int p = 0; p < row->count; ++p) {
                 const int k = (int)row->at[p];
-                const bs_real of_P = (i < k) ? P[column(k) + i] : P[column(i) + k];
-                b[i] += row->h[p] * (of_P - (K[i] * g[k]));
+                const bs_real P_ik = (i < k) ? P[column(k) + i] : P[column(i) + k];
+                b[i] += row->h[p] * (P_ik - (K[i] * g[k]));
             }
             b[i] -= row->R * K[i];
         }
@@ -5263,7 +5265,7 @@ bs_status vas_ud_update(bs_real UD[VAS_N_PACKED], bs_real x[VAS_N_STATES], bs_ro
     for (int j = 0; j < N; ++j) {
         S += UD[column(j) + j] * (f[j] * f[j]);
     }
-    status = judge(row, nu, S);
+    status = assess(row, nu, S);
     if ((status == BS_OK) && (row->used != 0)) {
         bs_real alpha = row->R; /* grows to S */
         for (int j = 0; j < N; ++j) {

@@ -34,6 +34,13 @@ extern "C" {
                            * VD_ROW + j], and all others are 0 */
 #define VD_N_WORK 196     /* numbers of scratch memory */
 
+/* What lies in work, by function, from [0] on and from [100] on:
+ * init            the factors of the dense matrix | -
+ * discretize      B | T = B W, squares
+ * joseph_predict  P, then Phi P Phi' | Phi P
+ * ud_predict      U, then a row of V by weights, and gains | V = [factor of Q, Phi U]
+ * A filter keeps there, between these calls, H and the gain of a measurement. */
+
 /* Phi = I + F dt + (F dt)^2 / 2, and Q, the covariance that noise of density Qc adds over dt:
  * Q = S S' / 4 + 3/4 B S S' B', B = I + 2/3 A + 2/9 A^2, S S' = Qc dt, A = F dt: squares, so that
  * no dt makes it indefinite.

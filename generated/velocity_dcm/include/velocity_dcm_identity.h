@@ -20,7 +20,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "b00c8ceb781307fcce7e60747a558b718e9859e5021a6b3efc0ecf926b27ba92"
+#define VD_MODEL_HASH "5b51ac753aa1fd9658ec6aee0c73ea97ac345d6cd2a37b66e1f41bf6ff40c6b1"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1
