@@ -321,7 +321,7 @@ def test_what_is_longer_than_the_terminal_is_paged_and_whole_in_a_pipe(run):
         (("show", "song-lee-2001", "29"), "29"),
         (("show", "nothing"), "there are song-lee-2001"),
         (("show", "stationary-detector"), "without a model"),
-        (("show", "phi-error", "3"), "made from no paper's equations"),
+        (("show", "examples/pendulum.py:PENDULUM", "3"), "made from no paper's equations"),
         (("show", "nothing.py:X"), "nothing.py is not found"),
         (("show", "song-lee-2001", "--format", "word"), "there are"),
         (("show", "song-lee-2001", "--format", "pdf"), "-o"),

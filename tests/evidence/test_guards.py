@@ -35,7 +35,7 @@ SPOILT = [  # a file, what is written instead of what, and of which unit which w
         "BS_REAL(-1.4835298641951802)",
         "BS_REAL(-1.5)",
         "sd_earth",
-        r"position\[1\] -1\.4\S+: status 0,",
+        r"lon_lat_height\[1\] -1\.4\S+: status 0,",
     ),
     ("src/sd_rates.c", "v_n_high, 3)", "v_n_high, 2)", "sd_rates", r"v_n\[2\] nan: status 0,"),
     ("src/sd_compensated.c", CHECK, f"    dv_b[0] = 0;\n{CHECK}", "sd_compensated", "an output was touched"),
