@@ -26,6 +26,7 @@ from boresight.evidence.misra import MISSING as MISRA_MISSING
 from boresight.evidence.misra import misra
 from boresight.evidence.misra import version as misra_version
 from boresight.evidence.mutants import mutants
+from boresight.evidence.proofs import kept as proofs
 from boresight.evidence.riscv import riscv
 from boresight.evidence.rounding import rounding
 from boresight.evidence.sources import Derivations, Drawn, Examples, Flights, Folder, derivations, folders
@@ -173,7 +174,9 @@ def stale(subject: Subject, kind: Kind) -> list[str]:
 def still_open() -> list[str]:
     """What is not held now, a line for each kind of a subject: results of another text than what is here."""
     found = ((kind, subject, of_another_text(subject, kind)) for kind, subject in all_kinds())
-    return [f"{kind.name} of {subject.name}: {', '.join(units)}" for kind, subject, units in found if units]
+    lines = [(f"{kind.name} of {subject.name}", units) for kind, subject, units in found]
+    lines += [(f"proofs of {folder.name}", proofs.of_another_list(folder)) for folder in folders()]
+    return [f"{what}: {', '.join(units)}" for what, units in lines if units]
 
 
 def keep(subject: Subject, kind: Kind, made: UNITS) -> None:

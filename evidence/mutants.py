@@ -41,7 +41,7 @@ BITS = {"&": "|", "|": "&", "^": "|", "<<": ">>", ">>": "<<", "%": "/"}
 LOGICAL = {"&&": "||", "||": "&&"}
 ASSIGNING = {"+=": "-=", "-=": "+=", "*=": "/=", "/=": "*="}
 SETTING = {"|=": "&=", "&=": "|=", "^=": "|=", "<<=": ">>=", ">>=": "<<=", "+=": "-=", "-=": "+="}
-SUFFIX = re.compile(r"(?<=[0-9.])F\b")
+SUFFIX = re.compile(r"(?<=[0-9.])F\b|_f32\b")  # of numbers and of functions
 FORMS = {"double": (), "float": ("-DBORESIGHT_FLOAT",)}  # of loops: Joseph's and UD
 LIBRARY = {"sqrt", "atan2", "fabs", *tape.LIBRARY}
 CALLS = {name: other for name, other in SWAPPED.items() if name in LIBRARY}

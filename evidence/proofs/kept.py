@@ -90,6 +90,13 @@ def judged(folder: Folder) -> dict[str, list[Output]]:
     return found
 
 
+def of_another_list(folder: Folder) -> list[str]:
+    """The units whose bounds are not of the list that is printed, and the kept ones that are not bounded any more."""
+    found = read(folder)
+    hashes = {u.name: u.described["hash"] for u in wanted(folder) if u.described and (tried(u) or u.name in found)}
+    return sorted(name for name in {*hashes, *found} if hashes.get(name) != found.get(name, {}).get("list"))
+
+
 def current(unit: Source, kept: dict[str, dict[str, Any]], tool: str) -> bool:
     assert unit.described is not None
     of = kept.get(unit.name, {})

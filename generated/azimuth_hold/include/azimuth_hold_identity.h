@@ -20,7 +20,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "d11ef3ae90422e64b6edef3d1b2a4b0782e97694418423fd5ea52b5f6fa5c73a"
+#define AH_MODEL_HASH "c3d9b9f57ea9d683ccdd0021d870a5076d6b4aae63706768598d5c2d610cbfbe"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

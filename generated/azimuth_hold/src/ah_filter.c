@@ -942,7 +942,7 @@ size_t ah_filter_size(void)
 
 size_t ah_snapshot_size(void)
 {
-    return (size_t)AH_SNAPSHOT_SIZE;
+    return sizeof(unsigned char[AH_SNAPSHOT_SIZE]);
 }
 
 /* ---- a snapshot: its header, the numbers that last from call to call in the order of memory, and

@@ -20,7 +20,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "fe8df4eb491cf1e359dd07824fa86b254c851bc28c4a512cb3f749238f3da597"
+#define AHR_MODEL_HASH "6d75348c4d366c0503ee9d69d0da1c1204a0919c1b5daf48b95bf17897e2cd6c"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

@@ -1001,7 +1001,7 @@ size_t ahr_filter_size(void)
 
 size_t ahr_snapshot_size(void)
 {
-    return (size_t)AHR_SNAPSHOT_SIZE;
+    return sizeof(unsigned char[AHR_SNAPSHOT_SIZE]);
 }
 
 /* ---- a snapshot: its header, the numbers that last from call to call in the order of memory, and

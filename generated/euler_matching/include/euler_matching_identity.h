@@ -20,7 +20,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "e42e940bd92d4a52df026136496b77ab43d3260f1d4f0e79dea8477796b3c55a"
+#define EM_MODEL_HASH "863f66c34af56319079f37e63f50293d2f9deb68c27ce04494b35935a0cf7750"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1

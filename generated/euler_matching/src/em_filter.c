@@ -939,7 +939,7 @@ size_t em_filter_size(void)
 
 size_t em_snapshot_size(void)
 {
-    return (size_t)EM_SNAPSHOT_SIZE;
+    return sizeof(unsigned char[EM_SNAPSHOT_SIZE]);
 }
 
 /* ---- a snapshot: its header, the numbers that last from call to call in the order of memory, and

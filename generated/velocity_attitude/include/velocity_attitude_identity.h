@@ -20,7 +20,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "7a3a30791b17b3f04b6121ca479b79a42e0903d82ad14e0b2f91339230b6f4e1"
+#define VA_MODEL_HASH "4e843c91bfd3e49540f79df915cbcc8b49cc0c73dd4292e1ba602d9440c4729b"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

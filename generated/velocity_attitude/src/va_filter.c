@@ -1202,7 +1202,7 @@ size_t va_filter_size(void)
 
 size_t va_snapshot_size(void)
 {
-    return (size_t)VA_SNAPSHOT_SIZE;
+    return sizeof(unsigned char[VA_SNAPSHOT_SIZE]);
 }
 
 /* ---- a snapshot: its header, the numbers that last from call to call in the order of memory, and

@@ -20,7 +20,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "748fd74a1048f5cbe476a212fc5f1611904b11fcd90fb26857e3c7c3527e2e6b"
+#define VAL_MODEL_HASH "22a8a1263f955d32c3204f20da8cbe04d093dac8ea5dd60071e5ce9e1ff19275"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

@@ -1262,7 +1262,7 @@ size_t val_filter_size(void)
 
 size_t val_snapshot_size(void)
 {
-    return (size_t)VAL_SNAPSHOT_SIZE;
+    return sizeof(unsigned char[VAL_SNAPSHOT_SIZE]);
 }
 
 /* ---- a snapshot: its header, the numbers that last from call to call in the order of memory, and

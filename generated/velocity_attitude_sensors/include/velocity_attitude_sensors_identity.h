@@ -20,7 +20,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "b0d5abcebf6f1bd8cda4794542b3e2452f76b447c97a7aca7759f2603167da6a"
+#define VAS_MODEL_HASH "b042738915ebf4884f373e411cd52a5dadc5783a27e672e6506954f168ecf292"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1

@@ -1573,7 +1573,7 @@ size_t vas_filter_size(void)
 
 size_t vas_snapshot_size(void)
 {
-    return (size_t)VAS_SNAPSHOT_SIZE;
+    return sizeof(unsigned char[VAS_SNAPSHOT_SIZE]);
 }
 
 /* ---- a snapshot: its header, the numbers that last from call to call in the order of memory, and

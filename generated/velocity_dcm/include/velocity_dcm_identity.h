@@ -20,7 +20,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "5b51ac753aa1fd9658ec6aee0c73ea97ac345d6cd2a37b66e1f41bf6ff40c6b1"
+#define VD_MODEL_HASH "6a1cef9840f7f180adc6498dde9f2eeff0afd9f4d02a6daf71f9ec411b0bf471"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1

@@ -1032,7 +1032,7 @@ size_t vd_filter_size(void)
 
 size_t vd_snapshot_size(void)
 {
-    return (size_t)VD_SNAPSHOT_SIZE;
+    return sizeof(unsigned char[VD_SNAPSHOT_SIZE]);
 }
 
 /* ---- a snapshot: its header, the numbers that last from call to call in the order of memory, and
