@@ -43,7 +43,7 @@ def test_ideal_increments_make_the_slave_that_rides_on_the_hull(model, kind):
     drawn = draw(s, 0, 2)
     motion = motion_of(kind, s, drawn.streams)
     true = truth(model, motion, s, drawn)
-    first = {name: getattr(true.slave, name)[0] for name in ("position", "v_n", "q_b2n_wxyz")}
+    first = true.slave.nav(0)
     made = inertial.integrate(model.strapdown, first, true.dtheta, true.dv, 1 / s.navigation_hz)
     time = np.arange(s.seconds * s.navigation_hz + 1) / s.navigation_hz
     mounting = rotation.quaternion_from_euler([0, 0, 2 * DEG])
