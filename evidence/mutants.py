@@ -29,7 +29,7 @@ from boresight.codegen.functions.samples import generator
 from boresight.evidence.calls import Points, call, callable_units, layout, points_of, shared_library
 from boresight.evidence.sources import Folder, Source
 from boresight.evidence.targets import GCC, HARNESS, compile_units
-from boresight.runtime.compiler import compile_sources, run
+from boresight.runtime.compiler import PRECISIONS, compile_sources, run
 from boresight.runtime.library import Unit
 
 MOST = 2000  # mutants of a unit
@@ -42,7 +42,6 @@ LOGICAL = {"&&": "||", "||": "&&"}
 ASSIGNING = {"+=": "-=", "-=": "+=", "*=": "/=", "/=": "*="}
 SETTING = {"|=": "&=", "&=": "|=", "^=": "|=", "<<=": ">>=", ">>=": "<<=", "+=": "-=", "-=": "+="}
 SUFFIX = re.compile(r"(?<=[0-9.])F\b|_f32\b")  # of numbers and of functions
-FORMS = {"double": (), "float": ("-DBORESIGHT_FLOAT",)}  # of loops: Joseph's and UD
 LIBRARY = {"sqrt", "atan2", "fabs", *tape.LIBRARY}
 CALLS = {name: other for name, other in SWAPPED.items() if name in LIBRARY}
 REAL = {"bs_real", "double"}
@@ -58,7 +57,7 @@ def parsed(unit: Source, precision: str = "double") -> Any:
     against its parts bit by bit, and keeps its own.
     """
     text, ours = [WORDS], False
-    library = [*FORMS[precision], *(["-DBORESIGHT_LIBM"] if unit.described else [])]
+    library = [*PRECISIONS[precision], *(["-DBORESIGHT_LIBM"] if unit.described else [])]
     for line in run(["gcc", "-E", "-std=c99", *library, "-I", unit.folder.include, unit.path]).splitlines():
         mark = re.match(r'# (\d+) "([^"]*)"', line)
         if mark:
@@ -309,11 +308,11 @@ def mutants(
     """By unit: mutants tried, killed by the shipped self-test, equivalent, and the others by name; of loops also those
     that their form in float adds."""
     found: dict[str, dict[str, Any]] = {}
-    for precision, flags in FORMS.items():
+    for precision in ("double", "float"):  # Joseph's form and UD
         built = out / precision
         built.mkdir()
         objects = compile_units(folder, GCC, precision, built)
-        common = ["gcc", "-std=c99", "-O1", "-w", "-ffunction-sections", *flags, "-I", folder.include]
+        common = ["gcc", "-std=c99", "-O1", "-w", "-ffunction-sections", *PRECISIONS[precision], "-I", folder.include]
         tests = compile_sources(
             [*common, "-I", folder.path / "selftest"],
             dict.fromkeys([*folder.files("selftest/*.c"), *folder.identity], ()),
@@ -323,9 +322,8 @@ def mutants(
         for unit in folder.chosen(names):
             if unit.test.is_file() and not unit.elementary and (precision == "double" or unit.described is None):
                 of = of_unit(unit, objects, list(tests.values()), built, most, precision)
-                found.setdefault(unit.name, of)
-                if precision != "double":
-                    found[unit.name] |= {key: found[unit.name][key] + value for key, value in of.items()}
+                before = found.get(unit.name)
+                found[unit.name] = {key: before[key] + value for key, value in of.items()} if before else of
     return found
 
 
@@ -335,7 +333,7 @@ def of_unit(
     text, words, count = mutated(unit, most, precision)
     source, made, program = out / "mutated.c", out / "mutated.o", out / "mutants"
     source.write_text(text)
-    run(["gcc", *FLAGS, *FORMS[precision], "-c", source, "-o", made])
+    run(["gcc", *FLAGS, *PRECISIONS[precision], "-c", source, "-o", made])
     others = {name: path for name, path in objects.items() if name != unit.name}
     harness = ["gcc", "-std=gnu99", "-O1", "-fno-builtin", f"-DEVIDENCE_TEST={unit.test_function}"]
     parts = [HARNESS / "mutants.c", HARNESS / "quiet.c", made, *others.values(), *tests]
