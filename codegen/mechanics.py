@@ -22,8 +22,9 @@ from boresight.derive.ledger import ellipsoid
 from boresight.derive.ledger.navigation import Navigator
 from boresight.derive.ledger.numbers import Matrix, digits, zeros
 from boresight.derive.ledger.witness import hamilton, quaternion, vector
+from boresight.derive.mechanics.earth import FRAMES
 from boresight.derive.model import Function, Measurement, Mechanics, Model, Variable
-from boresight.derive.models.variables import INCREMENTS
+from boresight.derive.models.variables import INCREMENTS, position
 
 POINTS = 2
 # Powers of two, which are exact balls: s, the part of its box by which a state is moved for a derivative, and that of
@@ -498,7 +499,7 @@ def wrapped(angle: arb) -> arb:
 # ---------------------------------------------------------------- strapdown
 
 
-NAVIGATION = {"NED": ("lat_lon_height", "v_n", "q_b2n_wxyz"), "ENU": ("lon_lat_height", "v_n", "q_b2n_wxyz")}
+NAVIGATION = {name: (position(frame).name, "v_n", "q_b2n_wxyz") for name, frame in FRAMES.items()}
 
 
 def navigating(model: Model) -> list[tuple[Function, ellipsoid.Level]]:

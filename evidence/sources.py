@@ -110,9 +110,7 @@ class Examples:
 
     def hash(self, example: str) -> str:
         """Of one example, of all that generates and flies it, and of what judges it."""
-        begin = {self.place / f"{example}.py", self.place / f"fly_{example}.py", HERE / "examples.py"}
-        begin |= {path for folder in GENERATOR for path in folder.rglob("*") if path.suffix in (".py", ".j2")}
-        return hashed(reached({path.resolve() for path in begin}))
+        return generating(self.place / f"{example}.py", self.place / f"fly_{example}.py", HERE / "examples.py")
 
 
 @dataclass(frozen=True)
@@ -124,8 +122,7 @@ class Drawn:
     @property
     def hash(self) -> str:
         """Of all that draws and generates them: the templates and their views, and what reads a model."""
-        begin = {path for folder in GENERATOR for path in folder.rglob("*") if path.suffix in (".py", ".j2")}
-        return hashed(reached({path.resolve() for path in begin | {HERE / "drawn.py"}}))
+        return generating(HERE / "drawn.py")
 
 
 @dataclass(frozen=True)
@@ -140,6 +137,12 @@ class Flights:
         python = reached({path.resolve() for path in (HERE / "flights").glob("*.py")})
         models = [folder for folder in folders() if folder.name.startswith("velocity_attitude")]
         return hashlib.sha256("\n".join([hashed(python), *map(matched, models)]).encode()).hexdigest()
+
+
+def generating(*more: Path) -> str:
+    """Hash of all that generates C, of these modules, and of what they import."""
+    begin = {path for folder in GENERATOR for path in folder.rglob("*") if path.suffix in (".py", ".j2")}
+    return hashed(reached({path.resolve() for path in begin.union(more)}))
 
 
 def matched(folder: Folder) -> str:

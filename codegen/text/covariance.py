@@ -154,7 +154,7 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
         "A_from": [[sorted(F).index((i, j)) if (i, j) in F else None for j in range(whole(n))] for i in range(m)],
         "A": table(tuple((i, k) for i, k in F if k < m), m),
         "B": table(tuple((i, k) for i, row in enumerate(met(m, Phi, first, begin)) for k in row), m),
-        "packed_at": lambda i, j: max(i, j) * (max(i, j) + 1) // 2 + min(i, j),
+        "packed_at": sparse.packed,
         "packed": n * (n + 1) // 2,
         "block": block,
         "row": row,
