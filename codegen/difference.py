@@ -242,7 +242,7 @@ def matrices(model: Model) -> dict[str, Matrix]:
         return slopes(column, model.x) if short else None
 
     put("F", model.F if model.F is not None else jacobian(model.f))
-    for name in ("f", "next", "G", "noise", "Q"):
+    for name in ("f", "next", "Phi", "G", "noise", "Q"):
         put(name, getattr(model, name))
     for m in model.measurements:
         for name, matrix in (("z", m.z), ("h", m.h), ("H", m.H if m.H is not None else jacobian(m.h))):

@@ -115,16 +115,23 @@ def is_checkout() -> bool:
 
 
 def load_model(target: str) -> Any:
-    """The Model that `target` names: a built-in, or FILE.py:NAME with NAME a Model or a function that makes one."""
-    from boresight.derive.dimensions import check_units
-
+    """The Model that `target` names, with what it leaves to be derived: a built-in, or FILE.py:NAME with NAME a Model
+    or a function that makes one."""
     if ":" in target:
         model = own_model(target)
     else:
         known(target, model_names())
         model = built_in(target)
+    return whole(model)
+
+
+def whole(model: Any) -> Any:
+    """The model once its units are right, with what it leaves to be derived."""
+    from boresight.derive.dimensions import check_units
+    from boresight.derive.linear import completed
+
     check_units(model)
-    return model
+    return completed(model)
 
 
 def own_model(target: str) -> Any:
@@ -228,7 +235,6 @@ def old_manifest(folder: Path) -> dict[str, Any]:
 
 def named(target: "str | Model", model: Any = None) -> tuple[str, Any]:
     """How the target is named, as FILE.py:NAME where it is a Model itself, and the model as far as it is there."""
-    from boresight.derive.dimensions import check_units
     from boresight.derive.model import Model
 
     if isinstance(target, str):
@@ -237,8 +243,7 @@ def named(target: "str | Model", model: Any = None) -> tuple[str, Any]:
         raise BoresightError(f"{target!r} is no model; give a built-in name, FILE.py:NAME or a Model")
     if target.name in target_names():
         raise BoresightError(f"{target.where}: model {target.name}: that is a model of Boresight; choose another name")
-    check_units(target)
-    return f"{target.where.rpartition(':')[0]}:{target.name}", target
+    return f"{target.where.rpartition(':')[0]}:{target.name}", whole(target)
 
 
 def generate(

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
 RESULTS = ("F", "Phi", "Q", "Qc")  # the functions of models with states
 ORDERS = (1, 2, 3)  # of Phi
+ERRORS = ("computed - true", "true - computed")
 # C's own words: no symbol may be one, though it stands in C only within longer names.
 KEYWORDS = """
     auto break case char const continue default do double else enum extern float for goto if inline int long register
@@ -301,16 +302,17 @@ def expressions(model: "Model") -> Iterator[Expressions]:
     """Every matrix that the model is given by."""
     n, x = model.n, tuple(symbol.name for symbol in model.x)
     noise, total = tuple(map(str, model.noise)), model.kind == "total-state"
-    square = {"F": False, "Q": total}
+    square = {"F": False, "Phi": False, "Q": total}
     columns = {"f": True, "next": True}
-    for name in ("F", "f", "next", "Q"):
+    for name in ("F", "f", "next", "Phi", "Q"):
         matrix = getattr(model, name, None)
         if matrix is not None and name in square:
             yield Expressions(model, name, matrix, (n, n), x, x, square[name])
         elif matrix is not None:
             yield Expressions(model, name, matrix, (n, 1), x, (), columns[name])
-    if model.G.shape != (0, 0) or model.noise.rows:
-        yield Expressions(model, "G", model.G, (n, len(noise)), x, noise, total)
+    if model.noise.rows:
+        if model.G.rows or total or model.F is not None:
+            yield Expressions(model, "G", model.G, (n, len(noise)), x, noise, total)
         yield Expressions(model, "noise", model.noise, (len(noise), 1), noise, (), total)
     for m in model.measurements:
         rows = len(m.rows)
@@ -363,7 +365,7 @@ def check_symbols(model: "Model", item: Expressions) -> None:
 
 
 OF_STATE = {
-    **dict.fromkeys(("F", "G", "noise"), "which is an error: use f for x' = f(x) + G w"),
+    **dict.fromkeys(("F", "G", "Phi", "Q", "noise"), "which is an error: use f for x' = f(x) + G w"),
     "H": "which H may not: write h, whose Jacobian is printed as H",
     "z": "which z may not: it is made from inputs alone, and what the state predicts is h",
 }
@@ -386,7 +388,7 @@ def check_constants(item: Expressions) -> None:
 
 def check_given(model: "Model") -> None:
     """What belongs together is there and nothing else: an error state has F, a total state f, or next with Q."""
-    given = [name for name in ("F", "f", "next") if getattr(model, name) is not None]
+    given = [name for name in ("F", "f", "next", "Phi") if getattr(model, name) is not None]
     if model.loops and model.f is None:
         already = "; an error state is carried by loops already" if model.F is not None else ""
         fail(model, f"loops are for the step of a total state that is flown by f{already}: leave loops out")
@@ -397,24 +399,41 @@ def check_given(model: "Model") -> None:
                 "without states there is no F, f, next, Q, dt and no measurement; give states, or leave these out",
             )
         return
-    if len(given) != 1:
+    follows = not given and mechanics_of(model) is not None
+    if len(given) != 1 and not follows:
         named = " and ".join(given) or "none"
-        fail(model, f"give one of F, of an error state, and f or next, of a total state; given is {named}")
-    if (model.next is None) != (model.Q is None):
         fail(
             model,
-            "next and Q, the covariance that the noise adds over the step, belong together; f and F have G and noise",
+            f"give one of F or Phi, of an error state, and f or next, of a total state; given is {named}.  F follows "
+            "from the functions strapdown and feedback, where both are there and F is not",
         )
-    if model.next is not None and (model.G.rows or model.noise.rows):
-        fail(model, "next has its noise in Q; G and noise belong to f and F")
-    if model.next is None and not model.noise.rows:
+    if follows and model.G.rows:
+        fail(model, "G follows from strapdown and from mechanics, as F does: leave it out, or give both")
+    if model.exact and not follows:
+        fail(model, "exact is for an error state whose Phi follows from strapdown and feedback: leave it out")
+    discrete = "next" if model.next is not None else "Phi" if model.Phi is not None else ""
+    if bool(discrete) != (model.Q is not None):
+        fail(
+            model,
+            "next or Phi and Q, the covariance that the noise adds over the step, belong together; f and F have G and "
+            "noise",
+        )
+    if discrete and (model.G.rows or model.noise.rows):
+        fail(model, f"{discrete} has its noise in Q; G and noise belong to f and F")
+    if not discrete and not model.noise.rows:
         fail(model, "give at least one noise: without one, the filter soon believes its state and takes no measurement")
+    if model.error not in ERRORS:
+        fail(model, f"error is {model.error!r}; it is {' or '.join(map(repr, ERRORS))}")
     if model.order not in ORDERS:
         fail(model, f"order is {model.order!r}; it is 1, 2 or 3")
+    if model.kind == "error-state" and (model.Phi is not None or model.exact) and model.order != type(model).order:
+        fail(model, f"order {model.order} is that of a series in F dt, which Phi here is not: leave order out")
     if model.kind == "total-state":
         flown = f"a total state is flown by {given[0]}"
         if model.order != type(model).order:
             fail(model, f"order {model.order} is that of an error state's Phi and Q; {flown}: leave order out")
+        if model.error != ERRORS[0]:
+            fail(model, f"error is the sign of an error state's errors; {flown}: leave error out")
         for f in model.functions:
             if f.name in ("feedback", "strapdown"):
                 fail(f, f"{f.name} belongs to an error state, given by F; {flown} and holds what {f.name} would carry")
@@ -430,21 +449,31 @@ def check_given(model: "Model") -> None:
             fail(block, "it wraps to [-pi, pi), which its box must hold; widen the box, or leave wraps out")
 
 
+def mechanics_of(model: "Model") -> tuple[Any, Any] | None:
+    """The strapdown and the feedback of an error state, where it has both."""
+    own = {f.name: f for f in model.functions}
+    found = [(model.mechanics and getattr(model.mechanics, name)) or own.get(name) for name in ("strapdown", "feedback")]
+    return (found[0], found[1]) if model.states and all(found) else None
+
+
 def check_rows(model: "Model") -> None:
-    """Each measurement has rows, and either h or H."""
+    """Each measurement has rows, and either h or H, or what these follow from."""
+    fed = any(f.name == "feedback" for f in model.functions)
     for m in model.measurements:
+        if m.at_zero and (not fed or m.z is None or m.H is not None):
+            fail(m, "at_zero is for an error state with a feedback, and for a z that is given without H")
         own = m.first_order is not None and m.first_order.of is None
         if not m.rows:
             fail(m, "it has no row; name one for each scalar that is measured")
         if len({*m.rows}) < len(m.rows):
             fail(m, f"two of its rows have one name: {listed(m.rows)}; a filter masks rows by their names")
-        if (m.H is None) == (m.h is None) and not (own and m.H is not None):
-            fail(m, "give either h or H, or both with a first_order of its own")
+        if (m.H is None) == (m.h is None) and not (own and m.H is not None) and not (fed and m.z is not None):
+            fail(m, "give either h or H, or both with a first_order of its own; of z alone H follows by a feedback")
 
 
 def check_noise(model: "Model") -> None:
     """Each noise acts on a state; Q is symmetric."""
-    for i in range(model.noise.rows):
+    for i in range(model.noise.rows if model.G.rows else 0):
         if model.noise[i].is_zero or model.G[:, i].is_zero_matrix:
             fail(model, f"noise {model.noise[i]} has no effect: it or column {i} of G is zero; leave it out")
     Q: Any = model.Q
@@ -454,8 +483,11 @@ def check_noise(model: "Model") -> None:
 
 
 def check_measurements(model: "Model") -> None:
+    estimated = {s for f in model.functions if f.name == "feedback" for o in f.outputs for v in model.inputs
+                 if v.name == o.name for s in v.symbols}
     for m in model.measurements:
-        if m.H.is_zero_matrix if m.H is not None else not symbols_in(m.h) & set(model.x):
+        shown = [e for e in (m.h, m.z if m.h is None else None) if e is not None]
+        if m.H.is_zero_matrix if m.H is not None else not symbols_in(*shown) & {*model.x, *estimated}:
             fail(m, f"it depends on no state; its h or H must use one of {', '.join(map(str, model.x))}")
         for name in m.angle if isinstance(m.angle, tuple) else ():
             if name not in m.rows:
@@ -505,13 +537,14 @@ def check_idle(model: "Model") -> None:
     """A constant is a state where something sees it; what nothing touches is refused."""
     if not model.n:
         return
-    flow = next((m for m in (model.F, model.f, model.next) if m is not None), None)
+    flow = next((m for m in (model.F, model.f, model.next, model.Phi) if m is not None), None)
     if flow is None:
         return
     seen = symbols_in(*(m.h for m in model.measurements if m.h is not None))
     for i, (symbol, block) in enumerate((s, item) for item in model.states for s in item.symbols):
-        if model.F is not None:
-            moves = any(flow[i, j] != 0 or flow[j, i] != 0 for j in range(model.n))
+        if model.F is not None or model.Phi is not None:
+            rest = Matrix.eye(model.n) if model.F is None else Matrix.zeros(model.n)
+            moves = any(flow[i, j] != rest[i, j] or flow[j, i] != rest[j, i] for j in range(model.n))
         else:
             rest = symbol if model.next is not None else 0
             moves = flow[i] != rest or any(symbol in flow[j].free_symbols for j in range(model.n) if j != i)

@@ -175,8 +175,12 @@ def check_units(model: Model) -> None:
         check_matrix(item, needed(item, x, noise, fields), terms)
     for density, increment in model.mechanics.driven if model.mechanics else ():
         made, added = fields[density.name][0] * ROOT_SECOND, fields[increment.name][0]
-        if not made.like(added):
-            fail(density, f"over a second it adds {made} to {increment.name}, which is {added}")
+        if not made.like(added) and not made.like(added * SECOND):
+            fail(
+                density,
+                f"it is that of {made}, or of {made / SECOND} as a rate, and {increment.name} is {added}; name what it "
+                "adds to",
+            )
 
 
 def declared(part: Any, text: str, count: int) -> list[Unit]:
@@ -237,6 +241,7 @@ def needed(item: Expressions, x: Sequence[Unit], noise: Sequence[Unit], fields: 
         "F": lambda i, j: (x[i] / x[j] / SECOND, f"{rows[i]} per {columns[j]} and second"),
         "G": lambda i, j: (x[i] / noise[j] / ROOT_SECOND, f"{rows[i]} per {columns[j]} and root second"),
         "next": lambda i, j: (x[i], f"the unit of {rows[i]}"),
+        "Phi": lambda i, j: (x[i] / x[j], f"{rows[i]} per {columns[j]}"),
         "Q": lambda i, j: (x[i] * x[j], f"{rows[i]} times {columns[j]}"),
     }
     return laws.get(item.label, lambda i, j: None)

@@ -11,11 +11,12 @@ from fractions import Fraction
 from sympy import ImmutableMatrix, Matrix, Symbol
 
 from boresight import BoresightError
-from boresight.derive.checks import check_model, check_part, check_variable
+from boresight.derive.checks import ERRORS, check_model, check_part, check_variable
 from boresight.derive.constant import constant as constant
 from boresight.derive.where import where_written, written_at
 
 NONE = ImmutableMatrix(0, 0, [])
+COMPUTED_TRUE, TRUE_COMPUTED = ERRORS
 
 
 @dataclass(frozen=True)
@@ -238,8 +239,9 @@ class FirstOrder:
 class Measurement:
     """A named measurement of `len(rows)` scalars, any of which a filter may leave out.
 
-    z = H x + noise, or h(x) + noise.  Of an error state x = computed - true, z is computed -
-    measured; of a total state it is the measured value.
+    z = H x + noise, or h(x) + noise.  Of an error state z is computed - measured, and what it shows
+    of x follows from `feedback` where neither h nor H is given; of a total state z is the measured
+    value.
 
     Parameters
     ----------
@@ -254,7 +256,9 @@ class Measurement:
     z : (m,) Matrix, optional
         z from the inputs; None if the caller brings it, and then it is the measured value.
     h : (m,) Matrix, optional
-        The z of a state x without noise, from states and inputs; its Jacobian is printed as H.
+        The z of a state x without noise, from states and inputs; its Jacobian is printed as H.  Of
+        an error state it may be what the sensor should show, from the estimates alone: what the
+        errors do to it follows from `feedback`.
     H : (m, n) Matrix, optional
         A linear measurement matrix, instead of h.
     first_order : FirstOrder, optional
@@ -267,6 +271,9 @@ class Measurement:
         R is (m, m), and not the variances of independent rows.
     low, high : tuple of float, optional
         Where a z that the caller brings must lie, one bound for each row; () for any finite value.
+    at_zero : bool, optional
+        Of an error state with a z of its own: H is printed where the error is zero, which is less
+        code than the Jacobian at any x, and right where each step ends with `feedback`.
 
     Raises
     ------
@@ -303,6 +310,7 @@ class Measurement:
     correlated: bool = False
     low: tuple[float, ...] = ()
     high: tuple[float, ...] = ()
+    at_zero: bool = False
     where: str = where_written()
 
     def __post_init__(self) -> None:
@@ -441,8 +449,8 @@ class Mechanics:
         What strapdown reads over a short dt, and its expression, such as increments from rates;
         what is not given is zero.
     driven : tuple of (Variable, Variable), optional
-        A noise, and what of strapdown's inputs it adds to each second.  A noise that is not named
-        must drive one state by itself.
+        A noise, and what of strapdown's inputs it adds to, an integral over the step or a rate; or
+        the block of states that it drives by itself.
     level : Level, optional
         Of `boresight.derive.model`: where the errors stand against the computed axes, as in a psi
         model.
@@ -487,9 +495,10 @@ class Model:
 
     A state of one of two kinds, driven by white noise w of densities `noise` over steps of `dt`.
 
-    - Error state: F, x' = F x + G w.  x is what navigation errs by, is zero once `feedback` has
-    taken it
-      out, and is carried by Phi.
+    - Error state: F, x' = F x + G w, or in discrete time Phi and Q.  x is what navigation errs by,
+    is zero
+      once `feedback` has taken it out, and is carried by Phi.  Given neither, they follow from
+      the functions `strapdown` and `feedback`, and from what `mechanics` says of noise.
     - Total state: f, x' = f(x) + G w, carried by f itself over each step with the inputs held; or,
     in
       discrete time, next and Q.
@@ -534,9 +543,16 @@ class Model:
     next : (n,) Matrix, optional
         Of a total state in discrete time, the state one step later.
     Q : (n, n) Matrix, optional
-        With next, the covariance that the noise adds in a step.
+        With next or Phi, the covariance that the noise adds in a step.
     order : {2, 1, 3}, optional
         Of an error state, the power of F dt to which Phi is taken; Q is right to one more of dt.
+    Phi : (n, n) Matrix, optional
+        Of an error state in discrete time, from the inputs.
+    exact : bool, optional
+        Of an error state that gives neither F nor Phi: not F and a series, but Phi as the derivative
+        of the strapdown's step, and Q as the noises of that step.
+    error : {"computed - true", "true - computed"}, optional
+        The sign of an error state's errors; z stays computed - measured.
     loops : bool, optional
         Of a state carried by f, the filter in C takes its step by loops over printed f, F and Qc,
         which is less code and slower.
@@ -590,6 +606,9 @@ class Model:
     Q: Matrix | None = None
     order: int = 2
     loops: bool = False
+    Phi: Matrix | None = None
+    exact: bool = False
+    error: str = COMPUTED_TRUE
     where: str = where_written()
 
     def __post_init__(self) -> None:
@@ -599,7 +618,13 @@ class Model:
     @property
     def kind(self) -> str:
         """`total-state`, `error-state`, or `functions` of a model without states."""
-        return "functions" if not self.states else "error-state" if self.F is not None else "total-state"
+        total = self.f is not None or self.next is not None
+        return "functions" if not self.states else "total-state" if total else "error-state"
+
+    @property
+    def discrete(self) -> bool:
+        """Whether its steps are given, and not the rates that they follow from."""
+        return self.next is not None or self.Phi is not None
 
     @property
     def x(self) -> Matrix:

@@ -8,7 +8,7 @@ magnetic field of the Earth and of the body, wind, and the height of the ground.
 attitude C_hat = (I - [theta x]) C, against a local level whose axes are north, east, down (NED), in metres.
 """
 
-from sympy import Matrix, Piecewise, S, atan2, cos, eye, sin, sqrt, zeros
+from sympy import Matrix, Piecewise, atan2, cos, sin, sqrt, zeros
 
 from boresight import Function, Measurement, Mechanics, Model, Output, Struct, constant, variable
 from boresight.mechanics import (
@@ -16,7 +16,6 @@ from boresight.mechanics import (
     normalized,
     quaternion_from_rotation_vector,
     quaternion_product,
-    skew,
 )
 
 GRAVITY = constant("g", "9.81", "m/s^2", "gravity")
@@ -60,7 +59,6 @@ errors = {
     "terrain": variable("d_terrain", "dterrain", "m", "error of the ground", -1e3, 1e3),
 }
 states = (theta, *errors.values())
-x = Matrix([s for v in states for s in v.symbols])
 
 # ---------------------------------------------------------------- what the sensors deliver
 
@@ -90,22 +88,7 @@ m_vel = vector("gnss_vel", "gv", "m/s", "velocity of the receiver", 100.0, "ned"
 m_pos = vector("gnss_pos", "gp", "m", "position of the receiver", 1e4, "ned")
 m_height = variable("hagl", "hagl", "m", "height above ground, measured", -100.0, 1e4)
 
-# ---------------------------------------------------------------- how the errors grow
-
-C = dcm_from_quaternion(q.vector)
-
-F = zeros(24)
-F[0:3, 9:12] = C
-F[3:6, 0:3] = skew(C * (accel.vector - nav["accel_bias"].vector))
-F[3:6, 12:15] = -C
-F[6:9, 3:6] = eye(3)
-
-G = zeros(24, 21)
-G[0:3, 0:3] = C
-G[3:6, 3:6] = C
-G[9:24, 6:21] = eye(15)
-
-# ---------------------------------------------------------------- what the measurements see
+# ---------------------------------------------------------------- what the sensors should show
 
 
 def off_zero(value, least):
@@ -151,42 +134,33 @@ def declination(mag_i, **_):
 
 
 computed = {"q": q.vector} | {key: v.vector for key, v in nav.items()}
-true = {key: computed[key] - error.vector for key, error in errors.items()}
-true["q"] = quaternion_product(Matrix([1, *(theta.vector / 2)]), q.vector)  # to first order, for H
 
 
-def jacobian(predicted):
-    """H of z = computed - measured where the error is zero."""
-    return (-predicted(**true).jacobian(x)).xreplace(dict.fromkeys(x, S.Zero))
+def measured(name, rows, unit, meaning, predicted, value=None, angle=None):
+    """H is not written: it follows from z and feedback."""
+    z = predicted(**computed) - (value.vector if value else zeros(len(rows), 1))
+    seen = "z = computed - measured" if value else "which is zero: z = computed"
+    return Measurement(name, rows, unit, f"{meaning}: {seen}", z=z, at_zero=True, angle=bool(angle))
 
 
-def measured(name, rows, unit, meaning, predicted, value, angle=False):
-    z = predicted(**computed) - value.vector
-    return Measurement(name, rows, unit, f"{meaning}: z = computed - measured", z=z, H=jacobian(predicted), angle=angle)
-
-
-vertical = zeros(1, 24)
-vertical[2] = -1
 measurements = (
     measured("mag", ("x", "y", "z"), "T", "magnetic field in the body", mag_body, m_mag),
-    Measurement("yaw", ("yaw",), "rad", "heading, as a turn about the vertical: z = computed - measured",
-                z=heading(**computed) - m_yaw.vector, H=vertical, angle=True),
+    measured("yaw", ("yaw",), "rad", "heading", heading, m_yaw, angle=True),
     measured("airspeed", ("tas",), "m/s", "true airspeed", airspeed, m_airspeed),
-    Measurement("sideslip", ("beta",), "rad", "sideslip, which is zero: z = computed",
-                z=sideslip(**computed), H=jacobian(sideslip), angle=True),
+    measured("sideslip", ("beta",), "rad", "sideslip", sideslip, angle=True),
     measured("flow", ("x", "y"), "rad/s", "optical flow", optical_flow, m_flow),
     measured("antennas", ("heading",), "rad", "direction of two antennas", antenna_heading, m_heading, angle=True),
     measured("declination", ("decl",), "rad", "declination of the field", declination, m_declination, angle=True),
     measured("velocity", ("n", "e", "d"), "m/s", "velocity", lambda vel, **_: vel, m_vel),
     measured("position", ("n", "e", "d"), "m", "position", lambda pos, **_: pos, m_pos),
     measured("height", ("hagl",), "m", "height above ground", lambda terrain, pos, **_: terrain - pos[2:, :], m_height),
-)  # fmt: skip
+)
 
 # ---------------------------------------------------------------- the navigation itself
 
 step = dt.scalar
 turned = quaternion_from_rotation_vector(turn.vector - nav["gyro_bias"].vector * step)
-v_gained = C * (gain.vector - nav["accel_bias"].vector * step) + Matrix([0, 0, GRAVITY]) * step
+v_gained = dcm_from_quaternion(q.vector) * (gain.vector - nav["accel_bias"].vector * step) + Matrix([0, 0, GRAVITY]) * step
 
 AUTOPILOT = Model(
     name="autopilot",
@@ -209,8 +183,6 @@ AUTOPILOT = Model(
         Struct("receiver_pos", "position", (m_pos,)),
         Struct("rangefinder", "distance", (m_height,)),
     ),
-    F=F,
-    G=G,
     noise=Matrix.vstack(*(noise.vector for noise in noises)),
     dt=step,
     order=1,
@@ -229,6 +201,6 @@ AUTOPILOT = Model(
     ),
     mechanics=Mechanics(
         step=((turn, nav["gyro_bias"].vector * step), (gain, accel.vector * step)),
-        driven=((gyro_noise, turn), (accel_noise, gain)),
+        driven=((gyro_noise, turn), (accel_noise, gain), *zip(noises[2:], states[3:], strict=True)),
     ),
 )  # fmt: skip

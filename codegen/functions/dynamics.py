@@ -23,7 +23,7 @@ LARGEST = 3e38  # a float holds it: what is not below it counts as not finite
 
 def dynamics(maker: UnitMaker) -> list[Unit]:
     """F and what follows from it over dt, or the step of a total state with its derivative and its noise."""
-    if maker.model.kind == "error-state":
+    if maker.model.F is not None:
         return error_state(maker)
     return list(total_state(maker) if maker.model.f is not None else discrete(maker))
 
@@ -353,8 +353,25 @@ def total_state(maker: UnitMaker) -> Iterator[Unit]:
 
 
 def discrete(maker: UnitMaker) -> Iterator[Unit]:
-    """next and Q as the model gives them, and Phi."""
+    """next or Phi and Q as the model gives them, and the other of the two."""
     model = maker.model
+    if model.Phi is not None:
+        Phi, Q = maker.convert(model.Phi, model.Q)
+        Phi_exact, x = maker.numeric(model.Phi), maker.vectors["x"]
+
+        def next_exact(values: Values) -> list[Entries]:
+            with precise():
+                state = [{0: arb(v)} for v in values.get("x", maker.anywhere["x"])]
+                return [weighted((1, times(by_rows(Phi_exact(values)[0], model.n), state)))]
+
+        return carried(
+            maker,
+            (model.Phi,),
+            (model.Q,),
+            (Phi @ x, next_exact, "Phi x"),
+            (Phi, Phi_exact),
+            (Q, maker.numeric(model.Q), "covariance that the noise adds over one step, as the model gives it"),
+        )
     after, Q = maker.convert(model.next, model.Q)
     return carried(
         maker,
@@ -382,8 +399,9 @@ def carried(
     within the step the state may have left its box, so that any of them may be no number: then there is no answer.
     """
     model = maker.model
+    anywhere = model.kind == "error-state"
     sides = [
-        (-LARGEST, LARGEST) if block.wraps else side
+        (-LARGEST, LARGEST) if block.wraps or anywhere else side
         for block in model.states
         for side in zip(block.low, block.high, strict=True)
     ]

@@ -61,8 +61,7 @@ def discretize_cost(n: int, F: Places, Qc: Places, order: int) -> int:
 
 def movers(model: Model, made: list[Unit]) -> int:
     """How many states of a model may move: in discrete time, where no rate of them says it, all."""
-    by_rate = model.kind == "error-state" or model.f is not None
-    return moving(model.n, nonzeros(made, "F")) if by_rate else model.n
+    return model.n if model.discrete else moving(model.n, nonzeros(made, "F"))
 
 
 def arranged(model: Model, made: list[Unit]) -> dict[str, Any]:
@@ -115,12 +114,12 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
     F: Places = ()
     Qc: Places = ()
     given: dict[str, Any]
-    if model.kind == "error-state":
+    if model.F is not None:
         F, Qc = nonzeros(made, "F"), nonzeros(made, "Qc")
         given = {"F": table(F, n), "Qc": table(Qc, n)}
     else:
         given = {"F": None, "Phi": table(nonzeros(made, "Phi"), n), "Q": table(nonzeros(made, "Q"), n)}
-    sized = ("F", "Qc") if model.kind == "error-state" or model.loops else ()  # what the filter keeps
+    sized = ("F", "Qc") if model.F is not None or model.loops else ()  # what the filter keeps
     m = movers(model, made)
     (block, row), (tall, down) = even(n, BLOCK), even(m, TALL)
     region = max(n * row, down * down, m + row + m + tall)
@@ -134,7 +133,7 @@ def covariance_view(model: Model, made: list[Unit]) -> dict[str, Any]:
     over_nonzeros = bool(F) and model.order < 3 and not staying_pairs(m, first)
     over_nonzeros = over_nonzeros and sparse.worthwhile(n, m, down, row, tall, Phi)
     printed = sparse.sparse_view(n, m, row, F, Qc, model.order) if over_nonzeros else None
-    cost = discretize_cost(n, F, Qc, model.order) if model.kind == "error-state" else None
+    cost = discretize_cost(n, F, Qc, model.order) if model.F is not None else None
     if printed:
         cost = printed["cost"]
         region = max(region, printed["end"] ** 2, m * (m + row))

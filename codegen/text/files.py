@@ -142,10 +142,10 @@ def model_files(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
 
 def covariance_test(model: Model, made: list[Unit]) -> str:
     """The self-test of the covariance's loops, whose golden vectors depend on nothing but sizes and places."""
-    names = ("F", "Qc") if model.kind == "error-state" else ("Phi", "Q")
+    names = ("F", "Qc") if model.F is not None else ("Phi", "Q")
     A, B = (nonzeros(made, name) for name in names)
     c = covariance_view(model, made)
-    v = vectors_view(model.n, A, B, model.order if model.kind == "error-state" else None, c["moving"])
+    v = vectors_view(model.n, A, B, model.order if model.F is not None else None, c["moving"])
     views = {"m": model_view(model, []), "c": c, "v": v}
     (text,) = rendered(("selftest/test_PREFIX_covariance.c",), {}, **views).values()
     return text

@@ -215,12 +215,12 @@ def predicting(wiring: Wiring) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def predicting_total(wiring: Wiring) -> dict[str, Any]:
-    """The same of a total state: by next, Phi and Q, or by loops over f, F and Qc."""
+def stepping(wiring: Wiring) -> dict[str, Any]:
+    """The same by next, Phi and Q, of a total state or in discrete time; or by loops over f, F and Qc."""
     model, made = wiring.model, wiring.made
     read = ("next", "Phi", "Q", *(("f", "F", "Qc") if model.loops else ()))
     structs, fields = wiring.structs(*read), wiring.fields(*read)
-    checks = wiring.checked("propagate", structs, fields, x=True)
+    checks = wiring.checked("propagate", structs, fields, x=model.kind == "total-state")
     return {
         "structs": structs, "fields": fields, "checks": checks, **arranged(model, made),
         **scattered(nonzeros(made, "Q")),
@@ -249,12 +249,14 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
         if s.name in wiring.carried:
             wiring.checks.carried(s.name, list(s.fields))
     measurements = [measuring(wiring, m) for m in model.measurements]
-    propagate = predicting_total(wiring) if total else predicting(wiring)
+    stepped = model.F is None
+    propagate = stepping(wiring) if stepped else predicting(wiring)
     correct, strapdown = changing(wiring, "feedback", "correct"), changing(wiring, "strapdown", "strapdown")
     loops = looping(wiring) if model.loops else None
     tables, checks = wiring.checks.tables(total), list(wiring.checks.made.values())
     return {
         "total": total,
+        "stepped": stepped,
         "loops": loops,
         "files": list(wiring.files),
         "tables": tables,
@@ -284,7 +286,7 @@ def filter_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
         "max_rows": max(len(m.rows) for m in model.measurements),
         "least_R": repr(LEAST_R),
         "most_R": repr(MOST_R),
-        "dt": None if total and not loops else wiring.step(),
+        "dt": None if stepped and not loops else wiring.step(),
         "propagate": propagate,
         "measurements": measurements,
         "correct": correct,
@@ -356,7 +358,7 @@ def test_view(model: Model, made: list[Unit], f: dict[str, Any]) -> dict[str, An
         "x_beyond": beyond(x),
         "x_low_numbers": ", ".join(map(repr, map(float, x.low))),
         "x_high_numbers": ", ".join(map(repr, map(float, x.high))),
-        "places": {name: places(name) for name in (() if f["total"] else ("F", "Qc"))},
+        "places": {name: places(name) for name in (() if f["stepped"] else ("F", "Qc"))},
     }
 
 

@@ -37,7 +37,7 @@ def unit_lanes_view(model: Model, made: list[Unit], views: list[dict[str, Any]])
 def lanes_view(model: Model, made: list[Unit], views: list[dict[str, Any]], f: dict[str, Any]) -> dict[str, Any]:
     """f: `text.filter.filter_view` of the model.
 
-    Of an error state whose angles do not wrap the strapdown, the correction and every measurement that is linear in the
+    Of an error state given by F whose angles do not wrap the strapdown, the correction and every measurement that is linear in the
     state, of independent rows, go in lanes; so does the prediction, where Phi is of second order.
     """
     by_name = {unit.name: (unit, view) for unit, view in zip(made, views, strict=True)}
@@ -46,7 +46,7 @@ def lanes_view(model: Model, made: list[Unit], views: list[dict[str, Any]], f: d
     for a in fields:
         at[a.name], start = start, start + a.size
     calls = {name: f[name] for name in ("strapdown", "propagate", "correct") if f[name]}
-    wide = model.kind == "error-state" and not f["wraps"]
+    wide = model.F is not None and not f["wraps"]
     view: dict[str, Any] = {
         "carried": max(1, start), "calls": calls, "wide": wide, "files": [],
         "box": boxes(fields, at) if fields else None,

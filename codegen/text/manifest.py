@@ -34,8 +34,8 @@ def filter_manifest(model: Model, made: list[Unit], views: list[dict[str, Any]])
 
 
 def order_of(model: Model, made: list[Unit]) -> dict[str, Any] | None:
-    """Of an error state: the power of F dt to which Phi is taken, what is left out, and what `discretize` costs."""
-    if model.kind != "error-state":
+    """Of an error state given by F: the power of F dt to which Phi is taken, what is left out, and what `discretize` costs."""
+    if model.F is None:
         return None
     cost = covariance_view(model, made)["cost"] if has_filter(model) else None
     return {"Phi": model.order, "Q": model.order + 1, "left_out": left_out(model.order), "operations": cost}

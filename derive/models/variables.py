@@ -140,19 +140,28 @@ def strapdown(frame: Frame, gyro_bias: Variable | None = None, accel_bias: Varia
     return Function("strapdown", meaning, nav_outputs(frame, *carried), ("mechanics (strapdown-1)",))
 
 
-def mechanics(frame: Frame, f_b, *, biased: bool = False, computed_level: bool = False) -> Mechanics:
+def mechanics(
+    frame: Frame,
+    f_b,
+    *,
+    biased: bool = False,
+    computed_level: bool = False,
+    driven: tuple[tuple[Variable, Variable], ...] = (),
+) -> Mechanics:
     """What F and G of a model with `strapdown` and `feedback` are the first order of.
 
     f_b: the specific force that its F reads, in body axes.  biased: the biases are inputs, and f_b is without them.
     computed_level: the errors of velocity and attitude stand against the level of the computed position.
+    driven: further noises, and the states that they drive.
     """
     rate = OMEGA_IB_B.vector + BG.vector if biased else zeros(3, 1)  # without a bias no error knows how the body turns
     force = f_b + BA.vector if biased else f_b
     shown = (DT.scalar * rate, DT.scalar * force)
     position_n, v_n, q = position(frame), velocity(frame), attitude(frame)
+    biases = ((GYRO_BIAS_NOISE, D_BG), (ACCEL_BIAS_NOISE, D_BA)) if biased else ()
     return Mechanics(
         step=tuple(zip(INCREMENTS, (*shown, *shown), strict=True)),
-        driven=((GYRO_NOISE, DTHETA_IB_B), (ACCEL_NOISE, DV_B)),
+        driven=((GYRO_NOISE, DTHETA_IB_B), (ACCEL_NOISE, DV_B), *biases, *driven),
         level=Level(axes(frame, position_n.vector), v_n, q) if computed_level else None,
     )
 

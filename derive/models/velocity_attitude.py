@@ -214,5 +214,6 @@ def velocity_attitude() -> Model:
             "it was tau ago, with lag = 0.",
             *var.card(FRAME),
         ),
-        mechanics=var.mechanics(FRAME, F_B.vector, biased=True),
+        mechanics=var.mechanics(FRAME, F_B.vector, biased=True,
+                                driven=((noises[4], D_MOUNT), (noises[5], D_TAU))),
     )  # fmt: skip

@@ -91,9 +91,12 @@ class Description:
 
     def stated(self) -> Iterator[tuple[str, Matrix]]:
         model = self.model
-        if model.next is not None:
-            yield "next", model.next
-            yield from self._differentiated("Phi", model.next)
+        if model.discrete:
+            if model.next is not None:
+                yield "next", model.next
+                yield from self._differentiated("Phi", model.next)
+            else:
+                yield "Phi", model.Phi
             yield "Q", model.Q
         elif model.n:
             if model.F is not None:

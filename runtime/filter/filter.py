@@ -146,7 +146,8 @@ class Filter:
                     f"P: the sigma of {model.states[over]} is {np.sqrt(variance[..., over].max()):.3g}; the filter "
                     f"lets it be {np.sqrt(self._ceiling[over]):.3g} at most"
                 )
-        self.total = "next" in dir(model)
+        kind = getattr(model, "manifest", {}).get("kind") or ("total-state" if "next" in dir(model) else "")
+        self.total = kind == "total-state"
         if x is None and self.total:
             raise BoresightError(f"{getattr(model, 'name', model)!s} has a total state; give x, where it begins")
         self.x = self._start(x)

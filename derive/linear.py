@@ -1,0 +1,578 @@
+"""F, G, Phi, Q and H of an error state, from its strapdown, its feedback and what its sensors should show.
+
+An error x is put in by the feedback: y = feedback(y_hat, x) is the truth, and J its derivative at zero.  Both are
+carried by the strapdown s, and the error is read out again, J being inverted from the left.  To first order
+
+    x' = F x + G w,  F = J^+ (dr/dy J - dJ/dt),  G = -J^+ dr/du,  r = ds/dt at dt = 0
+
+and over a step  Phi = J(s)^+ ds/dy J.  H of z = computed - measured is what feedback changes of z.
+"""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from sympy import Matrix, S, Symbol
+
+from boresight import BoresightError
+from boresight.derive.checks import fail
+from boresight.derive.expressions import constants_in, names_in, substituted, symbols_in
+from boresight.derive.mechanics.rotation import TINY_SQUARE, dcm_from_quaternion, skew, vee
+from boresight.derive.model import NONE, FirstOrder, Function, Measurement, Mechanics, Model, Variable
+from boresight.derive.named import Named, Quantity, quantity
+from boresight.derive.units import SECOND, units
+
+Slopes = dict[Symbol, Any]
+ROOT_SECOND = SECOND ** Fraction(1, 2)
+
+
+class Gradients:
+    """The derivatives of expressions; what is held many times is differentiated once.
+
+    seeds: those of the symbols, each by itself where only symbols are given.  short: how to write those of polynomials.
+    """
+
+    def __init__(self, seeds: Iterable[Symbol] | Mapping[Symbol, Slopes], short: Callable[[Any], Any] | None = None):
+        self.seeds = seeds if isinstance(seeds, Mapping) else {s: {s: S.One} for s in seeds}
+        self.short = short
+        self.known: dict[Any, Slopes] = {}
+        self.quantities: dict[Quantity, list[Slopes]] = {}
+
+    def __call__(self, column: Matrix, by: Sequence[Symbol]) -> Matrix:
+        """The Jacobian of a column."""
+        rows = [self.slopes(entry) for entry in column]
+        return Matrix(len(rows), len(by), [row.get(s, S.Zero) for row in rows for s in by])
+
+    def slopes(self, e: Any) -> Slopes:
+        if e not in self.known:
+            found = self.found(e)
+            if self.short and polynomial(e):
+                found = {s: slope for s, by in found.items() if (slope := self.short(by)) != 0}
+            self.known[e] = found
+        return self.known[e]
+
+    def found(self, e: Any) -> Slopes:
+        if e.is_Symbol:
+            return dict(self.seeds.get(e, {}))
+        if isinstance(e, Named):
+            return self.of_quantity(e.quantity)[e.index]
+        if e.is_Add:
+            return self.total((S.One, self.slopes(part)) for part in e.args)
+        if e.is_Mul:
+            rest = [sp.Mul(*(p for k, p in enumerate(e.args) if k != i)) for i in range(len(e.args))]
+            return self.total(zip(rest, map(self.slopes, e.args), strict=True))
+        if e.is_Pow and not self.slopes(e.exp):
+            return self.total([(e.exp * e.base ** (e.exp - 1), self.slopes(e.base))])
+        if isinstance(e, sp.Piecewise):
+            parts = [(self.slopes(value), test) for value, test in e.args]
+            by = dict.fromkeys(s for slopes, _ in parts for s in slopes)
+            return {s: sp.Piecewise(*((slopes.get(s, S.Zero), test) for slopes, test in parts)) for s in by}
+        if isinstance(e, sp.Max | sp.Min):
+            first, *others = e.args
+            other = e.func(*others)
+            test = first > other if isinstance(e, sp.Max) else first < other
+            return self.slopes(sp.Piecewise((first, test), (other, True)))
+        if isinstance(e, sp.sign):
+            return {}
+        return self.total((e.fdiff(i + 1), self.slopes(part)) for i, part in enumerate(e.args) if self.slopes(part))
+
+    def total(self, terms: Iterable[tuple[Any, Slopes]]) -> Slopes:
+        sums: dict[Symbol, list[Any]] = {}
+        for factor, slopes in terms:
+            for s, slope in slopes.items():
+                sums.setdefault(s, []).append(factor * slope)
+        return {s: total for s, parts in sums.items() if (total := sp.Add(*parts)) != 0}
+
+    def of_quantity(self, one: Quantity) -> list[Slopes]:
+        """Slopes of all its entries: under a name of their own, where they are more than a polynomial of letters."""
+        if one not in self.quantities:
+            raw = [self.slopes(value) for value in one.value]
+            by = dict.fromkeys(s for slopes in raw for s in slopes)
+            made: list[Slopes] = [{} for _ in raw]
+            for s in by:
+                column = [slopes.get(s, S.Zero) for slopes in raw]
+                if not all(map(polynomial, column)):
+                    value = sp.ImmutableMatrix(*one.value.shape, column)
+                    column = list(quantity(f"{one.name}_by_{s}", value, f"derivative of {one.name} by {s}", one.labels).entries)
+                for slopes, entry in zip(made, column, strict=True):
+                    if entry != 0:
+                        slopes[s] = entry
+            self.quantities[one] = made
+        return self.quantities[one]
+
+
+def polynomial(e: Any) -> bool:
+    """Whether it is one of letters and names."""
+    if e.is_Add or e.is_Mul:
+        return all(map(polynomial, e.args))
+    return not e.args or (e.is_Pow and e.exp.is_Integer and e.exp > 0 and polynomial(e.base))
+
+
+def at_zero(matrix: Matrix, zero: Iterable[Symbol]) -> Matrix:
+    """The matrix where these are zero, rotations by nothing being none at all."""
+    return settled(substituted(matrix, dict.fromkeys(zero, S.Zero)))
+
+
+def settled(matrix: Matrix) -> Matrix:
+    """The matrix with numbers for what is left of TINY_SQUARE, in which a rotation by zero differs from 1 by 1e-30."""
+    if TINY_SQUARE not in constants_in(matrix):
+        return matrix
+    known: dict[Any, Any] = {}
+
+    def within(e: Any) -> bool:
+        return TINY_SQUARE in constants_in([e])
+
+    def visit(e: Any) -> Any:
+        if e not in known:
+            known[e] = inner(e)
+        return known[e]
+
+    def inner(e: Any) -> Any:
+        if isinstance(e, Named):
+            made = e.quantity.mapped(visit)
+            entry = e.within(made)
+            return entry
+        if not e.args or not within(e):
+            return number(e) if e == TINY_SQUARE else e
+        if not e.free_symbols and constants_in([e]) == {TINY_SQUARE}:
+            return number(e)
+        if e.is_Mul or e.is_Add:
+            alone = [p for p in e.args if not p.free_symbols and constants_in([p]) == {TINY_SQUARE}]
+            rest = [visit(p) for p in e.args if p not in alone]
+            return e.func(number(e.func(*alone)), *rest) if alone else e.func(*rest)
+        return e.func(*map(visit, e.args))
+
+    return Matrix(*matrix.shape, [visit(e) for e in matrix])
+
+
+def number(e: Any) -> Any:
+    """A value that hangs on TINY_SQUARE alone, with what it is without it."""
+    value = substituted(Matrix([e]), {TINY_SQUARE: TINY_SQUARE.exact}, names=False)[0].evalf(60)
+    near = sp.nsimplify(value, rational=True, tolerance=sp.Float("1e-25"))
+    return near if abs(near.q) <= 64 else e
+
+
+# ---------------------------------------------------------------- the shortest way to write
+
+
+class Sphere:
+    """A quaternion or a direction: what is equal where the squares of its letters add up to 1.
+
+    What is reduced is multiplied by what keeps that norm, so that derivatives are taken before.
+    """
+
+    def __init__(self, letters: Sequence[Symbol], named: Iterable[Named]):
+        self.letters = tuple(letters)
+        self.square = sp.Add(*(s**2 for s in self.letters))
+        self.rest = 1 - sp.Add(*(s**2 for s in self.letters[1:]))
+        self.forms: dict[Any, tuple[Any, Any]] = {}  # a polynomial over its first coefficient: how it is written
+        known = list(dcm_from_quaternion(self.letters)) if len(self.letters) == 4 else []
+        for entry in [*known, *named]:
+            value = entry.value if isinstance(entry, Named) else entry
+            if polynomial(value) and symbols_in([value]) <= set(self.letters):
+                lead, form = self.normal(sp.expand(value))
+                self.forms[form] = (lead, entry)
+
+    def normal(self, e: Any) -> tuple[Any, Any]:
+        """An expanded polynomial without squares of the first letter, over the coefficient of its first term; and that
+        coefficient."""
+        first = self.letters[0]
+        while True:
+            terms = sp.Add.make_args(e)
+            high = [t for t in terms if t.as_powers_dict()[first] >= 2]
+            if not high:
+                break
+            low = [t for t in terms if t not in high]
+            e = sp.expand(sp.Add(*low, *(t / first**2 * self.rest for t in high)))
+        if e == 0:
+            return S.Zero, S.Zero
+        lead = min(terms, key=sp.default_sort_key).as_coeff_Mul()[0]
+        return lead, sp.expand(e / lead)
+
+    def reduced(self, e: Any) -> Any:
+        """An expanded expression, each polynomial of the letters in it by what it is called, or as short as it goes."""
+        groups: dict[Any, list[Any]] = {}
+        for term in sp.Add.make_args(e):
+            other, own = term.as_independent(*self.letters, as_Add=False)
+            number, letters = other.as_coeff_Mul()
+            groups.setdefault(letters, []).append(number * own)
+        return sp.Add(*(factor * self.written(sp.Add(*own)) for factor, own in groups.items()))
+
+    def written(self, p: Any) -> Any:
+        if not symbols_in([p]) & set(self.letters) or not polynomial(p):
+            return p
+        lead, form = self.normal(p)
+        if form in self.forms:
+            own, entry = self.forms[form]
+            return lead / own * entry
+        short = sp.expand(lead * form)
+        return short if len(sp.Add.make_args(short)) < len(sp.Add.make_args(p)) else p
+
+
+class Shortener:
+    """Writes expressions as sums of products, on the spheres of a model's quaternions and directions."""
+
+    def __init__(self, spheres: Sequence[Sphere]):
+        self.spheres = list(spheres)
+        self.opaque: dict[Any, Any] = {}  # what is no polynomial -> a letter for it
+        self.known: dict[Any, Any] = {}
+
+    def __call__(self, matrix: Matrix) -> Matrix:
+        return Matrix(*matrix.shape, [self.short(e) for e in matrix])
+
+    def short(self, e: Any) -> Any:
+        if e not in self.known:
+            self.known[e] = self.found(e)
+        return self.known[e]
+
+    def found(self, e: Any) -> Any:
+        made = sp.expand(self.flat(e))
+        for sphere in self.spheres:
+            made = sphere.reduced(made)
+        back = {letter: value for value, letter in self.opaque.items()}
+        return made.xreplace(back) if made.free_symbols & set(back) else made
+
+    def flat(self, e: Any) -> Any:
+        """The expression with a letter in the place of what is no polynomial, powers of short bases apart."""
+        if not e.args or isinstance(e, Named):
+            return e
+        if e.is_Add or e.is_Mul or (e.is_Pow and e.exp.is_Integer and e.exp > 0):
+            return e.func(*map(self.flat, e.args))
+        if e.is_Pow:
+            base = self.short(e.base)
+            if base.is_Number:
+                return base**e.exp
+            e = base**e.exp
+            if not e.is_Pow:
+                return self.flat(e)
+        if e not in self.opaque:
+            self.opaque[e] = sp.Dummy(real=True)
+            if isinstance(e, sp.sin | sp.cos):
+                pair = [self.opaque.setdefault(f(e.args[0]), sp.Dummy(real=True)) for f in (sp.cos, sp.sin)]
+                self.spheres.append(Sphere(pair, []))
+        return self.opaque[e]
+
+
+# ---------------------------------------------------------------- a model
+
+
+class Derivation:
+    """What follows from the strapdown and the feedback of one model.
+
+    y: what either of them carries.  J: the derivative of the feedback at zero.  Raises BoresightError where a state is
+    taken out of nothing, or several together are.
+    """
+
+    def __init__(self, model: Model):
+        self.model = model
+        self.mechanics = model.mechanics or Mechanics()
+        own = {f.name: f for f in model.functions}
+        self.fields = {v.name: v for v in model.inputs}
+        strapdown, feedback = self.mechanics.strapdown or own["strapdown"], self.mechanics.feedback or own["feedback"]
+        self.moved, self.fed = self.values(strapdown), self.values(feedback)
+        self.x = [s for block in model.states for s in block.symbols]
+        self.y = list(dict.fromkeys([*self.fed, *self.moved]))
+        named = names_in(Matrix([*self.moved.values(), *self.fed.values()]))
+        unit_norm = [v for v in model.inputs if v.norm and v.norm[0] <= 1 <= v.norm[1] and v.unit == "1"]
+        self.short = Shortener([Sphere(v.symbols, named) for v in unit_norm])
+        self.following = self.followed()
+        self.true = self.fed | self.following
+        at = Matrix([self.fed.get(s, s) for s in self.y])
+        self.J = self.short(at_zero(Gradients(self.x)(at, self.x), self.x))
+        self.K = self.against_level()
+        self.inverse = self.inverted()
+        by_x = dict(zip(self.y, map(self.row, self.J.tolist()), strict=True))
+        follows = self.short(at_zero(Gradients(self.x)(Matrix([*self.following.values()]), self.x), self.x))
+        self.seeds = by_x | dict(zip(self.following, map(self.row, follows.tolist()), strict=True))
+
+    def row(self, entries: list[Any]) -> Slopes:
+        """A row by the states as slopes."""
+        return {s: e for s, e in zip(self.x, entries, strict=True) if e != 0}
+
+    def values(self, f: Function) -> dict[Symbol, Any]:
+        """What the function gives, by the symbols of the inputs it replaces."""
+        return {s: e for o in f.outputs for s, e in zip(self.fields[o.name].symbols, o.value, strict=True)}
+
+    def followed(self) -> dict[Symbol, Any]:
+        """What is no estimate and follows from them, as a rate whose estimated bias is removed: what the sensor shows
+        stands still."""
+        found = {}
+        for _, column in self.mechanics.step:
+            shown = Matrix(column)
+            for e, true in zip(shown, substituted(shown, self.fed), strict=True):
+                read = [s for s in symbols_in([e]) if s not in self.fed and s != self.model.dt]
+                if e != true and len(read) == 1 and read[0] in {s for v in self.fields.values() for s in v.symbols}:
+                    found[read[0]] = read[0] + sp.expand((e - true) / e.diff(read[0]))
+        return found
+
+    def against_level(self) -> Matrix:
+        """How an error of what is carried stands against the level of the computed place, K = I + W: a wrong place turns
+        what is resolved there."""
+        K = Matrix.eye(len(self.y))
+        level = self.mechanics.level
+        if level is None:
+            return K
+        w, *xyz = level.quaternion.symbols
+        q = Matrix(xyz)
+        for s in symbols_in(level.axes):
+            slope = Gradients([s])(Matrix(9, 1, list(level.axes)), [s]).reshape(3, 3)
+            turn = self.short(vee(level.axes.T * slope))
+            by = [*zip(level.vector.symbols, skew(turn) * level.vector.vector, strict=True), (w, -turn.dot(q) / 2)]
+            for symbol, entry in [*by, *zip(xyz, (w * turn + skew(turn) * q) / 2, strict=True)]:
+                K[self.y.index(symbol), self.y.index(s)] += entry
+        return K
+
+    def inverted(self) -> Matrix:
+        """J^+, block by block: the rows and columns of J that belong together."""
+        found = Matrix.zeros(len(self.x), len(self.y))
+        for rows, columns in self.blocks():
+            J = self.J.extract(rows, columns)
+            if len(rows) == len(columns) == 1:
+                left = Matrix([[1 / J[0]]])
+            else:
+                left = self.short(J.T * J).inv() * J.T
+            for i, row in enumerate(columns):
+                for k, column in enumerate(rows):
+                    found[row, column] = left[i, k]
+        return self.short(found)
+
+    def blocks(self) -> list[tuple[list[int], list[int]]]:
+        """Rows and columns of J that are joined by entries; raises BoresightError where columns hang together."""
+        blocks: list[tuple[set[int], set[int]]] = []
+        for j, symbol in enumerate(self.x):
+            rows = {i for i in range(len(self.y)) if self.J[i, j] != 0}
+            if not rows:
+                fail(self.model, f"feedback does not take out {symbol}: {symbol} = 1 is in the null space of its slope")
+            joined = [one for one in blocks if one[0] & rows]
+            blocks = [one for one in blocks if one not in joined]
+            blocks.append((rows.union(*(r for r, _ in joined)), {j}.union(*(c for _, c in joined))))
+        for rows, columns in blocks:
+            self.full_rank(sorted(rows), sorted(columns))
+        return [(sorted(rows), sorted(columns)) for rows, columns in sorted(blocks, key=lambda one: min(one[1]))]
+
+    def full_rank(self, rows: list[int], columns: list[int]) -> None:
+        """Raise BoresightError with the null vector where the columns of J are dependent, or vanish, everywhere."""
+        symbols = sorted(symbols_in(self.J), key=str)
+        spaces = []
+        for k in range(2):
+            here = self.point(k)
+            J = substituted(self.J.extract(rows, columns), {s: here[s] for s in symbols}, names=False)
+            scale = [max(map(abs, pair)) for pair in self.boxes()]
+            J = np.array(J.evalf().tolist(), dtype=float) * [scale[j] for j in columns]
+            _, sizes, right = np.linalg.svd(J)
+            spaces.append(right[-1] if len(sizes) < len(columns) or sizes[-1] < 1e-9 * sizes[0] else None)
+        if all(space is not None for space in spaces):
+            null = spaces[0] * [self.boxes()[j][1] for j in columns] / np.abs(spaces[0]).max()
+            text = ", ".join(f"{self.x[j]} = {value:.3g}" for j, value in zip(columns, null, strict=True) if abs(value) > 1e-9)
+            fail(self.model, f"feedback takes nothing out where {text}: its slope has no full rank; leave a state out")
+
+    def point(self, k: int) -> dict[Symbol, Any]:
+        """Values of all inputs in their boxes, of the norm that is declared."""
+        rng = np.random.default_rng(k)
+        here: dict[Symbol, Any] = {}
+        for v in self.model.inputs:
+            share = rng.uniform(0.2, 0.8, v.size)
+            column = [sp.Float(lo + s * (hi - lo), 60) for lo, hi, s in zip(v.low, v.high, share, strict=True)]
+            if v.norm:
+                length = sp.sqrt(sum(c * c for c in column))
+                wanted = 1 if v.norm[0] <= 1 <= v.norm[1] else sum(v.norm) / 2
+                column = [c / length * wanted for c in column]
+            here |= dict(zip(v.symbols, column, strict=True))
+        return here
+
+    def boxes(self) -> list[tuple[float, float]]:
+        return [pair for block in self.model.states for pair in zip(block.low, block.high, strict=True)]
+
+    def settled(self, matrix: Matrix) -> Matrix:
+        """As short as it goes, without entries that are zero at random points in many digits."""
+        short = self.short(matrix)
+        symbols = sorted(symbols_in(short), key=str)
+        for place, entry in short.todok().items():
+            if entry.is_Add and all(self.vanishes(entry, symbols, k) for k in range(2)):
+                short[place] = 0
+        return short
+
+    def vanishes(self, entry: Any, symbols: Sequence[Symbol], k: int) -> bool:
+        here = self.point(k)
+        terms = Matrix(sp.Add.make_args(entry))
+        values = substituted(terms, {s: sp.Float(here[s], 60) for s in symbols if s in here}, names=False).evalf(60)
+        return bool(abs(sum(values)) < 1e-45 * max(map(abs, values)))
+
+    # ------------------------------------------------------------ over an instant
+
+    def rates(self) -> tuple[Matrix, Matrix]:
+        """F and G."""
+        dt, increments = self.model.dt, self.increments()
+        rate = {s: Symbol(f"{s}_rate", real=True) for s in increments}
+        after = substituted(Matrix([self.moved.get(s, s) for s in self.y]), {s: r * dt for s, r in rate.items()})
+        self.stands_still(self.short(at_zero(after, [dt])))
+        r = self.short(at_zero(Gradients([dt])(after, [dt]), [dt]))
+        slopes = Gradients([*self.y, *rate.values(), *self.sensed()])
+
+        def moving(matrix: Matrix) -> Matrix:
+            """The rate of a matrix as what it reads is carried."""
+            found = Matrix.zeros(*matrix.shape)
+            for place, entry in matrix.todok().items():
+                found[place] = (slopes(Matrix([entry]), self.y) * r)[0]
+            return found
+
+        K, level = self.K, 2 * Matrix.eye(len(self.y)) - self.K  # its inverse
+        by_y = K * slopes(r, self.y) * level + moving(K)
+        shown = self.shown(rate)
+        F = self.inverse * substituted(by_y * self.J - moving(self.J), shown)
+        G = self.noises(self.inverse * K, lambda s: slopes(r, [rate.get(s, s)]))
+        return self.settled(F), self.settled(substituted(G, shown))
+
+    def increments(self) -> list[Symbol]:
+        """What the strapdown reads as integrals over the step."""
+        sums = [what for noise, what in self.mechanics.driven if not self.is_rate(noise, what)]
+        read = [v for v, _ in self.mechanics.step] + sums
+        return [s for s in dict.fromkeys(s for v in read for s in v.symbols) if s not in self.x]
+
+    def is_rate(self, noise: Variable, what: Variable) -> bool:
+        """Whether a noise is that of a rate, which it adds to as a density, and not that of its integral."""
+        return units(noise.unit, noise.size)[0].like(units(what.unit, what.size)[0] * ROOT_SECOND)
+
+    def sensed(self) -> list[Symbol]:
+        return [s for _, what in self.mechanics.driven for s in what.symbols]
+
+    def shown(self, rate: dict[Symbol, Symbol]) -> dict[Symbol, Any]:
+        """The rates of the increments: as the model says it, or the increments over the step."""
+        dt = self.model.dt
+        stated = {s: e for v, column in self.mechanics.step for s, e in zip(v.symbols, column, strict=True)}
+        return {r: sp.expand(stated[s] / dt) if s in stated else s / dt for s, r in rate.items()}
+
+    def stands_still(self, after: Matrix) -> None:
+        for s, e in zip(self.y, after, strict=True):
+            if self.short.short(e - s) != 0:
+                read = ", ".join(sorted(str(r) for r in symbols_in(Matrix([e])) - set(self.y))) or "nothing"
+                fail(self.model, f"over a step of no time strapdown makes {s} into {e}, which reads {read}; what it reads "
+                     "as an integral over the step is named in Mechanics(step=...) or Mechanics(driven=...)")
+
+    def noises(self, inverse: Matrix, slope: Callable[[Symbol], Matrix]) -> Matrix:
+        """What each noise adds to the errors; slope: of what is carried, by what the strapdown reads."""
+        target = {n: s for noise, what in self.mechanics.driven for n, s in zip(noise.symbols, what.symbols, strict=True)}
+        columns = []
+        for n in self.model.noise:
+            if n not in target:
+                fail(self.model, f"nothing says what the noise {n} adds to; name it in Mechanics(driven=((noise, input),)), "
+                     "with an input of strapdown, or a state that it drives by itself")
+            s = target[n]
+            columns.append(Matrix([int(s == own) for own in self.x]) if s in self.x else -inverse * slope(s))
+        return Matrix.hstack(*columns)
+
+    # ------------------------------------------------------------ over a step
+
+    def step(self) -> tuple[Matrix, Matrix]:
+        """Phi and Q, as the derivative of the strapdown gives them."""
+        dt = self.model.dt
+        after = Matrix([self.moved.get(s, s) for s in self.y])
+        slopes = Gradients([*self.y, *self.sensed()])
+        back = substituted(self.inverse, dict(zip(self.y, after, strict=True)))
+        Phi = self.short(back * self.short(slopes(after, self.y) * self.J))
+        grown = self.short(self.noises(back, lambda s: slopes(after, [s])))
+        rates = {n for noise, what in self.mechanics.driven if self.is_rate(noise, what) for n in noise.symbols}
+        spread = Matrix.diag(*(n**2 / dt if n in rates else n**2 * dt for n in self.model.noise))
+        Q = grown * spread * grown.T
+        return Phi, Matrix(*Q.shape, lambda i, j: Q[max(i, j), min(i, j)])
+
+    # ------------------------------------------------------------ measurements
+
+    def measurement(self, m: Measurement) -> Measurement:
+        """The same with h as a function of the errors, and with H where it is asked for at zero."""
+        h = m.h
+        if m.H is None and h is None and m.z is not None:
+            h = m.z - substituted(m.z, self.true)
+        elif m.H is None and h is not None and not symbols_in(h) & set(self.x):
+            h = substituted(h, self.true)
+        if not m.at_zero:
+            return m if h is m.h else replace(m, h=h)
+        if m.h is None:
+            H = -Gradients(self.seeds, self.short.short)(m.z, self.x)
+        else:
+            H = at_zero(Gradients(self.x)(h, self.x), self.x)
+        H = H.applyfunc(lambda e: self.short.short(e) if polynomial(e) else e)
+        return replace(m, h=h, H=H, at_zero=False, first_order=FirstOrder())
+
+
+def completed(model: Model) -> Model:
+    """The model with what it leaves to be derived: F and G, or Phi and Q, and h and H of its measurements.
+
+    Parameters
+    ----------
+    model : Model
+        As it is written.
+
+    Returns
+    -------
+    Model
+        Itself where nothing is left open.
+
+    Raises
+    ------
+    BoresightError
+        A feedback of which some states take nothing out, with the null vector; a noise that is not
+        said to add to anything; an integral over the step that is taken for a rate.
+
+    Notes
+    -----
+    When not to use it: before `generate`, `verify`, `show` or `export`, which call it.
+
+    Examples
+    --------
+    >>> from sympy import Matrix
+    >>> from boresight import Function, Mechanics, Model, Output, Struct, variable
+    >>> v = variable("v", "v", "m/s", "speed", -10.0, 10.0)
+    >>> b = variable("b", "b", "m/s^2", "bias, measured - true", -1.0, 1.0)
+    >>> dv = variable("dv", "dv", "m/s", "error of the speed", -1.0, 1.0)
+    >>> db = variable("db", "db", "m/s^2", "error of the bias", -1.0, 1.0)
+    >>> gain = variable("gain", "gain", "m/s", "velocity gained over the step, measured", -1.0, 1.0)
+    >>> dt = variable("dt", "dt", "s", "length of the step", 1e-3, 0.1)
+    >>> n = variable("n", "n", "m/s/sqrt(s)", "noise density of the accelerometer", 0.0, 1.0)
+    >>> climb = Model(
+    ...     name="climb", c_prefix="cl", title="a speed and a bias", frame="none", states=(dv, db),
+    ...     structs=(Struct("nav", "estimates", (v, b)), Struct("imu", "one step", (gain, dt, n))),
+    ...     noise=n.vector, dt=dt.scalar,
+    ...     functions=(
+    ...         Function("strapdown", "one step", (
+    ...             Output("v", v.vector + gain.vector - b.vector * dt.scalar, "m/s", "speed"),)),
+    ...         Function("feedback", "errors out", (
+    ...             Output("v", v.vector - dv.vector, "m/s", "speed"),
+    ...             Output("b", b.vector - db.vector, "m/s^2", "bias"))),
+    ...     ),
+    ...     mechanics=Mechanics(driven=((n, gain),)),
+    ... )
+    >>> completed(climb).F
+    Matrix([
+    [0, -1],
+    [0,  0]])
+    """
+    follows = model.kind == "error-state" and model.F is None and model.Phi is None
+    fed = {s for f in model.functions if f.name == "feedback" for o in f.outputs for s in symbols_in(o.value)}
+    states = {s for block in model.states for s in block.symbols}
+    open_ = [
+        m
+        for m in model.measurements
+        if m.at_zero or (fed and m.H is None and (m.h is None or not symbols_in(m.h) & states))
+    ]
+    if not follows and not open_:
+        return model
+    derivation = Derivation(model)
+    measurements = tuple(derivation.measurement(m) if m in open_ else m for m in model.measurements)
+    model_with = replace(model, measurements=measurements)
+    if not follows:
+        return model_with
+    if model.exact:
+        Phi, Q = derivation.step()
+        return replace(model_with, Phi=Phi, Q=Q, noise=NONE, exact=False)
+    F, G = derivation.rates()
+    return replace(model_with, F=F, G=G)
+
+
+def derived(model: Model) -> tuple[Matrix, Matrix]:
+    """F and Phi over a step, as they follow from the strapdown and the feedback of a model that may give its own."""
+    derivation = Derivation(model)
+    return derivation.rates()[0], derivation.step()[0]
