@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
 RESULTS = ("F", "Phi", "Q", "Qc")  # the functions of models with states
 ORDERS = (1, 2, 3)  # of Phi
-ERRORS = ("computed - true", "true - computed")
+ERRORS: tuple[str, str] = ("computed - true", "true - computed")
 # C's own words: no symbol may be one, though it stands in C only within longer names.
 KEYWORDS = """
     auto break case char const continue default do double else enum extern float for goto if inline int long register
@@ -404,8 +404,8 @@ def check_given(model: "Model") -> None:
         named = " and ".join(given) or "none"
         fail(
             model,
-            f"give one of F or Phi, of an error state, and f or next, of a total state; given is {named}.  F follows "
-            "from the functions strapdown and feedback, where both are there and F is not",
+            f"give one of F or Phi, of an error state, and f or next, of a total state; given is {named}; where "
+            "none is, F follows from functions strapdown and feedback",
         )
     if follows and model.G.rows:
         fail(model, "G follows from strapdown and from mechanics, as F does: leave it out, or give both")
@@ -452,7 +452,9 @@ def check_given(model: "Model") -> None:
 def mechanics_of(model: "Model") -> tuple[Any, Any] | None:
     """The strapdown and the feedback of an error state, where it has both."""
     own = {f.name: f for f in model.functions}
-    found = [(model.mechanics and getattr(model.mechanics, name)) or own.get(name) for name in ("strapdown", "feedback")]
+    found = [
+        (model.mechanics and getattr(model.mechanics, name)) or own.get(name) for name in ("strapdown", "feedback")
+    ]
     return (found[0], found[1]) if model.states and all(found) else None
 
 
@@ -483,8 +485,15 @@ def check_noise(model: "Model") -> None:
 
 
 def check_measurements(model: "Model") -> None:
-    estimated = {s for f in model.functions if f.name == "feedback" for o in f.outputs for v in model.inputs
-                 if v.name == o.name for s in v.symbols}
+    estimated = {
+        s
+        for f in model.functions
+        if f.name == "feedback"
+        for o in f.outputs
+        for v in model.inputs
+        if v.name == o.name
+        for s in v.symbols
+    }
     for m in model.measurements:
         shown = [e for e in (m.h, m.z if m.h is None else None) if e is not None]
         if m.H.is_zero_matrix if m.H is not None else not symbols_in(*shown) & {*model.x, *estimated}:

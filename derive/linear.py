@@ -8,18 +8,19 @@ carried by the strapdown s, and the error is read out again, J being inverted fr
 and over a step  Phi = J(s)^+ ds/dy J.  H of z = computed - measured is what feedback changes of z.
 """
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+import operator
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
+from functools import reduce
 from typing import Any
 
 import numpy as np
 import sympy as sp
-from sympy import Matrix, S, Symbol
+from sympy import QQ, Matrix, S, Symbol, ring
 
-from boresight import BoresightError
 from boresight.derive.checks import fail
-from boresight.derive.expressions import constants_in, names_in, substituted, symbols_in
+from boresight.derive.expressions import constants_in, names_in, quantities_in, substituted, symbols_in
 from boresight.derive.mechanics.rotation import TINY_SQUARE, dcm_from_quaternion, skew, vee
 from boresight.derive.model import NONE, FirstOrder, Function, Measurement, Mechanics, Model, Variable
 from boresight.derive.named import Named, Quantity, quantity
@@ -96,7 +97,8 @@ class Gradients:
                 column = [slopes.get(s, S.Zero) for slopes in raw]
                 if not all(map(polynomial, column)):
                     value = sp.ImmutableMatrix(*one.value.shape, column)
-                    column = list(quantity(f"{one.name}_by_{s}", value, f"derivative of {one.name} by {s}", one.labels).entries)
+                    meaning = f"derivative of {one.name} by {s}"
+                    column = list(quantity(f"{one.name}_by_{s}", value, meaning, one.labels).entries)
                 for slopes, entry in zip(made, column, strict=True):
                     if entry != 0:
                         slopes[s] = entry
@@ -109,6 +111,21 @@ def polynomial(e: Any) -> bool:
     if e.is_Add or e.is_Mul:
         return all(map(polynomial, e.args))
     return not e.args or (e.is_Pow and e.exp.is_Integer and e.exp > 0 and polynomial(e.base))
+
+
+def replaced(e: Any, by: Mapping[Any, Any]) -> Any:
+    """With others in the place of some letters, which are in no name."""
+    if e in by:
+        return by[e]
+    if not e.args:
+        return e
+    args = tuple(replaced(part, by) for part in e.args)
+    return e if args == e.args else e.func(*args)
+
+
+def squares(e: Any) -> bool:
+    """Whether it is a sum of squares."""
+    return e.is_Add and all(part.is_Pow and part.exp == 2 for part in e.args)
 
 
 def at_zero(matrix: Matrix, zero: Iterable[Symbol]) -> Matrix:
@@ -136,7 +153,7 @@ def settled(matrix: Matrix) -> Matrix:
             entry = e.within(made)
             return entry
         if not e.args or not within(e):
-            return number(e) if e == TINY_SQUARE else e
+            return e
         if not e.free_symbols and constants_in([e]) == {TINY_SQUARE}:
             return number(e)
         if e.is_Mul or e.is_Add:
@@ -152,7 +169,7 @@ def number(e: Any) -> Any:
     """A value that hangs on TINY_SQUARE alone, with what it is without it."""
     value = substituted(Matrix([e]), {TINY_SQUARE: TINY_SQUARE.exact}, names=False)[0].evalf(60)
     near = sp.nsimplify(value, rational=True, tolerance=sp.Float("1e-25"))
-    return near if abs(near.q) <= 64 else e
+    return near if near != 0 and near.q <= 64 else e
 
 
 # ---------------------------------------------------------------- the shortest way to write
@@ -161,55 +178,66 @@ def number(e: Any) -> Any:
 class Sphere:
     """A quaternion or a direction: what is equal where the squares of its letters add up to 1.
 
-    What is reduced is multiplied by what keeps that norm, so that derivatives are taken before.
+    What is reduced is multiplied by what keeps that norm, so that derivatives are taken before.  known: how polynomials
+    of the letters are written, such as the entries of a rotation matrix.
     """
 
-    def __init__(self, letters: Sequence[Symbol], named: Iterable[Named]):
+    def __init__(self, letters: Sequence[Any], known: Iterable[Any] = ()):
         self.letters = tuple(letters)
-        self.square = sp.Add(*(s**2 for s in self.letters))
-        self.rest = 1 - sp.Add(*(s**2 for s in self.letters[1:]))
-        self.forms: dict[Any, tuple[Any, Any]] = {}  # a polynomial over its first coefficient: how it is written
-        known = list(dcm_from_quaternion(self.letters)) if len(self.letters) == 4 else []
-        for entry in [*known, *named]:
+        self.ring, *_ = ring([f"s{k}" for k in range(len(self.letters))], QQ)
+        self.forms: dict[Any, tuple[Any, Any]] = {}  # a polynomial over its first coefficient -> that, and its writing
+        for entry in known:
             value = entry.value if isinstance(entry, Named) else entry
             if polynomial(value) and symbols_in([value]) <= set(self.letters):
-                lead, form = self.normal(sp.expand(value))
-                self.forms[form] = (lead, entry)
+                form = self.normal(Polynomials(self.letters, self.ring)(value))
+                self.forms[form.monic()] = (form.LC, entry)
 
-    def normal(self, e: Any) -> tuple[Any, Any]:
-        """An expanded polynomial without squares of the first letter, over the coefficient of its first term; and that
-        coefficient."""
-        first = self.letters[0]
-        while True:
-            terms = sp.Add.make_args(e)
-            high = [t for t in terms if t.as_powers_dict()[first] >= 2]
-            if not high:
-                break
-            low = [t for t in terms if t not in high]
-            e = sp.expand(sp.Add(*low, *(t / first**2 * self.rest for t in high)))
-        if e == 0:
-            return S.Zero, S.Zero
-        lead = min(terms, key=sp.default_sort_key).as_coeff_Mul()[0]
-        return lead, sp.expand(e / lead)
-
-    def reduced(self, e: Any) -> Any:
-        """An expanded expression, each polynomial of the letters in it by what it is called, or as short as it goes."""
-        groups: dict[Any, list[Any]] = {}
-        for term in sp.Add.make_args(e):
-            other, own = term.as_independent(*self.letters, as_Add=False)
-            number, letters = other.as_coeff_Mul()
-            groups.setdefault(letters, []).append(number * own)
-        return sp.Add(*(factor * self.written(sp.Add(*own)) for factor, own in groups.items()))
+    def normal(self, p: Any) -> Any:
+        """A polynomial of the letters without squares of the first one."""
+        first, *others = self.ring.gens
+        rest = 1 - sum(g**2 for g in others)
+        while high := [(m, c) for m, c in p.terms() if m[0] >= 2]:
+            part = self.ring.from_dict({(m[0] - 2, *m[1:]): c for m, c in high})
+            p = p - part * first**2 + part * rest
+        return p
 
     def written(self, p: Any) -> Any:
-        if not symbols_in([p]) & set(self.letters) or not polynomial(p):
-            return p
-        lead, form = self.normal(p)
-        if form in self.forms:
-            own, entry = self.forms[form]
-            return lead / own * entry
-        short = sp.expand(lead * form)
-        return short if len(sp.Add.make_args(short)) < len(sp.Add.make_args(p)) else p
+        """A polynomial of the letters by what it is called, or as short as it goes."""
+        form = self.normal(p)
+        if form and not form.is_ground and form.monic() in self.forms:
+            own, entry = self.forms[form.monic()]
+            return rational(form.LC / own) * entry
+        return expression(form if len(form) < len(p) else p, self.letters)
+
+
+class Polynomials:
+    """Expressions of some letters as elements of a ring."""
+
+    def __init__(self, letters: Sequence[Any], of: Any):
+        self.of = of
+        self.known: dict[Any, Any] = dict(zip(letters, of.gens, strict=True))
+
+    def __call__(self, e: Any) -> Any:
+        if e not in self.known:
+            self.known[e] = self.made(e)
+        return self.known[e]
+
+    def made(self, e: Any) -> Any:
+        if e.is_Number:
+            return self.of(QQ.from_sympy(sp.Rational(e)))
+        if e.is_Pow:
+            return self(e.base) ** int(e.exp)
+        parts = map(self, e.args)
+        return reduce(operator.add if e.is_Add else operator.mul, parts)
+
+
+def rational(value: Any) -> Any:
+    return QQ.to_sympy(value)
+
+
+def expression(p: Any, letters: Sequence[Any]) -> Any:
+    terms = (sp.Mul(rational(c), *(x**k for x, k in zip(letters, m, strict=True) if k)) for m, c in p.terms())
+    return sp.Add(*terms)
 
 
 class Shortener:
@@ -229,11 +257,34 @@ class Shortener:
         return self.known[e]
 
     def found(self, e: Any) -> Any:
-        made = sp.expand(self.flat(e))
-        for sphere in self.spheres:
-            made = sphere.reduced(made)
-        back = {letter: value for value, letter in self.opaque.items()}
-        return made.xreplace(back) if made.free_symbols & set(back) else made
+        flat = self.flat(e)
+        letters = list(dict.fromkeys(leaves(flat)))
+        if not letters:
+            return flat
+        of, *_ = ring([f"x{k}" for k in range(len(letters))], QQ)
+        made = self.written(Polynomials(letters, of)(flat), letters, self.spheres)
+        return replaced(made, {letter: value for value, letter in self.opaque.items()})
+
+    def written(self, p: Any, letters: Sequence[Any], spheres: Sequence[Sphere]) -> Any:
+        """A polynomial of the letters: one sphere's letters after another's."""
+        at = next((k for k, sphere in enumerate(spheres) if set(sphere.letters) & set(letters)), None)
+        if at is None:
+            return expression(p, letters)
+        sphere, rest = spheres[at], [k for k, x in enumerate(letters) if x not in spheres[at].letters]
+        place = [letters.index(x) if x in letters else None for x in sphere.letters]
+        groups: dict[Any, dict[Any, Any]] = {}
+        for m, c in p.terms():
+            own = tuple(0 if k is None else m[k] for k in place)
+            groups.setdefault(tuple(m[k] for k in rest), {})[own] = c
+        others: dict[Any, dict[Any, Any]] = {}
+        for other, own in groups.items():
+            number, form = sphere.written(sphere.ring.from_dict(own)).as_coeff_Mul()
+            others.setdefault(form, {})[other] = QQ.from_sympy(number)
+        left = [letters[k] for k in rest]
+        if not left:
+            return sp.Add(*(rational(c) * form for form, terms in others.items() for c in terms.values()))
+        of, *_ = ring([f"x{k}" for k in range(len(left))], QQ)
+        return sp.Add(*(form * self.written(of.from_dict(t), left, spheres[at + 1 :]) for form, t in others.items()))
 
     def flat(self, e: Any) -> Any:
         """The expression with a letter in the place of what is no polynomial, powers of short bases apart."""
@@ -252,8 +303,17 @@ class Shortener:
             self.opaque[e] = sp.Dummy(real=True)
             if isinstance(e, sp.sin | sp.cos):
                 pair = [self.opaque.setdefault(f(e.args[0]), sp.Dummy(real=True)) for f in (sp.cos, sp.sin)]
-                self.spheres.append(Sphere(pair, []))
+                self.spheres.append(Sphere(pair))
         return self.opaque[e]
+
+
+def leaves(e: Any) -> Iterator[Any]:
+    """The letters of a polynomial, one after the other."""
+    if e.args:
+        for part in e.args:
+            yield from leaves(part)
+    elif not e.is_Number:
+        yield e
 
 
 # ---------------------------------------------------------------- a model
@@ -272,12 +332,12 @@ class Derivation:
         own = {f.name: f for f in model.functions}
         self.fields = {v.name: v for v in model.inputs}
         strapdown, feedback = self.mechanics.strapdown or own["strapdown"], self.mechanics.feedback or own["feedback"]
-        self.moved, self.fed = self.values(strapdown), self.values(feedback)
         self.x = [s for block in model.states for s in block.symbols]
+        self.moved, self.fed = self.values(strapdown), self.values(feedback)
         self.y = list(dict.fromkeys([*self.fed, *self.moved]))
         named = names_in(Matrix([*self.moved.values(), *self.fed.values()]))
         unit_norm = [v for v in model.inputs if v.norm and v.norm[0] <= 1 <= v.norm[1] and v.unit == "1"]
-        self.short = Shortener([Sphere(v.symbols, named) for v in unit_norm])
+        self.short = Shortener([Sphere(v.symbols, self.known(v, named)) for v in unit_norm])
         self.following = self.followed()
         self.true = self.fed | self.following
         at = Matrix([self.fed.get(s, s) for s in self.y])
@@ -293,8 +353,40 @@ class Derivation:
         return {s: e for s, e in zip(self.x, entries, strict=True) if e != 0}
 
     def values(self, f: Function) -> dict[Symbol, Any]:
-        """What the function gives, by the symbols of the inputs it replaces."""
-        return {s: e for o in f.outputs for s, e in zip(self.fields[o.name].symbols, o.value, strict=True)}
+        """What the function gives, by the symbols of the inputs it replaces; a norm that is 1 is left out, since errors
+        do not leave its sphere."""
+        known: dict[Any, Any] = {}
+
+        def visit(e: Any) -> Any:
+            if e not in known:
+                if isinstance(e, Named):
+                    known[e] = e.within(e.quantity.mapped(visit))
+                elif not e.args:
+                    known[e] = e
+                elif e.is_Pow and not e.exp.is_positive and squares(e.base) and self.is_one(e.base):
+                    known[e] = S.One
+                else:
+                    args = tuple(map(visit, e.args))
+                    known[e] = e if args == e.args else e.func(*args)
+            return known[e]
+
+        return {s: visit(e) for o in f.outputs for s, e in zip(self.fields[o.name].symbols, o.value, strict=True)}
+
+    def is_one(self, e: Any) -> bool:
+        """At random points, but for what TINY_SQUARE changes."""
+        return all(abs(self.number(e, self.point(k)) - 1) < 1e-25 for k in range(2))
+
+    def number(self, e: Any, here: Mapping[Symbol, Any]) -> Any:
+        return self.numbers([e], here)[0]
+
+    def numbers(self, matrix: Any, here: Mapping[Symbol, Any]) -> Matrix:
+        known = {c: sp.Float(c.exact, 60) for c in constants_in(matrix)}
+        known |= {s: here[s] for s in symbols_in(matrix) if s in here}
+        return substituted(Matrix(matrix), known, names=False).evalf(60)
+
+    def known(self, v: Variable, named: Iterable[Named]) -> list[Any]:
+        """What polynomials of a quaternion or a direction are called."""
+        return [*(dcm_from_quaternion(v.symbols) if v.size == 4 else ()), *named]
 
     def followed(self) -> dict[Symbol, Any]:
         """What is no estimate and follows from them, as a rate whose estimated bias is removed: what the sensor shows
@@ -309,8 +401,8 @@ class Derivation:
         return found
 
     def against_level(self) -> Matrix:
-        """How an error of what is carried stands against the level of the computed place, K = I + W: a wrong place turns
-        what is resolved there."""
+        """How an error of what is carried stands against the level of the computed place, K = I + W, with W W = 0: a
+        wrong place turns what is resolved there."""
         K = Matrix.eye(len(self.y))
         level = self.mechanics.level
         if level is None:
@@ -330,10 +422,7 @@ class Derivation:
         found = Matrix.zeros(len(self.x), len(self.y))
         for rows, columns in self.blocks():
             J = self.J.extract(rows, columns)
-            if len(rows) == len(columns) == 1:
-                left = Matrix([[1 / J[0]]])
-            else:
-                left = self.short(J.T * J).inv() * J.T
+            left = self.short(J.T * J).inv(method="ADJ") * J.T if len(rows) > 1 else Matrix([[1 / J[0]]])
             for i, row in enumerate(columns):
                 for k, column in enumerate(rows):
                     found[row, column] = left[i, k]
@@ -354,26 +443,24 @@ class Derivation:
         return [(sorted(rows), sorted(columns)) for rows, columns in sorted(blocks, key=lambda one: min(one[1]))]
 
     def full_rank(self, rows: list[int], columns: list[int]) -> None:
-        """Raise BoresightError with the null vector where the columns of J are dependent, or vanish, everywhere."""
-        symbols = sorted(symbols_in(self.J), key=str)
-        spaces = []
+        """Raise BoresightError with the null vector where the columns of J are dependent everywhere."""
+        scale = np.array([max(map(abs, pair)) for v in self.model.states for pair in zip(v.low, v.high, strict=True)])
+        scale = scale[columns]
         for k in range(2):
-            here = self.point(k)
-            J = substituted(self.J.extract(rows, columns), {s: here[s] for s in symbols}, names=False)
-            scale = [max(map(abs, pair)) for pair in self.boxes()]
-            J = np.array(J.evalf().tolist(), dtype=float) * [scale[j] for j in columns]
+            J = np.array(self.numbers(self.J.extract(rows, columns), self.point(k)).tolist(), dtype=float) * scale
             _, sizes, right = np.linalg.svd(J)
-            spaces.append(right[-1] if len(sizes) < len(columns) or sizes[-1] < 1e-9 * sizes[0] else None)
-        if all(space is not None for space in spaces):
-            null = spaces[0] * [self.boxes()[j][1] for j in columns] / np.abs(spaces[0]).max()
-            text = ", ".join(f"{self.x[j]} = {value:.3g}" for j, value in zip(columns, null, strict=True) if abs(value) > 1e-9)
-            fail(self.model, f"feedback takes nothing out where {text}: its slope has no full rank; leave a state out")
+            if len(sizes) == len(columns) and sizes[-1] > 1e-9 * sizes[0]:
+                return
+        null = right[-1] / np.abs(right[-1]).max()
+        moved = [(self.x[j], u * s) for j, u, s in zip(columns, null, scale, strict=True) if abs(u) > 1e-9]
+        text = ", ".join(f"{x} = {value:.3g}" for x, value in moved)
+        fail(self.model, f"feedback takes nothing out where {text}: its slope has no full rank; leave a state out")
 
     def point(self, k: int) -> dict[Symbol, Any]:
         """Values of all inputs in their boxes, of the norm that is declared."""
         rng = np.random.default_rng(k)
         here: dict[Symbol, Any] = {}
-        for v in self.model.inputs:
+        for v in (*self.model.states, *self.model.inputs, *(v for v, _ in self.mechanics.step)):
             share = rng.uniform(0.2, 0.8, v.size)
             column = [sp.Float(lo + s * (hi - lo), 60) for lo, hi, s in zip(v.low, v.high, share, strict=True)]
             if v.norm:
@@ -389,16 +476,13 @@ class Derivation:
     def settled(self, matrix: Matrix) -> Matrix:
         """As short as it goes, without entries that are zero at random points in many digits."""
         short = self.short(matrix)
-        symbols = sorted(symbols_in(short), key=str)
         for place, entry in short.todok().items():
-            if entry.is_Add and all(self.vanishes(entry, symbols, k) for k in range(2)):
+            if entry.is_Add and all(self.vanishes(entry, k) for k in range(2)):
                 short[place] = 0
         return short
 
-    def vanishes(self, entry: Any, symbols: Sequence[Symbol], k: int) -> bool:
-        here = self.point(k)
-        terms = Matrix(sp.Add.make_args(entry))
-        values = substituted(terms, {s: sp.Float(here[s], 60) for s in symbols if s in here}, names=False).evalf(60)
+    def vanishes(self, entry: Any, k: int) -> bool:
+        values = self.numbers(list(sp.Add.make_args(entry)), self.point(k))
         return bool(abs(sum(values)) < 1e-45 * max(map(abs, values)))
 
     # ------------------------------------------------------------ over an instant
@@ -449,17 +533,25 @@ class Derivation:
         for s, e in zip(self.y, after, strict=True):
             if self.short.short(e - s) != 0:
                 read = ", ".join(sorted(str(r) for r in symbols_in(Matrix([e])) - set(self.y))) or "nothing"
-                fail(self.model, f"over a step of no time strapdown makes {s} into {e}, which reads {read}; what it reads "
-                     "as an integral over the step is named in Mechanics(step=...) or Mechanics(driven=...)")
+                fail(
+                    self.model,
+                    f"over a step of no time strapdown makes {s} into {e}, which reads {read}; what it reads "
+                    "as an integral over the step is named in Mechanics(step=...) or Mechanics(driven=...)",
+                )
 
     def noises(self, inverse: Matrix, slope: Callable[[Symbol], Matrix]) -> Matrix:
         """What each noise adds to the errors; slope: of what is carried, by what the strapdown reads."""
-        target = {n: s for noise, what in self.mechanics.driven for n, s in zip(noise.symbols, what.symbols, strict=True)}
+        target = {
+            n: s for noise, what in self.mechanics.driven for n, s in zip(noise.symbols, what.symbols, strict=True)
+        }
         columns = []
         for n in self.model.noise:
             if n not in target:
-                fail(self.model, f"nothing says what the noise {n} adds to; name it in Mechanics(driven=((noise, input),)), "
-                     "with an input of strapdown, or a state that it drives by itself")
+                fail(
+                    self.model,
+                    f"nothing says what the noise {n} adds to; name it in Mechanics(driven=((noise, input),)), "
+                    "with an input of strapdown, or a state that it drives by itself",
+                )
             s = target[n]
             columns.append(Matrix([int(s == own) for own in self.x]) if s in self.x else -inverse * slope(s))
         return Matrix.hstack(*columns)
@@ -469,15 +561,55 @@ class Derivation:
     def step(self) -> tuple[Matrix, Matrix]:
         """Phi and Q, as the derivative of the strapdown gives them."""
         dt = self.model.dt
-        after = Matrix([self.moved.get(s, s) for s in self.y])
+        after = self.lettered(Matrix([self.moved.get(s, s) for s in self.y]))
+        short = Shortener([*self.short.spheres, *self.turns(after)])
         slopes = Gradients([*self.y, *self.sensed()])
-        back = substituted(self.inverse, dict(zip(self.y, after, strict=True)))
-        Phi = self.short(back * self.short(slopes(after, self.y) * self.J))
-        grown = self.short(self.noises(back, lambda s: slopes(after, [s])))
+        back = short(substituted(self.inverse, dict(zip(self.y, after, strict=True))))
+        Phi = short(back * (slopes(after, self.y) * self.J))
+        grown = short(self.noises(back, lambda s: slopes(after, [s])))
         rates = {n for noise, what in self.mechanics.driven if self.is_rate(noise, what) for n in noise.symbols}
         spread = Matrix.diag(*(n**2 / dt if n in rates else n**2 * dt for n in self.model.noise))
         Q = grown * spread * grown.T
         return Phi, Matrix(*Q.shape, lambda i, j: Q[max(i, j), min(i, j)])
+
+    def lettered(self, column: Matrix) -> Matrix:
+        """The column as polynomials, with a name for each factor that is none, such as the parts of a rotation."""
+        own = {s for sphere in self.short.spheres for s in sphere.letters}
+        parts: dict[Any, Any] = {}
+
+        def visit(e: Any) -> Any:
+            if polynomial(e):
+                return e
+            if e.is_Add:
+                return e.func(*map(visit, e.args))
+            if e.is_Mul:
+                kept = [part for part in e.args if part.is_Number or (polynomial(part) and symbols_in([part]) & own)]
+                sums = [part for part in e.args if part.is_Add and not polynomial(part) and symbols_in([part]) & own]
+                rest = sp.Mul(*(part for part in e.args if part not in kept and part not in sums))
+                return sp.Mul(*kept, *map(visit, sums), rest if polynomial(rest) else letter(rest))
+            return letter(e)
+
+        def letter(e: Any) -> Any:
+            sign = -1 if e.could_extract_minus_sign() else 1
+            return sign * parts.setdefault(sign * e, Symbol(f"part_{len(parts)}", real=True))
+
+        found = Matrix([visit(e) for e in column])
+        labels = tuple(str(k + 1) for k in range(len(parts)))
+        values = quantity("part", sp.ImmutableMatrix(list(parts)), "of a step", labels) if parts else None
+        named = dict(zip(parts.values(), values.entries, strict=True)) if values else {}
+        return found.applyfunc(lambda e: replaced(e, named))
+
+    def turns(self, after: Matrix) -> list[Sphere]:
+        """Further quaternions of unit norm: what one that is carried is turned by."""
+        quantities = [one for one in quantities_in(after) if one.value.shape == (4, 1)]
+        wholes = [list(one.entries) for one in quantities if all(isinstance(e, Named) for e in one.entries)]
+        found = [Sphere(four) for four in wholes if self.is_one(sp.Add(*(e**2 for e in four)))]
+        for sphere in self.short.spheres:
+            if set(sphere.letters) <= set(self.moved):
+                square = self.short.short(sp.Add(*(after[self.y.index(s)] ** 2 for s in sphere.letters)))
+                if squares(square) and self.is_one(square):
+                    found.append(Sphere([part.base for part in square.args]))
+        return found
 
     # ------------------------------------------------------------ measurements
 

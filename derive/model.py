@@ -16,7 +16,6 @@ from boresight.derive.constant import constant as constant
 from boresight.derive.where import where_written, written_at
 
 NONE = ImmutableMatrix(0, 0, [])
-COMPUTED_TRUE, TRUE_COMPUTED = ERRORS
 
 
 @dataclass(frozen=True)
@@ -608,7 +607,7 @@ class Model:
     loops: bool = False
     Phi: Matrix | None = None
     exact: bool = False
-    error: str = COMPUTED_TRUE
+    error: str = ERRORS[0]
     where: str = where_written()
 
     def __post_init__(self) -> None:

@@ -38,6 +38,11 @@ class Quantity:
         flat = [value if plain(value) else Named(self, i) for i, value in enumerate(self.value)]
         return ImmutableMatrix(*self.value.shape, flat)
 
+    @cached_property
+    def free_symbols(self) -> tuple[frozenset[Any], ...]:
+        """Of each value."""
+        return tuple(frozenset(value.free_symbols) for value in self.value)
+
     def mapped(self, change: Callable[[Any], Any]) -> "Quantity":
         """The same with other values; itself where nothing changes."""
         values = [change(value) for value in self.value]
@@ -105,8 +110,7 @@ class Named(AtomicExpr):
 
     @property
     def free_symbols(self) -> set[Any]:
-        symbols: set[Any] = self.value.free_symbols
-        return symbols
+        return set(self.quantity.free_symbols[self.index])
 
     @property
     def is_number(self) -> bool:  # type: ignore[override]

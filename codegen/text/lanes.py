@@ -37,8 +37,8 @@ def unit_lanes_view(model: Model, made: list[Unit], views: list[dict[str, Any]])
 def lanes_view(model: Model, made: list[Unit], views: list[dict[str, Any]], f: dict[str, Any]) -> dict[str, Any]:
     """f: `text.filter.filter_view` of the model.
 
-    Of an error state given by F whose angles do not wrap the strapdown, the correction and every measurement that is linear in the
-    state, of independent rows, go in lanes; so does the prediction, where Phi is of second order.
+    Of an error state given by F whose angles do not wrap the strapdown, the correction and every measurement that is
+    linear in the state, of independent rows, go in lanes; so does the prediction, where Phi is of second order.
     """
     by_name = {unit.name: (unit, view) for unit, view in zip(made, views, strict=True)}
     fields = [a for s in model.structs if s.name in f["carried"] for a in s.fields]

@@ -34,7 +34,7 @@ def filter_manifest(model: Model, made: list[Unit], views: list[dict[str, Any]])
 
 
 def order_of(model: Model, made: list[Unit]) -> dict[str, Any] | None:
-    """Of an error state given by F: the power of F dt to which Phi is taken, what is left out, and what `discretize` costs."""
+    """Of an error state given by F: the power of F dt in Phi, what is left out, and what `discretize` costs."""
     if model.F is None:
         return None
     cost = covariance_view(model, made)["cost"] if has_filter(model) else None
