@@ -64,6 +64,7 @@ def completed(*sources: Callable[[], list[str]]) -> Callable[[str], list[str]]:
 
 
 FORMATS = ["text", "latex", "html", "pdf"]
+DERIVED = ("rate", "step")
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON document and nothing else.")]
 Out = Annotated[Path | None, typer.Option("-o", "--out", help="Folder for results.")]
 Targets = Annotated[
@@ -200,6 +201,14 @@ def show(
         ),
     ] = "text",
     out: Annotated[Path | None, typer.Option("-o", "--out", help="File to write; needed for pdf.")] = None,
+    derived: Annotated[
+        str,
+        typer.Option(
+            help="rate or step: of an error state not what it gives by hand, but F, G and H, or Phi and Q over a step, "
+            "as they follow from its strapdown and feedback.",
+            autocompletion=completed(lambda: DERIVED),
+        ),
+    ] = "",
 ) -> None:
     """Describe a model, or derive the equations of a paper by steps.
 
@@ -214,6 +223,10 @@ def show(
             raise BoresightError(f"{name} is C without a model; 'boresight show kim-2018 31' shows its equation")
         one_of(name, [*derived_names(), *model_names()], "paper or model")
     one_of(form, FORMATS, "format")
+    if derived:
+        one_of(derived, DERIVED, "what is derived")
+        if number is not None or name in derived_names():
+            raise BoresightError("--derived is for the page of a model; leave it out, or name a model alone")
     if form == "pdf" and out is None:
         raise BoresightError("a pdf needs a file to go to; add -o FILE.pdf")
     kind = "latex" if form == "pdf" else form
@@ -224,7 +237,7 @@ def show(
     elif number is None:
         from boresight.kept_ledger import model_page
 
-        text = model_page(name, kind, terminal.columns())
+        text = model_page(name, kind, terminal.columns(), derived)
     else:
         text = model_equations(name, number.strip("()"), kind)
     if form == "pdf" and out is not None:

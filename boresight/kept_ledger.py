@@ -48,19 +48,25 @@ def rendered(paper: str, number: str | None, form: str) -> str:
     return render(papers.paper(paper), number, form, functions())
 
 
-def model_page(target: str, form: str, width: int) -> str:
-    """The page of a model; one's own is made anew each time, as nobody knows what its file reads."""
+def model_page(target: str, form: str, width: int, derived: str = "") -> str:
+    """The page of a model; one's own is made anew each time, as nobody knows what its file reads.
+
+    derived: "rate" or "step", for what follows from its strapdown and feedback in the place of what it gives by hand.
+    """
     if ":" in target:
-        return described(target, form)
-    return kept(f"pages/{target}-{form}-{width}", str, lambda: described(target, form))
+        return described(target, form, derived)
+    return kept(f"pages/{target}-{form}-{width}{derived}", str, lambda: described(target, form, derived))
 
 
-def described(target: str, form: str) -> str:
+def described(target: str, form: str, what: str) -> str:
     from boresight.codegen.generate import load_model, old_manifest
+    from boresight.derive.linear import derived
     from boresight.derive.pages.model import model_page
     from boresight.derive.pages.render import write
 
     model = load_model(target)
+    if what:
+        return write(model_page(derived(model, what == "step"), {}, target), form)
     folder = Path("generated") / model.name.replace("-", "_") if ":" in target else folder_of(target)
     return write(model_page(model, old_manifest(folder), target), form)
 

@@ -19,7 +19,7 @@ import numpy as np
 import sympy as sp
 from sympy import QQ, Matrix, S, Symbol, ring
 
-from boresight.derive.checks import fail
+from boresight.derive.checks import fail, mechanics_of
 from boresight.derive.expressions import constants_in, names_in, quantities_in, substituted, symbols_in
 from boresight.derive.mechanics.rotation import TINY_SQUARE, dcm_from_quaternion, skew, vee
 from boresight.derive.model import NONE, FirstOrder, Function, Measurement, Mechanics, Model, Variable
@@ -28,6 +28,7 @@ from boresight.derive.units import SECOND, units
 
 Slopes = dict[Symbol, Any]
 ROOT_SECOND = SECOND ** Fraction(1, 2)
+BY = "_by_"  # in the name of a derivative
 
 
 class Gradients:
@@ -98,7 +99,7 @@ class Gradients:
                 if not all(map(polynomial, column)):
                     value = sp.ImmutableMatrix(*one.value.shape, column)
                     meaning = f"derivative of {one.name} by {s}"
-                    column = list(quantity(f"{one.name}_by_{s}", value, meaning, one.labels).entries)
+                    column = list(quantity(f"{one.name}{BY}{s}", value, meaning, one.labels).entries)
                 for slopes, entry in zip(made, column, strict=True):
                     if entry != 0:
                         slopes[s] = entry
@@ -126,6 +127,18 @@ def replaced(e: Any, by: Mapping[Any, Any]) -> Any:
 def squares(e: Any) -> bool:
     """Whether it is a sum of squares."""
     return e.is_Add and all(part.is_Pow and part.exp == 2 for part in e.args)
+
+
+def opened(matrix: Matrix) -> Matrix:
+    """With polynomials themselves in the place of derivatives that have got a name."""
+
+    def visit(e: Any) -> Any:
+        if isinstance(e, Named):
+            return visit(e.value) if BY in e.quantity.name and polynomial(e.value) else e
+        args = tuple(map(visit, e.args))
+        return e if args == e.args else e.func(*args)
+
+    return matrix.applyfunc(visit)
 
 
 def at_zero(matrix: Matrix, zero: Iterable[Symbol]) -> Matrix:
@@ -493,7 +506,7 @@ class Derivation:
         rate = {s: Symbol(f"{s}_rate", real=True) for s in increments}
         after = substituted(Matrix([self.moved.get(s, s) for s in self.y]), {s: r * dt for s, r in rate.items()})
         self.stands_still(self.short(at_zero(after, [dt])))
-        r = self.short(at_zero(Gradients([dt])(after, [dt]), [dt]))
+        r = self.short(opened(at_zero(Gradients([dt])(after, [dt]), [dt])))
         slopes = Gradients([*self.y, *rate.values(), *self.sensed()])
 
         def moving(matrix: Matrix) -> Matrix:
@@ -704,7 +717,18 @@ def completed(model: Model) -> Model:
     return replace(model_with, F=F, G=G)
 
 
-def derived(model: Model) -> tuple[Matrix, Matrix]:
-    """F and Phi over a step, as they follow from the strapdown and the feedback of a model that may give its own."""
-    derivation = Derivation(model)
-    return derivation.rates()[0], derivation.step()[0]
+def derived(model: Model, exact: bool) -> Model:
+    """The model with what follows from its strapdown and its feedback in the place of what it gives by hand: F, G and H
+    at zero, or, where it is exact, Phi and Q of a step.
+
+    Raises BoresightError where it has no strapdown or no feedback, and as `completed`.
+    """
+    if model.kind != "error-state" or mechanics_of(model) is None:
+        fail(model, "it has no strapdown and feedback from which something follows")
+    fed = any(f.name == "feedback" for f in model.functions)
+    measurements = tuple(
+        replace(m, H=None, first_order=None, at_zero=True) if fed and m.z is not None else m for m in model.measurements
+    )
+    order = type(model).order if exact else model.order
+    given = {"F": None, "G": NONE, "Phi": None, "Q": None}
+    return completed(replace(model, **given, measurements=measurements, exact=exact, order=order))

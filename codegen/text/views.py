@@ -129,7 +129,7 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
     boxes = {f"{a.name}_{end}": values for a in unit.args for end, values in (("low", a.low), ("high", a.high))}
     boxes |= {f"{r.name}_{end}": v for r in unit.results if r.low for end, v in (("least", r.low), ("most", r.high))}
     tables, table = shared_tables(boxes)
-    call = ([*(["x"] if reads_x else []), *(f"&{s}" for s in structs)], [r["name"] for r in results])
+    call = ([*(["x"] if reads_x else []), *(f"&{s}" for s in structs)], [f"got_{r['name']}" for r in results])
     return {
         "c_name": c_name,
         "file": file_stem(model, unit.name),

@@ -496,7 +496,7 @@ def _defined(shown: Description, one: Named) -> Iterator[Relation]:
 
 def _dynamics(shown: Description, units: Mapping[str, Any]) -> list[Section]:
     model = shown.model
-    if model.next is not None:
+    if model.discrete:
         return [_discrete(shown, units)]
     states = [Part(Symbol(v.name), [shown.called[s] for s in v.symbols]) for v in model.states]
     noises = _noises(shown)
@@ -616,12 +616,15 @@ def _discrete(shown: Description, units: Mapping[str, Any]) -> Section:
     """The step of a model in discrete time."""
     model = shown.model
     states = [Part(Symbol(v.name), [shown.called[s] for s in v.symbols]) for v in model.states]
-    blocks: list[Block] = [Prose("x_next = next(x) + noise of covariance Q, with the states x, from step to step.")]
-    blocks += shown.formulas(shown.column("next", Symbol("x_next", commutative=False), [s.name for s in model.x]))
+    law, kind = ("next(x)", "states") if model.next is not None else ("Phi x", "errors")
+    blocks: list[Block] = [Prose(f"x_next = {law} + noise of covariance Q, with the {kind} x, from step to step.")]
+    if model.next is not None:
+        blocks += shown.formulas(shown.column("next", Symbol("x_next", commutative=False), [s.name for s in model.x]))
     if "Phi" in shown.naming.groups:
         blocks += shown.matrix("Phi", Phi, states, states)
         blocks.append(Prose("Every other entry of Phi is zero."))
-    blocks.append(Prose("Phi is the derivative of x_next by x."))
+    if model.next is not None:
+        blocks.append(Prose("Phi is the derivative of x_next by x."))
     blocks += shown.matrix("Q", Q_, states, states)
     blocks += [Prose("Every other entry of Q is zero."), *_in_c(shown, units, "next", "Phi", "Q")]
     return Section("From step to step", (*blocks, *_stands_on(model.equations)), "step")
