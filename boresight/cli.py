@@ -64,7 +64,7 @@ def completed(*sources: Callable[[], list[str]]) -> Callable[[str], list[str]]:
 
 
 FORMATS = ["text", "latex", "html", "pdf"]
-DERIVED = ("rate", "step")
+DERIVED = ["rate", "step"]
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON document and nothing else.")]
 Out = Annotated[Path | None, typer.Option("-o", "--out", help="Folder for results.")]
 Targets = Annotated[

@@ -21,14 +21,23 @@ from sympy import QQ, Matrix, S, Symbol, ring
 
 from boresight.derive.checks import fail, mechanics_of
 from boresight.derive.expressions import constants_in, names_in, quantities_in, substituted, symbols_in
-from boresight.derive.mechanics.rotation import TINY_SQUARE, dcm_from_quaternion, skew, vee
-from boresight.derive.model import NONE, FirstOrder, Function, Measurement, Mechanics, Model, Variable
-from boresight.derive.named import Named, Quantity, quantity
+from boresight.derive.mechanics.rotation import (
+    TINY_SQUARE,
+    dcm_from_quaternion,
+    normalized,
+    quaternion_from_rotation_vector,
+    quaternion_product,
+    skew,
+    vee,
+)
+from boresight.derive.model import NONE, FirstOrder, Function, Measurement, Mechanics, Model, Output, Struct, Variable
+from boresight.derive.named import Named, Quantity, named, quantity
 from boresight.derive.units import SECOND, units
 
 Slopes = dict[Symbol, Any]
 ROOT_SECOND = SECOND ** Fraction(1, 2)
 BY = "_by_"  # in the name of a derivative
+TURNED = 1.5  # rad: the box of the error of a quaternion that is a state
 
 
 class Gradients:
@@ -122,6 +131,11 @@ def replaced(e: Any, by: Mapping[Any, Any]) -> Any:
         return e
     args = tuple(replaced(part, by) for part in e.args)
     return e if args == e.args else e.func(*args)
+
+
+def mirrored(matrix: Matrix) -> Matrix:
+    """Symmetric to the letter, by its lower triangle."""
+    return Matrix(*matrix.shape, lambda i, j: matrix[max(i, j), min(i, j)])
 
 
 def squares(e: Any) -> bool:
@@ -290,8 +304,8 @@ class Shortener:
             own = tuple(0 if k is None else m[k] for k in place)
             groups.setdefault(tuple(m[k] for k in rest), {})[own] = c
         others: dict[Any, dict[Any, Any]] = {}
-        for other, own in groups.items():
-            number, form = sphere.written(sphere.ring.from_dict(own)).as_coeff_Mul()
+        for other, terms in groups.items():
+            number, form = sphere.written(sphere.ring.from_dict(terms)).as_coeff_Mul()
             others.setdefault(form, {})[other] = QQ.from_sympy(number)
         left = [letters[k] for k in rest]
         if not left:
@@ -348,9 +362,9 @@ class Derivation:
         self.x = [s for block in model.states for s in block.symbols]
         self.moved, self.fed = self.values(strapdown), self.values(feedback)
         self.y = list(dict.fromkeys([*self.fed, *self.moved]))
-        named = names_in(Matrix([*self.moved.values(), *self.fed.values()]))
+        names = names_in(Matrix([*self.moved.values(), *self.fed.values()]))
         unit_norm = [v for v in model.inputs if v.norm and v.norm[0] <= 1 <= v.norm[1] and v.unit == "1"]
-        self.short = Shortener([Sphere(v.symbols, self.known(v, named)) for v in unit_norm])
+        self.short = Shortener([Sphere(v.symbols, self.known(v, names)) for v in unit_norm])
         self.following = self.followed()
         self.true = self.fed | self.following
         at = Matrix([self.fed.get(s, s) for s in self.y])
@@ -397,9 +411,9 @@ class Derivation:
         known |= {s: here[s] for s in symbols_in(matrix) if s in here}
         return substituted(Matrix(matrix), known, names=False).evalf(60)
 
-    def known(self, v: Variable, named: Iterable[Named]) -> list[Any]:
+    def known(self, v: Variable, names: Iterable[Named]) -> list[Any]:
         """What polynomials of a quaternion or a direction are called."""
-        return [*(dcm_from_quaternion(v.symbols) if v.size == 4 else ()), *named]
+        return [*(dcm_from_quaternion(v.symbols) if v.size == 4 else ()), *names]
 
     def followed(self) -> dict[Symbol, Any]:
         """What is no estimate and follows from them, as a rate whose estimated bias is removed: what the sensor shows
@@ -500,8 +514,8 @@ class Derivation:
 
     # ------------------------------------------------------------ over an instant
 
-    def rates(self) -> tuple[Matrix, Matrix]:
-        """F and G."""
+    def rates(self, spread: Matrix | None = None) -> tuple[Matrix, Matrix]:
+        """F and G; spread: what the noises do to y, where nothing says which sensors they are of."""
         dt, increments = self.model.dt, self.increments()
         rate = {s: Symbol(f"{s}_rate", real=True) for s in increments}
         after = substituted(Matrix([self.moved.get(s, s) for s in self.y]), {s: r * dt for s, r in rate.items()})
@@ -520,6 +534,8 @@ class Derivation:
         by_y = K * slopes(r, self.y) * level + moving(K)
         shown = self.shown(rate)
         F = self.inverse * substituted(by_y * self.J - moving(self.J), shown)
+        if not self.mechanics.driven and spread is not None:
+            return self.settled(F), self.settled(self.inverse * spread)
         G = self.noises(self.inverse * K, lambda s: slopes(r, [rate.get(s, s)]))
         return self.settled(F), self.settled(substituted(G, shown))
 
@@ -571,19 +587,20 @@ class Derivation:
 
     # ------------------------------------------------------------ over a step
 
-    def step(self) -> tuple[Matrix, Matrix]:
-        """Phi and Q, as the derivative of the strapdown gives them."""
+    def step(self, spread: Matrix | None = None) -> tuple[Matrix, Matrix]:
+        """Phi and Q, as the derivative of the strapdown gives them; spread: the covariance that a step adds to y."""
         dt = self.model.dt
         after = self.lettered(Matrix([self.moved.get(s, s) for s in self.y]))
         short = Shortener([*self.short.spheres, *self.turns(after)])
         slopes = Gradients([*self.y, *self.sensed()])
         back = short(substituted(self.inverse, dict(zip(self.y, after, strict=True))))
         Phi = short(back * (slopes(after, self.y) * self.J))
+        if spread is not None:
+            return Phi, mirrored(short(back * spread * back.T))
         grown = short(self.noises(back, lambda s: slopes(after, [s])))
         rates = {n for noise, what in self.mechanics.driven if self.is_rate(noise, what) for n in noise.symbols}
-        spread = Matrix.diag(*(n**2 / dt if n in rates else n**2 * dt for n in self.model.noise))
-        Q = grown * spread * grown.T
-        return Phi, Matrix(*Q.shape, lambda i, j: Q[max(i, j), min(i, j)])
+        added = Matrix.diag(*(n**2 / dt if n in rates else n**2 * dt for n in self.model.noise))
+        return Phi, mirrored(grown * added * grown.T)
 
     def lettered(self, column: Matrix) -> Matrix:
         """The column as polynomials, with a name for each factor that is none, such as the parts of a rotation."""
@@ -609,8 +626,8 @@ class Derivation:
         found = Matrix([visit(e) for e in column])
         labels = tuple(str(k + 1) for k in range(len(parts)))
         values = quantity("part", sp.ImmutableMatrix(list(parts)), "of a step", labels) if parts else None
-        named = dict(zip(parts.values(), values.entries, strict=True)) if values else {}
-        return found.applyfunc(lambda e: replaced(e, named))
+        written = dict(zip(parts.values(), values.entries, strict=True)) if values else {}
+        return found.applyfunc(lambda e: replaced(e, written))
 
     def turns(self, after: Matrix) -> list[Sphere]:
         """Further quaternions of unit norm: what one that is carried is turned by."""
@@ -695,6 +712,8 @@ def completed(model: Model) -> Model:
     [0, -1],
     [0,  0]])
     """
+    if model.kind == "total-state" and any(v.norm for v in model.states):
+        model = on_sphere(model)
     follows = model.kind == "error-state" and model.F is None and model.Phi is None
     fed = {s for f in model.functions if f.name == "feedback" for o in f.outputs for s in symbols_in(o.value)}
     states = {s for block in model.states for s in block.symbols}
@@ -717,6 +736,93 @@ def completed(model: Model) -> Model:
     return replace(model_with, F=F, G=G)
 
 
+# ---------------------------------------------------------------- a quaternion as a state
+
+
+def on_sphere(model: Model) -> Model:
+    """A total state with unit quaternions as an error state: of each three numbers, a turn in the axes it leads to.
+
+    The state itself becomes the struct `nav`, carried by f (a step of Runge and Kutta) or by next, and each quaternion
+    is of unit norm after each step and each correction.
+    """
+    errors, corrected = [], []
+    for v in model.states:
+        if not v.norm:
+            names, low = (
+                tuple(f"d_{s}" for s in v.symbols),
+                tuple(lo - hi for lo, hi in zip(v.low, v.high, strict=True)),
+            )
+            error = Variable(f"d_{v.name}", letters(names), v.unit, f"error of {v.name}, computed - true", low,
+                             tuple(-value for value in low), v.frame)  # fmt: skip
+            true = v.vector - error.vector
+        else:
+            names = tuple(f"d_{v.name}_{axis}" for axis in "xyz")
+            error = Variable(f"d_{v.name}", letters(names), "rad", f"error of {v.name}, C_hat = (I - [d_{v.name} x]) C",
+                             (-TURNED,) * 3, (TURNED,) * 3, v.frame)  # fmt: skip
+            turn = named(f"q_d_{v.name}", quaternion_from_rotation_vector(error.vector), "of its error", "w x y z")
+            true = normalized(quaternion_product(turn, v.vector))
+        errors.append(error)
+        corrected.append(Output(v.name, true, v.unit, v.meaning, v.frame))
+    after = stepped(model)
+    parts = {v.name: Matrix([after[s] for s in v.symbols]) for v in model.states}
+    carried = tuple(
+        Output(v.name, normalized(parts[v.name]) if v.norm else parts[v.name], v.unit, v.meaning, v.frame)
+        for v in model.states
+        if v.norm or parts[v.name] != v.vector
+    )
+    feedback = Function("feedback", "the state with the errors taken out", tuple(corrected))
+    strapdown = Function("strapdown", "the state a step later", carried)
+    quaternions = ", ".join(v.name for v in model.states if v.norm)
+    n, from_f = sum(error.size for error in errors), model.f is not None
+    whole = replace(
+        model,
+        states=tuple(errors),
+        structs=(Struct("nav", "the state, carried and corrected", model.states), *model.structs),
+        functions=(*model.functions, strapdown, feedback),
+        card=(*model.card, f"Of {quaternions} the error is three numbers, a turn; its norm is 1 after each step."),
+        mechanics=Mechanics(),
+        measurements=(),
+        **NOT_TOTAL | ({} if from_f else {"Phi": Matrix.ones(n, n), "Q": Matrix.zeros(n, n)}),
+    )
+    symbols = [s for v in model.states for s in v.symbols]
+    if not from_f:
+        assert model.Q is not None
+        derivation = Derivation(whole)
+        places = [symbols.index(s) for s in derivation.y]
+        Phi, Q = derivation.step(model.Q.extract(places, places))
+        return replace(whole, Phi=Phi, Q=Q, measurements=model.measurements)
+    along = {s: s + model.dt * rate for s, rate in zip(symbols, list(model.f or ()), strict=True)}
+    straight = {v.name: Matrix([along[s] for s in v.symbols]) for v in model.states}
+    line = replace(strapdown, outputs=tuple(replace(o, value=straight[o.name]) for o in carried))
+    derivation = Derivation(replace(whole, functions=(feedback, line)))
+    places = [symbols.index(s) for s in derivation.y]
+    F, G = derivation.rates(model.G.extract(places, list(range(model.G.cols))))
+    return replace(whole, F=F, G=G, measurements=model.measurements)
+
+
+NOT_TOTAL: dict[str, Any] = {"f": None, "next": None, "G": NONE, "Q": None}
+
+
+def letters(names: Iterable[str]) -> tuple[Symbol, ...]:
+    return tuple(Symbol(name, real=True) for name in names)
+
+
+def stepped(model: Model) -> dict[Symbol, Any]:
+    """A total state one step later: next, or f by the fourth-order method of Runge and Kutta."""
+    x = list(model.x)
+    if model.f is None:
+        return dict(zip(x, list(model.next or ()), strict=True))
+    h: Any = model.dt
+    moving = [i for i, rate in enumerate(model.f) if rate != 0]
+    rates = [model.f]
+    for k, share in enumerate((1, 1, 2), 2):
+        there = [x[i] + share * h * rates[-1][i] / 2 for i in moving]
+        stage = named(f"stage_{k}", Matrix(there), "a stage of the step")
+        rates.append(substituted(model.f, dict(zip((x[i] for i in moving), stage, strict=True))))
+    mean = (rates[0] + 2 * rates[1] + 2 * rates[2] + rates[3]) / 6
+    return {s: s + h * rate for s, rate in zip(x, mean, strict=True)}
+
+
 def derived(model: Model, exact: bool) -> Model:
     """The model with what follows from its strapdown and its feedback in the place of what it gives by hand: F, G and H
     at zero, or, where it is exact, Phi and Q of a step.
@@ -730,5 +836,5 @@ def derived(model: Model, exact: bool) -> Model:
         replace(m, H=None, first_order=None, at_zero=True) if fed and m.z is not None else m for m in model.measurements
     )
     order = type(model).order if exact else model.order
-    given = {"F": None, "G": NONE, "Phi": None, "Q": None}
+    given: dict[str, Any] = {"F": None, "G": NONE, "Phi": None, "Q": None}
     return completed(replace(model, **given, measurements=measurements, exact=exact, order=order))

@@ -143,7 +143,7 @@ def test_a_state_is_driven_by_itself():
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        ({"mechanics": Mechanics(step=((GAIN, GAIN.vector),))}, "nothing says what the noise n adds to; name it in Mechanics"),
+        ({"mechanics": Mechanics(step=((GAIN, GAIN.vector),))}, "nothing says what the noise n adds to; name it in"),
         ({"gained": ACCEL.vector}, "over a step of no time strapdown makes v into .*reads accel; what it reads as an"),
         ({"G": Matrix([1, 0])}, "G follows from strapdown"),
         ({"error": "wrong"}, "error is 'wrong'; it is 'computed - true' or 'true - computed'"),
