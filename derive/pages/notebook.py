@@ -4,6 +4,7 @@ from functools import singledispatch
 from typing import Any
 
 from boresight.derive.ledger.equation import Derivation, Equation
+from boresight.derive.linear import completed
 from boresight.derive.model import Model
 from boresight.derive.pages.blocks import Page, Section
 from boresight.derive.pages.booklet import latex_cell
@@ -19,7 +20,9 @@ def page(value: Any) -> Page:
     raise TypeError(f"a notebook shows no page of {type(value).__name__}")
 
 
-page.register(Model)(model_page)
+@page.register
+def _(model: Model) -> Page:
+    return model_page(completed(model))
 
 
 @page.register
@@ -46,7 +49,7 @@ def latex(value: Any) -> str:
 
 @latex.register
 def _(model: Model) -> str:
-    shown = formulas(model)
+    shown = formulas(completed(model))
     return latex_cell([form.relation for form in shown], shown[0].quantities)
 
 
