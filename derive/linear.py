@@ -8,21 +8,19 @@ carried by the strapdown s, and the error is read out again, J being inverted fr
 and over a step  Phi = J(s)^+ ds/dy J.  H of z = computed - measured is what feedback changes of z.
 """
 
-import operator
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from fractions import Fraction
-from functools import reduce
 from typing import Any
 
 import numpy as np
 import sympy as sp
-from sympy import QQ, Matrix, S, Symbol, ring
+from sympy import Matrix, S, Symbol
 
 from boresight.derive.checks import fail, mechanics_of
 from boresight.derive.expressions import constants_in, names_in, quantities_in, substituted, symbols_in
+from boresight.derive.gradients import Gradients, Slopes, at_zero, opened, polynomial
 from boresight.derive.mechanics.rotation import (
-    TINY_SQUARE,
     dcm_from_quaternion,
     normalized,
     quaternion_from_rotation_vector,
@@ -31,319 +29,12 @@ from boresight.derive.mechanics.rotation import (
     vee,
 )
 from boresight.derive.model import NONE, FirstOrder, Function, Measurement, Mechanics, Model, Output, Struct, Variable
-from boresight.derive.named import Named, Quantity, named, quantity
+from boresight.derive.named import Named, named, quantity
+from boresight.derive.short import Shortener, Sphere, mirrored, replaced, squares
 from boresight.derive.units import SECOND, units
 
-Slopes = dict[Symbol, Any]
 ROOT_SECOND = SECOND ** Fraction(1, 2)
-BY = "_by_"  # in the name of a derivative
 TURNED = 1.5  # rad: the box of the error of a quaternion that is a state
-
-
-class Gradients:
-    """The derivatives of expressions; what is held many times is differentiated once.
-
-    seeds: those of the symbols, each by itself where only symbols are given.  short: how to write those of polynomials.
-    """
-
-    def __init__(self, seeds: Iterable[Symbol] | Mapping[Symbol, Slopes], short: Callable[[Any], Any] | None = None):
-        self.seeds = seeds if isinstance(seeds, Mapping) else {s: {s: S.One} for s in seeds}
-        self.short = short
-        self.known: dict[Any, Slopes] = {}
-        self.quantities: dict[Quantity, list[Slopes]] = {}
-
-    def __call__(self, column: Matrix, by: Sequence[Symbol]) -> Matrix:
-        """The Jacobian of a column."""
-        rows = [self.slopes(entry) for entry in column]
-        return Matrix(len(rows), len(by), [row.get(s, S.Zero) for row in rows for s in by])
-
-    def slopes(self, e: Any) -> Slopes:
-        if e not in self.known:
-            found = self.found(e)
-            if self.short and polynomial(e):
-                found = {s: slope for s, by in found.items() if (slope := self.short(by)) != 0}
-            self.known[e] = found
-        return self.known[e]
-
-    def found(self, e: Any) -> Slopes:
-        if e.is_Symbol:
-            return dict(self.seeds.get(e, {}))
-        if isinstance(e, Named):
-            return self.of_quantity(e.quantity)[e.index]
-        if e.is_Add:
-            return self.total((S.One, self.slopes(part)) for part in e.args)
-        if e.is_Mul:
-            rest = [sp.Mul(*(p for k, p in enumerate(e.args) if k != i)) for i in range(len(e.args))]
-            return self.total(zip(rest, map(self.slopes, e.args), strict=True))
-        if e.is_Pow and not self.slopes(e.exp):
-            return self.total([(e.exp * e.base ** (e.exp - 1), self.slopes(e.base))])
-        if isinstance(e, sp.Piecewise):
-            parts = [(self.slopes(value), test) for value, test in e.args]
-            by = dict.fromkeys(s for slopes, _ in parts for s in slopes)
-            return {s: sp.Piecewise(*((slopes.get(s, S.Zero), test) for slopes, test in parts)) for s in by}
-        if isinstance(e, sp.Max | sp.Min):
-            first, *others = e.args
-            other = e.func(*others)
-            test = first > other if isinstance(e, sp.Max) else first < other
-            return self.slopes(sp.Piecewise((first, test), (other, True)))
-        if isinstance(e, sp.sign):
-            return {}
-        return self.total((e.fdiff(i + 1), self.slopes(part)) for i, part in enumerate(e.args) if self.slopes(part))
-
-    def total(self, terms: Iterable[tuple[Any, Slopes]]) -> Slopes:
-        sums: dict[Symbol, list[Any]] = {}
-        for factor, slopes in terms:
-            for s, slope in slopes.items():
-                sums.setdefault(s, []).append(factor * slope)
-        return {s: total for s, parts in sums.items() if (total := sp.Add(*parts)) != 0}
-
-    def of_quantity(self, one: Quantity) -> list[Slopes]:
-        """Slopes of all its entries: under a name of their own, where they are more than a polynomial of letters."""
-        if one not in self.quantities:
-            raw = [self.slopes(value) for value in one.value]
-            by = dict.fromkeys(s for slopes in raw for s in slopes)
-            made: list[Slopes] = [{} for _ in raw]
-            for s in by:
-                column = [slopes.get(s, S.Zero) for slopes in raw]
-                if not all(map(polynomial, column)):
-                    value = sp.ImmutableMatrix(*one.value.shape, column)
-                    meaning = f"derivative of {one.name} by {s}"
-                    column = list(quantity(f"{one.name}{BY}{s}", value, meaning, one.labels).entries)
-                for slopes, entry in zip(made, column, strict=True):
-                    if entry != 0:
-                        slopes[s] = entry
-            self.quantities[one] = made
-        return self.quantities[one]
-
-
-def polynomial(e: Any) -> bool:
-    """Whether it is one of letters and names."""
-    if e.is_Add or e.is_Mul:
-        return all(map(polynomial, e.args))
-    return not e.args or (e.is_Pow and e.exp.is_Integer and e.exp > 0 and polynomial(e.base))
-
-
-def replaced(e: Any, by: Mapping[Any, Any]) -> Any:
-    """With others in the place of some letters, which are in no name."""
-    if e in by:
-        return by[e]
-    if not e.args:
-        return e
-    args = tuple(replaced(part, by) for part in e.args)
-    return e if args == e.args else e.func(*args)
-
-
-def mirrored(matrix: Matrix) -> Matrix:
-    """Symmetric to the letter, by its lower triangle."""
-    return Matrix(*matrix.shape, lambda i, j: matrix[max(i, j), min(i, j)])
-
-
-def squares(e: Any) -> bool:
-    """Whether it is a sum of squares."""
-    return e.is_Add and all(part.is_Pow and part.exp == 2 for part in e.args)
-
-
-def opened(matrix: Matrix) -> Matrix:
-    """With polynomials themselves in the place of derivatives that have got a name."""
-
-    def visit(e: Any) -> Any:
-        if isinstance(e, Named):
-            return visit(e.value) if BY in e.quantity.name and polynomial(e.value) else e
-        args = tuple(map(visit, e.args))
-        return e if args == e.args else e.func(*args)
-
-    return matrix.applyfunc(visit)
-
-
-def at_zero(matrix: Matrix, zero: Iterable[Symbol]) -> Matrix:
-    """The matrix where these are zero, rotations by nothing being none at all."""
-    return settled(substituted(matrix, dict.fromkeys(zero, S.Zero)))
-
-
-def settled(matrix: Matrix) -> Matrix:
-    """The matrix with numbers for what is left of TINY_SQUARE, in which a rotation by zero differs from 1 by 1e-30."""
-    if TINY_SQUARE not in constants_in(matrix):
-        return matrix
-    known: dict[Any, Any] = {}
-
-    def within(e: Any) -> bool:
-        return TINY_SQUARE in constants_in([e])
-
-    def visit(e: Any) -> Any:
-        if e not in known:
-            known[e] = inner(e)
-        return known[e]
-
-    def inner(e: Any) -> Any:
-        if isinstance(e, Named):
-            made = e.quantity.mapped(visit)
-            entry = e.within(made)
-            return entry
-        if not e.args or not within(e):
-            return e
-        if not e.free_symbols and constants_in([e]) == {TINY_SQUARE}:
-            return number(e)
-        if e.is_Mul or e.is_Add:
-            alone = [p for p in e.args if not p.free_symbols and constants_in([p]) == {TINY_SQUARE}]
-            rest = [visit(p) for p in e.args if p not in alone]
-            return e.func(number(e.func(*alone)), *rest) if alone else e.func(*rest)
-        return e.func(*map(visit, e.args))
-
-    return Matrix(*matrix.shape, [visit(e) for e in matrix])
-
-
-def number(e: Any) -> Any:
-    """A value that hangs on TINY_SQUARE alone, with what it is without it."""
-    value = substituted(Matrix([e]), {TINY_SQUARE: TINY_SQUARE.exact}, names=False)[0].evalf(60)
-    near = sp.nsimplify(value, rational=True, tolerance=sp.Float("1e-25"))
-    return near if near != 0 and near.q <= 64 else e
-
-
-# ---------------------------------------------------------------- the shortest way to write
-
-
-class Sphere:
-    """A quaternion or a direction: what is equal where the squares of its letters add up to 1.
-
-    What is reduced is multiplied by what keeps that norm, so that derivatives are taken before.  known: how polynomials
-    of the letters are written, such as the entries of a rotation matrix.
-    """
-
-    def __init__(self, letters: Sequence[Any], known: Iterable[Any] = ()):
-        self.letters = tuple(letters)
-        self.ring, *_ = ring([f"s{k}" for k in range(len(self.letters))], QQ)
-        self.forms: dict[Any, tuple[Any, Any]] = {}  # a polynomial over its first coefficient -> that, and its writing
-        for entry in known:
-            value = entry.value if isinstance(entry, Named) else entry
-            if polynomial(value) and symbols_in([value]) <= set(self.letters):
-                form = self.normal(Polynomials(self.letters, self.ring)(value))
-                self.forms[form.monic()] = (form.LC, entry)
-
-    def normal(self, p: Any) -> Any:
-        """A polynomial of the letters without squares of the first one."""
-        first, *others = self.ring.gens
-        rest = 1 - sum(g**2 for g in others)
-        while high := [(m, c) for m, c in p.terms() if m[0] >= 2]:
-            part = self.ring.from_dict({(m[0] - 2, *m[1:]): c for m, c in high})
-            p = p - part * first**2 + part * rest
-        return p
-
-    def written(self, p: Any) -> Any:
-        """A polynomial of the letters by what it is called, or as short as it goes."""
-        form = self.normal(p)
-        if form and not form.is_ground and form.monic() in self.forms:
-            own, entry = self.forms[form.monic()]
-            return rational(form.LC / own) * entry
-        return expression(form if len(form) < len(p) else p, self.letters)
-
-
-class Polynomials:
-    """Expressions of some letters as elements of a ring."""
-
-    def __init__(self, letters: Sequence[Any], of: Any):
-        self.of = of
-        self.known: dict[Any, Any] = dict(zip(letters, of.gens, strict=True))
-
-    def __call__(self, e: Any) -> Any:
-        if e not in self.known:
-            self.known[e] = self.made(e)
-        return self.known[e]
-
-    def made(self, e: Any) -> Any:
-        if e.is_Number:
-            return self.of(QQ.from_sympy(sp.Rational(e)))
-        if e.is_Pow:
-            return self(e.base) ** int(e.exp)
-        parts = map(self, e.args)
-        return reduce(operator.add if e.is_Add else operator.mul, parts)
-
-
-def rational(value: Any) -> Any:
-    return QQ.to_sympy(value)
-
-
-def expression(p: Any, letters: Sequence[Any]) -> Any:
-    terms = (sp.Mul(rational(c), *(x**k for x, k in zip(letters, m, strict=True) if k)) for m, c in p.terms())
-    return sp.Add(*terms)
-
-
-class Shortener:
-    """Writes expressions as sums of products, on the spheres of a model's quaternions and directions."""
-
-    def __init__(self, spheres: Sequence[Sphere]):
-        self.spheres = list(spheres)
-        self.opaque: dict[Any, Any] = {}  # what is no polynomial -> a letter for it
-        self.known: dict[Any, Any] = {}
-
-    def __call__(self, matrix: Matrix) -> Matrix:
-        return Matrix(*matrix.shape, [self.short(e) for e in matrix])
-
-    def short(self, e: Any) -> Any:
-        if e not in self.known:
-            self.known[e] = self.found(e)
-        return self.known[e]
-
-    def found(self, e: Any) -> Any:
-        flat = self.flat(e)
-        letters = list(dict.fromkeys(leaves(flat)))
-        if not letters:
-            return flat
-        of, *_ = ring([f"x{k}" for k in range(len(letters))], QQ)
-        made = self.written(Polynomials(letters, of)(flat), letters, self.spheres)
-        return replaced(made, {letter: value for value, letter in self.opaque.items()})
-
-    def written(self, p: Any, letters: Sequence[Any], spheres: Sequence[Sphere]) -> Any:
-        """A polynomial of the letters: one sphere's letters after another's."""
-        at = next((k for k, sphere in enumerate(spheres) if set(sphere.letters) & set(letters)), None)
-        if at is None:
-            return expression(p, letters)
-        sphere, rest = spheres[at], [k for k, x in enumerate(letters) if x not in spheres[at].letters]
-        place = [letters.index(x) if x in letters else None for x in sphere.letters]
-        groups: dict[Any, dict[Any, Any]] = {}
-        for m, c in p.terms():
-            own = tuple(0 if k is None else m[k] for k in place)
-            groups.setdefault(tuple(m[k] for k in rest), {})[own] = c
-        others: dict[Any, dict[Any, Any]] = {}
-        for other, terms in groups.items():
-            number, form = sphere.written(sphere.ring.from_dict(terms)).as_coeff_Mul()
-            others.setdefault(form, {})[other] = QQ.from_sympy(number)
-        left = [letters[k] for k in rest]
-        if not left:
-            return sp.Add(*(rational(c) * form for form, terms in others.items() for c in terms.values()))
-        of, *_ = ring([f"x{k}" for k in range(len(left))], QQ)
-        return sp.Add(*(form * self.written(of.from_dict(t), left, spheres[at + 1 :]) for form, t in others.items()))
-
-    def flat(self, e: Any) -> Any:
-        """The expression with a letter in the place of what is no polynomial, powers of short bases apart."""
-        if not e.args or isinstance(e, Named):
-            return e
-        if e.is_Add or e.is_Mul or (e.is_Pow and e.exp.is_Integer and e.exp > 0):
-            return e.func(*map(self.flat, e.args))
-        if e.is_Pow:
-            base = self.short(e.base)
-            if base.is_Number:
-                return base**e.exp
-            e = base**e.exp
-            if not e.is_Pow:
-                return self.flat(e)
-        if e not in self.opaque:
-            self.opaque[e] = sp.Dummy(real=True)
-            if isinstance(e, sp.sin | sp.cos):
-                pair = [self.opaque.setdefault(f(e.args[0]), sp.Dummy(real=True)) for f in (sp.cos, sp.sin)]
-                self.spheres.append(Sphere(pair))
-        return self.opaque[e]
-
-
-def leaves(e: Any) -> Iterator[Any]:
-    """The letters of a polynomial, one after the other."""
-    if e.args:
-        for part in e.args:
-            yield from leaves(part)
-    elif not e.is_Number:
-        yield e
-
-
-# ---------------------------------------------------------------- a model
 
 
 class Derivation:
@@ -401,10 +92,7 @@ class Derivation:
 
     def is_one(self, e: Any) -> bool:
         """At random points, but for what TINY_SQUARE changes."""
-        return all(abs(self.number(e, self.point(k)) - 1) < 1e-25 for k in range(2))
-
-    def number(self, e: Any, here: Mapping[Symbol, Any]) -> Any:
-        return self.numbers([e], here)[0]
+        return all(abs(self.numbers([e], self.point(k))[0] - 1) < 1e-25 for k in range(2))
 
     def numbers(self, matrix: Any, here: Mapping[Symbol, Any]) -> Matrix:
         known = {c: sp.Float(c.exact, 60) for c in constants_in(matrix)}
@@ -496,9 +184,6 @@ class Derivation:
                 column = [c / length * wanted for c in column]
             here |= dict(zip(v.symbols, column, strict=True))
         return here
-
-    def boxes(self) -> list[tuple[float, float]]:
-        return [pair for block in self.model.states for pair in zip(block.low, block.high, strict=True)]
 
     def settled(self, matrix: Matrix) -> Matrix:
         """As short as it goes, without entries that are zero at random points in many digits."""
