@@ -25,7 +25,7 @@ COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 PROTOTYPE = re.compile(r"^bs_status (\w+)\(([^;]*)\);", re.MULTILINE | re.DOTALL)
 PARAMETER = re.compile(r"(const )?((?:unsigned )?\w+) (\*?)(\w+)(?:\[(.*)\])?")
 STATUS = re.compile(r"\b(BS_\w+) = (\d+)")
-WEIGHTS = {"strapdown": 30, "propagate": 30, "correct": 5, "consider": 1}
+WEIGHTS = {"strapdown": 30, "propagate": 30, "correct": 5, "consider": 1, "disable": 1}
 MEASURE, OTHER = 10, 2  # weights of the other functions
 ROUNDING = {"float": 1e-5, "double": 1e-13}  # of a sum of squares
 
@@ -96,6 +96,8 @@ def functions(folder: Folder) -> list[Function]:
             if match is None:
                 raise BoresightError(f"{symbol}: {parameter!r} is no parameter that can be drawn")
             const, type_, star, name, size = match.groups()
+            if const and star and type_ == "bs_real":  # as many numbers as the caller says
+                size = "ATTACK_N * ATTACK_N"
             parameters.append(Parameter(bool(const), type_, bool(star), name, size or ""))
         found.append(Function(symbol, symbol.removeprefix(f"{prefix}_filter_"), tuple(parameters)))
     return found
@@ -243,16 +245,19 @@ def drawing(function: Function, manifest: dict[str, Any]) -> list[str]:
         elif parameter.type == "bs_real" and parameter.size:
             if parameter.name == "R":
                 lines.append(f"draw_noise({name}, {len(measurement['rows'])}, {int(measurement['correlated'])});")
+            elif parameter.name == "block":
+                states = f"{function.name}_first, {function.name}_count"
+                lines.append(f"draw_block({name}, {states}, ATTACK_N, state_size);")
             elif parameter.name == "blocks":
                 lines.append(f"draw_blocks({name}, block_sizes, {len(manifest['blocks'])}, state_size);")
+            elif "sigma" in parameter.name or parameter.name == "variance":
+                lines.append(f"draw_sigmas({name}, ATTACK_N, state_size);")
             elif "*" in parameter.size:
                 lines.append(f"draw_covariance({name}, ATTACK_N, state_size);")
             elif parameter.name == "x":
                 lines += ["for (int i = 0; i < ATTACK_N; ++i) {",
                           f"    {name}[i] = (mode == ALL_HOSTILE) ? hostile() : number(state_low[i], state_high[i]);",
                           "}"]  # fmt: skip
-            elif "sigma" in parameter.name:
-                lines.append(f"draw_sigmas({name}, {count}, state_size);")
             else:
                 lines.append(f"draw_numbers({name}, {count}, 1e3, 1);")
         elif parameter.type == "unsigned char" and parameter.size:

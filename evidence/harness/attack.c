@@ -285,6 +285,13 @@ static void draw_blocks(bs_real *blocks, const int *sizes, int count, const doub
     }
 }
 
+/* A covariance of some states, if there are any such. */
+static void draw_block(bs_real *block, int first, int count, int n, const double *high)
+{
+    const int some = (first >= 0) && (count >= 1) && (count <= (n - first));
+    draw_covariance(block, (some != 0) ? count : n, (some != 0) ? &high[first] : high);
+}
+
 /* Bytes that another call has left, of which a hostile one changes one. */
 static void change_byte(unsigned char *bytes, size_t n)
 {

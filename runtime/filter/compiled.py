@@ -108,7 +108,7 @@ class CompiledFilter(Filter):
         As above, now.  They may be assigned, or changed in place, between calls.  They stay in the
         C: an array that was read holds what the filter held then, and a change of it counts until
         the next call.
-    considered, at_ceiling
+    considered, disabled, at_ceiling
         As of `Filter`.
 
     Raises
@@ -290,8 +290,10 @@ class CompiledFilter(Filter):
         name = function
         if measured is not None:
             call.rows[...], call.gates[...], call.iterations[0] = measured[:3]
-            memory.consider(measured[3])
+            memory.consider(measured[3], self.disabled)
             name = "measure"
+        elif function == "propagate":
+            memory.consider(None, self.disabled)
         if call.blocks is not blocks:
             which = () if measured is None else (ctypes.c_int.from_param(described["index"]),)
             call.blocks, call.bound = blocks, memory.bind(name, *which, *call.asked)

@@ -157,7 +157,7 @@ class Epoch(Fixed):
     ------
     BoresightError
         A measurement or field that the model does not have, a step that it lacks, a number of
-        samples or runs that is none, a loop with considered states.
+        samples or runs that is none, a loop with considered or disabled states.
 
     Notes
     -----
@@ -207,8 +207,7 @@ class Epoch(Fixed):
                 raise BoresightError(f"{loop.model.name} has no function {what!r}")
         if not whole(samples) or samples < 0:
             raise BoresightError(f"samples is {samples!r}; it must be at least 0, and whole")
-        if loop.considered is not None:
-            raise BoresightError("an Epoch corrects every state; fly a filter with considered states by its methods")
+        self._corrects_all(loop)
         self.loop, self.runs = loop, memory.broadcast() if runs is None else runs
         if not isinstance(self.runs, tuple) or not all(whole(n) and n > 0 for n in self.runs):
             raise BoresightError(f"runs is {self.runs!r}; give the leading axes, as (5,), of one run or more")
@@ -256,8 +255,15 @@ class Epoch(Fixed):
             memory.forget(self._changed)
         return refused
 
+    @staticmethod
+    def _corrects_all(loop: CompiledFilter) -> None:
+        if loop.considered is not None or loop.disabled is not None:
+            what = "considered" if loop.disabled is None else "disabled"
+            raise BoresightError(f"an Epoch corrects every state; fly a filter with {what} states by its methods")
+
     def _check(self) -> None:
-        """Raise BoresightError where the loop's nav lacks a field, or it has other runs."""
+        """Raise BoresightError where the loop has states that it does not correct, other runs, or too little in nav."""
+        self._corrects_all(self.loop)
         missing = [name for name in self._carried if name not in self.loop.nav]
         if missing:
             raise BoresightError(f"an Epoch of {self.loop.model.name} needs {', '.join(missing)}; give it in nav")

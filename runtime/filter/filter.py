@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from boresight.errors import BoresightError, did_you_mean
-from boresight.runtime.arguments import check_inputs, check_own_state, check_start, check_state, check_taking
+from boresight.runtime.arguments import check_inputs, check_own_state, check_start, check_state, check_taking, whole
 from boresight.runtime.array import Array, wrapped
 
 STILL = 0.01  # sigmas by which an estimate may move and need not be linearised again
@@ -88,11 +88,11 @@ class Filter:
     x, P, nav
         As above, now; each may be assigned.
     considered : None or (..., n) bool array
-        May be assigned: states that no measurement corrects (a Schmidt filter).  A state of zero
-        variance and zero noise stays as it is by itself, so that a state that is not needed is left
-        out.
+        May be assigned: states that no measurement corrects (a Schmidt filter).
+    disabled : None or (n,) bool array
+        States that take no part, by `disable` and `enable`.
     at_ceiling : (...,) bool array
-        Whether the last prediction met a ceiling of a variance.
+        Whether the last prediction, or `inflate`, met a ceiling of a variance.
 
     Raises
     ------
@@ -129,7 +129,8 @@ class Filter:
     """
 
     considered: Any = None
-    at_ceiling: Any = False  # (...,) bool: whether the last prediction met a ceiling of a variance
+    disabled: Any = None
+    at_ceiling: Any = False  # (...,) bool
 
     def __init__(self, model: Any, nav: dict[str, Array], P: Array, x: Any = None):
         self.model = model
@@ -138,19 +139,24 @@ class Filter:
         check_start(model, self.nav, self.P)
         check_covariance("P", self.P)
         self._ceiling = getattr(model, "ceiling", None)
-        if self._ceiling is not None:
-            variance = np.einsum("...ii->...i", self.P)
-            if (variance > self._ceiling).any():
-                over = int(np.argwhere(variance > self._ceiling)[0][-1])
-                raise BoresightError(
-                    f"P: the sigma of {model.states[over]} is {np.sqrt(variance[..., over].max()):.3g}; the filter "
-                    f"lets it be {np.sqrt(self._ceiling[over]):.3g} at most"
-                )
+        self._below_ceiling("P", np.einsum("...ii->...i", self.P), 0)
         kind = getattr(model, "manifest", {}).get("kind") or ("total-state" if "next" in dir(model) else "")
         self.total = kind == "total-state"
         if x is None and self.total:
             raise BoresightError(f"{getattr(model, 'name', model)!s} has a total state; give x, where it begins")
         self.x = self._start(x)
+
+    def _below_ceiling(self, what: str, variance: Array, first: int) -> None:
+        """Raise BoresightError where a variance (..., count) of the states from `first` on is above its ceiling."""
+        if self._ceiling is None:
+            return
+        above = variance > self._ceiling[first : first + variance.shape[-1]]
+        if above.any():
+            over = int(np.argwhere(above)[0][-1])
+            raise BoresightError(
+                f"{what}: the sigma of {self.model.states[first + over]} is {np.sqrt(variance[..., over].max()):.3g}; "
+                f"the filter lets it be {np.sqrt(self._ceiling[first + over]):.3g} at most"
+            )
 
     def _start(self, x: Any) -> Array:
         n = self.P.shape[-1]
@@ -254,7 +260,10 @@ class Filter:
         Phi, Q = self.call("Phi", **inputs), self.call("Q", **inputs)
         after = self.call("next", **inputs) if self.total else np.einsum("...ij,...j->...i", Phi, self.x)
         self.x = self.wrapped(after)
-        self.P, self.at_ceiling = lowered(Phi @ self.P @ np.swapaxes(Phi, -1, -2) + Q, self._ceiling)
+        P = Phi @ self.P @ np.swapaxes(Phi, -1, -2) + Q
+        if self.disabled is not None:
+            P = without(P, self.disabled)
+        self.P, self.at_ceiling = lowered(P, self._ceiling)
 
     def update(
         self,
@@ -547,6 +556,125 @@ class Filter:
             x, P = left(kept, x, P, self.x, self.P)
         return x, P, Innovation(nus, Ss, used)
 
+    def set_block(self, first: int, block: Any) -> None:
+        """Make states independent of the others, with a new covariance of their own; x stays.
+
+        What the others have among themselves stays.  For a reset: a heading found anew, a wind that
+        has changed.
+
+        Parameters
+        ----------
+        first : int
+            The first of the states, by its place in `model.states`.
+        block : (..., count, count) array
+            The covariance of this one and those behind it, in the products of their units.
+
+        Raises
+        ------
+        BoresightError
+            No such states, one that is disabled, a block that is no covariance, a sigma beyond its
+            ceiling, a P that is not finite.  The filter stays as it was.
+        """
+        block = np.asarray(block, dtype=float)
+        chosen = self._chosen("set_block", first, block.shape[-1] if block.ndim else 0, barred=True)
+        self.P = self._replaced("set_block", chosen, block)
+
+    def inflate(self, first: int, variance: Any) -> None:
+        """Raise variances of states; nothing else of P changes.
+
+        Parameters
+        ----------
+        first : int
+            The first of the states, by its place in `model.states`.
+        variance : (..., count) array
+            What is added to the variance of this one and those behind it, in the squares of their
+            units.  Beyond its ceiling a variance is lowered, as by `predict`; `at_ceiling` says so.
+
+        Raises
+        ------
+        BoresightError
+            No such states, one that is disabled, a variance that is not finite or negative, a P
+            that is not finite.  The filter stays as it was.
+        """
+        variance = np.asarray(variance, dtype=float)
+        chosen = self._chosen("inflate", first, variance.shape[-1] if variance.ndim else 0, barred=True)
+        if not (np.isfinite(variance) & (variance >= 0)).all():
+            raise BoresightError(f"inflate: variance is {variance}; each must be finite and at least 0")
+        states = np.arange(self.P.shape[-1])[chosen]
+        P = np.array(
+            np.broadcast_to(self.P, (*np.broadcast_shapes(variance.shape[:-1], self.P.shape[:-2]), *self.P.shape[-2:]))
+        )
+        P[..., states, states] += variance
+        self.P, self.at_ceiling = lowered(P, self._ceiling)
+
+    def disable(self, first: int, count: int = 1) -> None:
+        """Let states take no part from now on: no variance, no covariance, no gain, in every run.
+
+        No noise and no other state gives them any variance.  Their x stays, but for what a
+        prediction makes of it, and counts as known.  `disabled` says which they are.
+
+        Parameters
+        ----------
+        first, count : int
+            The first of the states, by its place in `model.states`, and how many.
+
+        Raises
+        ------
+        BoresightError
+            No such states, a P that is not finite.  The filter stays as it was.
+        """
+        chosen = self._chosen("disable", first, count)
+        disabled = np.zeros(self.P.shape[-1], dtype=bool) if self.disabled is None else self.disabled.copy()
+        disabled[chosen] = True
+        self.P, self.disabled = without(self.P, disabled), disabled
+
+    def enable(self, first: int, block: Any) -> None:
+        """Let states take part, independent of the others; those that are not disabled too.
+
+        Parameters
+        ----------
+        first : int
+            The first of the states, by its place in `model.states`.
+        block : (..., count, count) array
+            Their covariance, as of `set_block`.
+
+        Raises
+        ------
+        BoresightError
+            As `set_block`, but that a state may be disabled.
+        """
+        block = np.asarray(block, dtype=float)
+        chosen = self._chosen("enable", first, block.shape[-1] if block.ndim else 0)
+        self.P = self._replaced("enable", chosen, block)
+        if self.disabled is not None:
+            disabled = self.disabled.copy()
+            disabled[chosen] = False
+            self.disabled = disabled if disabled.any() else None
+
+    def _chosen(self, function: str, first: Any, count: Any, barred: bool = False) -> slice:
+        """The states from `first` on.  Raise BoresightError where there are none, or one is disabled and barred."""
+        n = self.P.shape[-1]
+        if not (whole(first) and whole(count) and first >= 0 and 1 <= count <= n - first):
+            raise BoresightError(f"{function}: there are no {count!r} states from {first!r} on; the model has {n}")
+        chosen = slice(int(first), int(first + count))
+        if barred and self.disabled is not None and self.disabled[chosen].any():
+            raise BoresightError(f"{function}: a state from {first} on is disabled; enable it")
+        if not np.isfinite(self.P).all():
+            raise BoresightError(f"{function}: P holds a value that is not finite; assign a finite covariance")
+        return chosen
+
+    def _replaced(self, function: str, states: slice, block: Array) -> Array:
+        """P with these states independent of the others, and `block` as their covariance."""
+        P, count = self.P, states.stop - states.start
+        check_covariance(f"{function}: block", block, count)
+        self._below_ceiling(f"{function}: block", np.diagonal(block, axis1=-2, axis2=-1), states.start)
+        dropped = np.zeros(P.shape[-1], dtype=bool)
+        dropped[states] = True
+        runs = np.broadcast_shapes(P.shape[:-2], block.shape[:-2])
+        P = np.array(np.broadcast_to(without(P, dropped), (*runs, *P.shape[-2:])))
+        P[..., states, states] = block
+        return P
+
     def feedback(self) -> None:
         """Correct nav by the estimate x of an error state, and begin anew with x = 0; P stays.
 
@@ -559,6 +687,11 @@ class Filter:
         """
         self.nav.update(named(self.call("feedback"), self.nav))
         self.x = np.zeros_like(self.x)
+
+
+def without(P: Array, dropped: Array) -> Array:
+    """P with no variance and no covariance of the states (n,) in `dropped`; the others keep theirs."""
+    return np.where(dropped[:, None] | dropped, 0.0, P)
 
 
 def lowered(P: Array, ceiling: Array | None) -> tuple[Array, Array | bool]:

@@ -243,15 +243,19 @@ class Memory:
         """A carried field as `Library.arrange` makes it."""
         return self.blocks.read(self.part[name]).reshape(*self.runs, -1)
 
-    def consider(self, considered: Array | None) -> None:
-        """Tell the C which states (..., n) bool no measurement corrects."""
+    def consider(self, considered: Array | None, disabled: Array | None) -> None:
+        """Tell the C which states (..., n) bool no measurement corrects, and which (n,) take no part."""
         part = self.part["considered"]
-        if considered is None:
+        if considered is None and disabled is None:
             if self.blocks.numbers[:, part.start].any():
                 self.blocks.numbers[:, part] = 0.0
             return
-        flags = np.concatenate([considered.any(axis=-1, keepdims=True), considered], axis=-1)
-        self.write("considered", flags.astype(float))
+        bits = np.zeros(part.stop - part.start - 1, dtype=np.uint8)
+        for bit, states in ((1, considered), (2, disabled)):
+            bits = bits if states is None else bits | bit * np.asarray(states, dtype=np.uint8)
+        self.write(
+            "considered", np.concatenate([np.bitwise_or.reduce(bits, -1, keepdims=True), bits], -1).astype(float)
+        )
 
 
 @functools.cache

@@ -169,8 +169,8 @@ def apart(library, function, rng, spoilt):
     if spoilt:
         drawn_counts = rng.integers(0, 3, (RUNS, blocks.numbers.shape[1])).astype(float)
         memory.write("counts", drawn_counts[:, : counts.stop - counts.start])
-        if measured:
-            memory.consider(rng.random((RUNS, len(library.states))) < 0.01)
+        if measured or function == "propagate":
+            memory.consider(*(rng.random((2, RUNS, len(library.states))) < 0.01))
     alone = Alone(loop)
     parts = [Drawn(inputs, described, library, k) for k in range(samples) or (None,)]
     said, innovations = [], []
