@@ -51,8 +51,11 @@ def check_own_state(function: str, inputs: Mapping[str, Any]) -> None:
         raise BoresightError(f"{function}: x is the filter's own state; assign it, as loop.x = ..., and leave x out")
 
 
-def check_taking(measurement: str, rows: Any, gate: Any, joint: Any, iterations: Any) -> None:
-    """Raise BoresightError on rows that are neither True nor False, gates of no size, or iterations of no number."""
+def check_taking(
+    measurement: str, rows: Any, gate: Any, joint: Any, iterations: Any, inflate: bool, relinearize: bool
+) -> None:
+    """Raise BoresightError on rows that are neither True nor False, gates of no size, iterations of no number, and
+    options that do not go together."""
     if np.asarray(rows).dtype.kind not in "biuf":
         raise BoresightError(f"{measurement}: rows is {rows!r}; give True or False for each row")
     if gate is not None and not (np.asarray(gate).dtype.kind in "iuf" and 0 < gate < np.inf):
@@ -67,6 +70,10 @@ def check_taking(measurement: str, rows: Any, gate: Any, joint: Any, iterations:
         raise BoresightError(
             f"{measurement}: iterations is {iterations!r}; it must be a whole number from 1 to {MOST_ITERATIONS}"
         )
+    if inflate and gate is None:
+        raise BoresightError(f"{measurement}: inflate raises R of a row beyond its gate; give a gate too")
+    if relinearize and iterations > 1:
+        raise BoresightError(f"{measurement}: relinearize takes each row once; leave iterations out")
 
 
 def check_start(model: Any, nav: Mapping[str, Array], P: Array) -> None:

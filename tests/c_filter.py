@@ -72,25 +72,28 @@ class Flown:
     def predict(self, **inputs):
         self.call("propagate", *(self.struct(name, inputs) for name in self.described["propagate"]["structs"]))
 
-    def update(self, measurement, R, *, rows=True, gate=0.0, joint=0.0, iterations=1, z=None, **inputs):
+    def update(self, measurement, R, *, rows=True, gate=0.0, joint=0.0, iterations=1, inflate=False, relinearize=False,
+               z=None, **inputs):  # fmt: skip
         described = self.described["measurements"][measurement]
         m, most = described["m"], max(one["m"] for one in self.described["measurements"].values())
         kind = ctypes.c_double if self.real is np.float64 else ctypes.c_float
 
         class Gates(ctypes.Structure):
-            _fields_ = [("rows", ctypes.c_uint), ("gate", kind), ("joint", kind), ("iterations", ctypes.c_int)]
+            _fields_ = [("rows", ctypes.c_uint), ("gate", kind), ("joint", kind), ("iterations", ctypes.c_int),
+                        ("options", ctypes.c_uint)]  # fmt: skip
 
         class Said(ctypes.Structure):
-            _fields_ = [("nu", kind * most), ("S", kind * most), ("nis", kind), ("used", ctypes.c_uint)]
+            _fields_ = [("nu", kind * most), ("S", kind * most), ("nis", kind), ("used", ctypes.c_uint),
+                        ("inflated", ctypes.c_uint)]  # fmt: skip
 
         taken = sum(1 << i for i, row in enumerate(np.broadcast_to(rows, m)) if row)
-        gates, said = Gates(taken, gate, joint, iterations), Said()
+        gates, said = Gates(taken, gate, joint, iterations, inflate + 2 * relinearize), Said()
         brought = [] if z is None else [self.numbers(np.atleast_1d(z))]
         structs = [self.struct(name, inputs) for name in described["structs"]]
         noise = self.numbers(np.atleast_1d(R))
         self.call(f"measure_{measurement}", *structs, *brought, noise, ctypes.byref(gates), ctypes.byref(said))
-        used = np.array([bool(said.used >> i & 1) for i in range(m)])
-        return Innovation(np.array(said.nu[:m]), np.array(said.S[:m]), used, np.float64(said.nis))
+        used, inflated = (np.array([bool(mask >> i & 1) for i in range(m)]) for mask in (said.used, said.inflated))
+        return Innovation(np.array(said.nu[:m]), np.array(said.S[:m]), used, np.float64(said.nis), inflated)
 
     def consider(self, considered):
         self.call("consider", np.array(considered, np.uint8))

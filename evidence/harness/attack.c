@@ -206,6 +206,7 @@ static void draw_gates(bs_gates *gates)
     gates->gate = draw_gate();
     gates->joint = draw_gate();
     gates->iterations = draw_int(4);
+    gates->options = (unsigned int)below((mode < ONE_HOSTILE) ? 4 : 6);
 }
 
 static void draw_sigmas(bs_real *sigma, int n, const double *high)

@@ -155,7 +155,7 @@ int flight(void)
         { BS_REAL(1e-7), BS_REAL(1e-7), BS_REAL(1e-7) },
         { BS_REAL(1e-5), BS_REAL(1e-5), BS_REAL(1e-5) },
     };
-    static const bs_gates gates = { BS_ALL_ROWS, BS_REAL(5.0), BS_REAL(0.0), 1 };
+    static const bs_gates gates = { BS_ALL_ROWS, BS_REAL(5.0), BS_REAL(0.0), 1, 0U };
     static const bs_real R_zupt[3] = { BS_REAL(0.0004), BS_REAL(0.0004), BS_REAL(0.0004) };
     static const bs_real R_zaru[3] = { BS_REAL(4e-6), BS_REAL(4e-6), BS_REAL(4e-6) };
     static const bs_real R_azimuth[1] = { BS_REAL(1e-4) };

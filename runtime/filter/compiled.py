@@ -18,6 +18,7 @@ from boresight.runtime.filter.memory import Blocks, Memory, Nav, Taking
 from boresight.runtime.library import Given, Library
 from boresight.runtime.status import Status
 
+INFLATE, RELINEARIZE = 1, 2  # BS_INFLATE and BS_RELINEARIZE of boresight_filter.h
 AT_CEILING = int(Status.AT_CEILING)  # compared with an array, the enum takes five times as long
 
 
@@ -63,10 +64,10 @@ class Prepared:
         if measured:
             m = described["m"]
             self.rows, self.gates = np.zeros((*self.runs, m), dtype=np.uint8), np.zeros(2)
-            self.iterations = np.zeros(1, dtype=np.intc)
+            self.iterations, self.options = np.zeros(1, dtype=np.intc), np.zeros(1, dtype=np.uintc)
             self.out = np.zeros((*self.runs, m)), np.zeros((*self.runs, m)), np.zeros(self.runs)
             self.used = np.zeros((*self.runs, m), dtype=np.uint8)
-            ends = (part.ctypes.data for part in (self.gates, self.iterations, *self.out, self.used))
+            ends = (part.ctypes.data for part in (self.gates, self.iterations, self.options, *self.out, self.used))
             taking = (ctypes.byref(Taking(self.rows.ctypes.data, m, *ends)),)
         self.asked = (ctypes.byref(self.given), *taking, ctypes.c_void_p.from_param(self.status.ctypes.data))
 
@@ -220,11 +221,13 @@ class CompiledFilter(Filter):
         gate: float | None = None,
         joint: float | None = None,
         iterations: int = 1,
+        inflate: bool = False,
+        relinearize: bool = False,
         considered: Any = None,
         jacobian: Any = None,
         **inputs: Any,
     ) -> Innovation:
-        check_taking(measurement, rows, gate, joint, iterations)
+        check_taking(measurement, rows, gate, joint, iterations, inflate, relinearize)
         check_own_state(measurement, inputs)
         if jacobian is not None:
             raise BoresightError(f"{measurement}: the C makes its own jacobian; leave it out, or fly Filter")
@@ -246,10 +249,11 @@ class CompiledFilter(Filter):
             R = R.reshape((*R.shape[:-2], m * m))
         vectors = {"R": R} if z is None else {"z": z, "R": R}
         gates = gate or 0.0, joint or 0.0
+        options = INFLATE * inflate + RELINEARIZE * relinearize
         nu, S, nis, used = self._fly(
-            f"measure_{measurement}", described, inputs, vectors, (rows, gates, iterations, kept)
+            f"measure_{measurement}", described, inputs, vectors, (rows, gates, iterations, kept, options)
         )
-        return Innovation(nu, S, used, nis)
+        return Innovation(nu, S, used % 2 == 1, nis, used > 1)
 
     def feedback(self) -> None:
         if self.described["correct"] is None:
@@ -262,12 +266,12 @@ class CompiledFilter(Filter):
         described: dict[str, Any],
         inputs: dict[str, Any],
         vectors: dict[str, Array] | None = None,
-        measured: tuple[Array, tuple[float, float], int, Array | None] | None = None,
+        measured: tuple[Array, tuple[float, float], int, Array | None, int] | None = None,
     ) -> Any:
         """Call `function` of the C filter for all runs.  vectors: z if brought (..., m), and R.
 
-        measured: rows (..., m) bool, the gates of a row and the joint one, iterations and the considered states
-        (..., n) bool, or None, of a measurement, for which nu, S, nis and used are returned.
+        measured: rows (..., m) bool, the gates of a row and the joint one, iterations, the considered states (..., n)
+        bool, or None, and options of a measurement, for which nu, S, nis and used, as bs_taking has it, are returned.
         Where a run is refused, all are as they were, and BoresightError names it.
         """
         vectors, memory = vectors or {}, self.memory
@@ -290,6 +294,7 @@ class CompiledFilter(Filter):
         name = function
         if measured is not None:
             call.rows[...], call.gates[...], call.iterations[0] = measured[:3]
+            call.options[0] = measured[4]
             memory.consider(measured[3], self.disabled)
             name = "measure"
         elif function == "propagate":
@@ -307,7 +312,7 @@ class CompiledFilter(Filter):
         if function == "propagate":
             self.at_ceiling = (call.status == AT_CEILING).reshape(call.runs)
         memory.forget((*described.get("written", ()), *(("x", "P") if name != "strapdown" else ())))
-        return (*(part.copy() for part in call.out), call.used.astype(bool)) if measured is not None else None
+        return (*(part.copy() for part in call.out), call.used.copy()) if measured is not None else None
 
     def _explain(self, function: str, given: dict[str, Array], status: Array) -> None:
         memory = self.memory

@@ -94,8 +94,8 @@ class Measured(Inputs):
     and its innovation after a call, as `runtime.filter.Innovation` has it.
 
     rows: (..., m) not 0 for a row to be taken.  gates: (2,) that of a row in sigmas and the joint one, 0 for none.
-    iterations: (1,) linearisations at most.
-    nu, S, used (..., m), nis (...).
+    iterations: (1,) linearisations at most.  options: (1,) BS_INFLATE and BS_RELINEARIZE of boresight_filter.h.
+    nu, S, used (..., m), nis (...); used is 3 where R was inflated.
     """
 
     def __init__(self, loop: CompiledFilter, name: str, runs: tuple[int, ...], shared: Collection[str]):
@@ -110,9 +110,11 @@ class Measured(Inputs):
         alike = "rows" in shared
         self.rows = np.ones((*(() if alike else runs), m), dtype=np.uint8)
         self.gates, self.iterations = np.zeros(2), np.ones(1, dtype=np.intc)
+        self.options = np.zeros(1, dtype=np.uintc)
         self.nu, self.S, self.nis = np.zeros((*runs, m)), np.zeros((*runs, m)), np.zeros(runs)
         self.used = np.zeros((*runs, m), dtype=np.uint8)
-        ends = (part.ctypes.data for part in (self.gates, self.iterations, self.nu, self.S, self.nis, self.used))
+        taken = self.gates, self.iterations, self.options, self.nu, self.S, self.nis, self.used
+        ends = (part.ctypes.data for part in taken)
         self.taking = Taking(self.rows.ctypes.data, 0 if alike else m, *ends)
 
 

@@ -5,7 +5,7 @@ compiled C of `boresight.runtime.library` and any object that offers the same fu
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -34,6 +34,9 @@ class Innovation:
     nis : (...,) array, optional
         Sum of nu^2 / S over the rows used: chi-square with `used.sum(-1)` degrees of freedom if the
         filter is consistent.  Computed if left out.
+    inflated : (..., m) bool array, optional
+        Which rows used lay beyond the gate and were taken with a larger R, by `inflate=True`; S has
+        it in it.  None of them if left out.
 
     Notes
     -----
@@ -54,8 +57,11 @@ class Innovation:
     S: Array
     used: Array
     nis: Array = field(default=None)  # type: ignore[arg-type]
+    inflated: Array = field(default=None)  # type: ignore[arg-type]
 
     def __post_init__(self) -> None:
+        if self.inflated is None:
+            object.__setattr__(self, "inflated", np.zeros_like(self.used))
         if self.nis is None:
             with np.errstate(over="ignore"):  # an infinite one is refused
                 nis = np.sum(np.where(self.used, self.nu**2 / self.S, 0.0), axis=-1)
@@ -274,6 +280,8 @@ class Filter:
         gate: float | None = None,
         joint: float | None = None,
         iterations: int = 1,
+        inflate: bool = False,
+        relinearize: bool = False,
         considered: Any = None,
         jacobian: Any = None,
         **inputs: Any,
@@ -289,7 +297,8 @@ class Filter:
             with ones on its diagonal: then the rows are those of L^-1 z, of variances D, and so are
             nu and S.  For m runs (m, m) are variances, and (1, m, m) is a covariance.
         rows : (..., m) bool array, optional
-            False for a row that is absent, which has no part in L.
+            False for a row that is absent, which has no part in L.  False for all: nu and S of each
+            row by itself; nothing is taken.
         gate : float, optional
             Sigmas: a row whose abs(nu) exceeds as many, where it is linearised first, is left out.
             Of correlated rows each is judged by itself, before R is factored without those that are
@@ -302,6 +311,12 @@ class Filter:
             always from the same x and P; 1 is the plain extended filter.  It ends where no state
             and no row moves by more than 0.01 sigma.  Where one moves by more than a sigma and by
             more than before, or x leaves its box, the first result is taken.
+        inflate : bool, optional
+            A row beyond its gate is not left out: its R is raised by so much that abs(nu) is at the
+            gate, and `inflated` says so.  Of correlated rows each is judged by itself.
+        relinearize : bool, optional
+            Each row is linearised at where the rows before it have led x, and judged there; with
+            one iteration.  Nothing changes where H does not depend on x.
         considered : (..., n) bool array, optional
             In the place of the attribute `considered`: states whose rows of the whole measurement's
             gain are zero.  They and their covariance among themselves stay, and their covariance
@@ -325,7 +340,7 @@ class Filter:
             the state x among the inputs, R that is no covariance, an innovation that is no number,
             a nis that is not finite, a total state that would leave its box.  The filter stays as it was.
         """
-        check_taking(measurement, rows, gate, joint, iterations)
+        check_taking(measurement, rows, gate, joint, iterations, inflate, relinearize)
         check_own_state(measurement, inputs)
         kept = self._considered(measurement, considered)
         z, rows = self._measured(measurement, inputs), np.asarray(rows, dtype=bool)
@@ -337,8 +352,11 @@ class Filter:
                     f"{shape[1]} long"
                 )
         D, L_inverse = self._noise(measurement, R, z.shape, rows)
+        raised: Any = False
         if L_inverse is not None and gate is not None:  # what a rejected row says has no part in the others
-            rows, gate = self._within(gate, rows, R, *self._linear(measurement, z, self.x, inputs, jacobian)), None
+            at = self._linear(measurement, z, self.x, inputs, jacobian)
+            rows, R, raised = self._within(gate, rows, np.asarray(R, float), *at, inflate)
+            gate = None
             D, L_inverse = self._noise(measurement, R, z.shape, rows)
 
         def linear(at: Array, H: Array | None = None) -> tuple[Array, Array]:
@@ -348,13 +366,16 @@ class Filter:
                 return target, H
             return np.einsum("...ij,...j->...i", L_inverse, target), L_inverse @ H
 
+        nonlinear = "x" in getattr(self.model, f"{measurement}_H").fields
         target, H = linear(self.x, jacobian)
-        x, P, innovation = self._rows(target, H, D, rows, gate, kept)
+        again = linear if relinearize and nonlinear else None
+        x, P, innovation, D = self._rows(target, H, D, rows, gate, kept, inflate, again)
+        raised = innovation.inflated | raised
         if not (np.isfinite(innovation.nu).all() and np.isfinite(innovation.S).all() and (innovation.S > 0).all()):
             raise BoresightError(f"{measurement}: an innovation or its variance is no number; start from a new P")
         beyond = False if joint is None else ~(innovation.nis <= joint)
         first = innovation.nis
-        if iterations > 1 and "x" in getattr(self.model, f"{measurement}_H").fields:
+        if iterations > 1 and nonlinear:
             x, P, innovation = self._again(linear, D, iterations - 1, kept, H, x, P, innovation)
         x = self.wrapped(x)
         if not np.isfinite(first).all():
@@ -363,6 +384,7 @@ class Filter:
             )
         if joint is not None:
             keep = np.asarray(beyond)
+            raised = raised & ~keep[..., None]
             x, P = np.where(keep[..., None], self.x, x), np.where(keep[..., None, None], self.P, P)
             innovation = Innovation(
                 innovation.nu, innovation.S, innovation.used & ~keep[..., None], np.where(keep, first, innovation.nis)
@@ -370,7 +392,7 @@ class Filter:
         if getattr(self.model, "manifest", {}).get("kind") == "total-state" and not self._inside(x).all():
             raise BoresightError(f"{measurement}: it would lead x out of its box; give a gate, or leave it out")
         self.x, self.P = x, P
-        return innovation
+        return replace(innovation, inflated=np.asarray(raised) & innovation.used)
 
     def _measured(self, measurement: str, inputs: dict[str, Any]) -> Array:
         """z (..., m), of the model's own function or out of the inputs."""
@@ -431,11 +453,20 @@ class Filter:
             raise BoresightError(f"{measurement}: R is not positive definite; a row of it follows from the others")
         return sigma**2, np.linalg.inv(root / sigma[..., None, :])
 
-    def _within(self, gate: float, rows: Array, R: Any, target: Array, H: Array) -> Array:
-        """(..., m) bool: the rows that are within the gate, each by the variance of its own innovation."""
+    def _within(
+        self, gate: float, rows: Array, R: Array, target: Array, H: Array, inflate: bool
+    ) -> tuple[Array, Array, Array]:
+        """The rows (..., m) bool to be taken, R (..., m, m), and the rows whose R is raised; a row is judged by itself.
+
+        The rows within the gate are taken; or all, and beyond the gate R is raised.
+        """
         nu = target - np.einsum("...ij,...j->...i", H, self.x)
-        S = np.einsum("...ij,...jk,...ik->...i", H, self.P, H) + np.diagonal(np.asarray(R, float), axis1=-2, axis2=-1)
-        return rows & (nu**2 <= gate**2 * S)
+        S = np.einsum("...ij,...jk,...ik->...i", H, self.P, H) + np.diagonal(R, axis1=-2, axis2=-1)
+        within = nu**2 <= gate**2 * S
+        if not inflate:
+            return rows & within, R, np.zeros_like(within)
+        more = np.where(rows & ~within, np.maximum((nu / gate) ** 2 - S, 0.0), 0.0)
+        return rows, R + more[..., None] * np.eye(R.shape[-1]), more > 0
 
     def _linear(
         self, measurement: str, z: Array, at: Array, inputs: dict[str, Any], H: Array | None = None
@@ -489,7 +520,7 @@ class Filter:
                 break
             at = np.where(going[..., None], last[0], self.x)  # a run that has ended stays where there is an answer
             target, H = linear(at)
-            x, P, innovation = self._rows(target, H, R, used, None, kept)
+            x, P, innovation, _ = self._rows(target, H, R, used, None, kept)
             step = corrected(x - at, P, H)
             diverges = ~(step <= np.maximum(before, 1.0))
             last = chosen(going, (x, P, innovation.nu, innovation.S), last)
@@ -526,20 +557,40 @@ class Filter:
         return kept if kept.any() else None
 
     def _rows(
-        self, z: Array, H: Array, R: Array, rows: Array, gate: float | None, kept: Array | None
-    ) -> tuple[Array, Array, Innovation]:
+        self,
+        z: Array,
+        H: Array,
+        R: Array,
+        rows: Array,
+        gate: float | None,
+        kept: Array | None,
+        inflate: bool = False,
+        linear: Callable[[Array], tuple[Array, Array]] | None = None,
+    ) -> tuple[Array, Array, Innovation, Array]:
+        """x, P, the innovation and R (..., m) of the rows one after another.
+
+        inflate: whether R rises where a row is beyond the gate.  linear: of x, z and H for the rows behind the first.
+        """
         x, n = self.x, self.P.shape[-1]
         runs = np.broadcast_shapes(self.P.shape[:-2], *(one.shape[:-1] for one in (x, z, R, rows)), H.shape[:-2])
         rows = np.broadcast_to(rows, (*runs, z.shape[-1]))
         P, product = np.empty((*runs, n, n)), np.empty((*runs, n, n))  # in place: new memory is slower than the sums
         P[:] = self.P
-        nus, Ss, used = (np.empty((*runs, z.shape[-1]), kind) for kind in (float, float, bool))
+        nus, Ss, used, raised = (np.empty((*runs, z.shape[-1]), kind) for kind in (float, float, bool, bool))
+        R = np.array(np.broadcast_to(R, nus.shape))
         for i in range(z.shape[-1]):
+            if i and linear is not None:
+                z, H = linear(x)
             h = H[..., i, :]
             Ph = (P @ h[..., None])[..., 0]
             S = np.einsum("...i,...i->...", h, Ph) + R[..., i]
             nu = z[..., i] - np.einsum("...i,...i->...", h, x)
-            use = rows[..., i] & (np.ones_like(S, bool) if gate is None else nu**2 <= gate**2 * S)
+            within = np.ones_like(S, bool) if gate is None else nu**2 <= gate**2 * S
+            more = np.zeros_like(S)
+            if inflate and gate is not None:
+                more = np.where(rows[..., i] & ~within, np.maximum((nu / gate) ** 2 - S, 0.0), 0.0)
+                within, S, R[..., i] = np.ones_like(within), S + more, R[..., i] + more
+            use = rows[..., i] & within
             K = np.where(use[..., None], Ph / S[..., None], 0.0)
             x = x + K * nu[..., None]
             # Joseph form in its two products, (I - K h') P and that times (I - K h')': multiplied out at once it would
@@ -549,12 +600,12 @@ class Filter:
             P -= np.multiply(K[..., :, None], hP[..., None, :], out=product)
             b = (P @ h[..., None])[..., 0] - R[..., i, None] * K
             P -= np.multiply(b[..., :, None], K[..., None, :], out=product)
-            nus[..., i], Ss[..., i], used[..., i] = nu, S, use
+            nus[..., i], Ss[..., i], used[..., i], raised[..., i] = nu, S, use, more > 0
         P = np.add(P, np.swapaxes(P, -1, -2), out=product)
         P /= 2
         if kept is not None:
             x, P = left(kept, x, P, self.x, self.P)
-        return x, P, Innovation(nus, Ss, used)
+        return x, P, Innovation(nus, Ss, used, inflated=raised), R
 
     def set_block(self, first: int, block: Any) -> None:
         """Make states independent of the others, with a new covariance of their own; x stays.

@@ -23,8 +23,8 @@ class Taking(ctypes.Structure):
 
     _fields_ = [
         ("rows", ctypes.c_void_p), ("stride", ctypes.c_size_t), ("gates", ctypes.c_void_p),
-        ("iterations", ctypes.c_void_p), ("nu", ctypes.c_void_p), ("S", ctypes.c_void_p), ("nis", ctypes.c_void_p),
-        ("used", ctypes.c_void_p),
+        ("iterations", ctypes.c_void_p), ("options", ctypes.c_void_p), ("nu", ctypes.c_void_p), ("S", ctypes.c_void_p),
+        ("nis", ctypes.c_void_p), ("used", ctypes.c_void_p),
     ]  # fmt: skip
 
 

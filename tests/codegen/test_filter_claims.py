@@ -56,7 +56,7 @@ ITERATIONS = """
     for (int i = 0; i < AH_N_STATES; ++i) sigma[i] = BS_REAL(1e-3);
     if (ah_filter_init_sigmas(&f, &nav, sigma) != BS_OK) return 1;
     for (int k = 0; k < 4; ++k) {
-        const bs_gates gates = { BS_ALL_ROWS, 0, 0, asked[k] };
+        const bs_gates gates = { BS_ALL_ROWS, 0, 0, asked[k], 0U };
         printf("%d ", (int)ah_filter_measure_zupt(&f, R, &gates, &innovation));
     }
     return 0;
@@ -80,7 +80,7 @@ RESTORE = """
 
 TRAPPED = """
     bs_real R[3] = { 1, 1, 1 };
-    bs_gates gates = { BS_ALL_ROWS, 0, 0, 0 };
+    bs_gates gates = { BS_ALL_ROWS, 0, 0, 0, 0U };
     ah_nav other = nav;
     ah_innovation innovation;
     feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);

@@ -44,7 +44,7 @@ bs_status measure(ah_filter *filter, int which, const bs_real *q, const bs_real 
 bs_status measure(ah_filter *filter, int which, const bs_real *q, const bs_real *R, const bs_real *gates,
                   unsigned int rows, ah_innovation *innovation)
 {
-    const bs_gates how = { rows, gates[0], gates[1], 0 };
+    const bs_gates how = { rows, gates[0], gates[1], 0, 0U };
     const ah_reference reference = { { q[0], q[1], q[2], q[3] } };
     return (which == 0) ? ah_filter_measure_zupt(filter, R, &how, innovation)
                         : ah_filter_measure_azimuth(filter, &reference, R, &how, innovation);

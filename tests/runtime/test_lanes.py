@@ -32,6 +32,7 @@ class Gates(ctypes.Structure):
         ("gate", ctypes.c_double),
         ("joint", ctypes.c_double),
         ("iterations", ctypes.c_int),
+        ("options", ctypes.c_uint),
     ]
 
 
@@ -164,6 +165,7 @@ def apart(library, function, rng, spoilt):
             one.rows[:] = rng.random(one.rows.shape) < 0.8
             one.gates[:] = ((3, 0), (0, 10), (3, 10), (0, 0))[rng.integers(4)]
             one.iterations[:] = rng.integers(0, 3)
+            one.options[:] = rng.integers(0, 4)
     memory, counts = loop.memory, loop.memory.part["counts"]
     blocks = memory.settle((RUNS,))
     if spoilt:
@@ -178,21 +180,21 @@ def apart(library, function, rng, spoilt):
         rest = []
         if measured:
             m, most = described["m"], max(d["m"] for d in loop.described["measurements"].values())
-            innovation = np.zeros(2 * most + 2)
+            innovation = np.zeros(2 * most + 2)  # used and inflated are the last number
             rows = int(sum(1 << k for k in range(m) if one.rows[run, k]))
-            gates = Gates(rows, *one.gates, one.iterations[0])
+            gates = Gates(rows, *one.gates, one.iterations[0], one.options[0])
             rest = [*([np.array(one["z"][run])] if described["brings_z"] else []), np.array(one["R"][run])]
             rest += [np.frombuffer(gates, dtype=np.uint8), innovation]
         answers = (alone.call(function, described, part, run, *rest) for part in parts)
         said.append(next(filter(None, answers), Status.OK))  # what is refused at a sample flies none of the later ones
         if measured:
-            used = innovation[-1:].view(np.uint32)[0]
+            used, inflated = innovation[-1:].view(np.uint32)
             innovations.append(
                 [
                     *innovation[:m],
                     *innovation[most : most + m],
                     innovation[2 * most],
-                    *[used >> k & 1 for k in range(m)],
+                    *[(used >> k & 1) + 2 * (inflated >> k & 1) for k in range(m)],
                 ]
             )
     epoch()
