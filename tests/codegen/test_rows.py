@@ -69,18 +69,19 @@ class Kernels:
         self.call("ud_predict", UD, Phi, Q, ud_next, work)
         in_place, after, moved = Q.copy(), P.copy(), x.copy()
         self.call("joseph_predict", P, Phi, in_place, in_place, work)
-        status, gain, said = self.updated(after, moved, h, at, z=0.5, R=R)
-        assert status == 0 and said[0] == 1
-        return Phi, Q, next_, ud_next, in_place, after, moved, gain, *said
+        taken = [self.updated(after, moved, h, at, z=0.5, R=R, gate=gate) for gate in (0.0, -1e-6)]  # R raised by one
+        assert all(status == 0 and said[0] == 1 for status, _, said in taken)
+        of_rows = [part for _, gain, said in taken for part in (gain, *said)]
+        return Phi, Q, next_, ud_next, in_place, after, moved, *of_rows
 
     def updated(self, P, x, h, at, **numbers):
-        """P and x by a row; its status, its gain, and what the row says: whether it was used, nu and S."""
+        """P and x by a row; its status, its gain, and what the row says: whether it was used, nu, S and R."""
         row, gain = np.zeros(1, self.row()), np.full(self.n, np.nan, self.real)
         row["h"], row["at"], row["gain"] = h.ctypes.data, at.ctypes.data, gain.ctypes.data
         row["count"], row["used"] = len(h), 1
         for name, value in numbers.items():
             row[name] = value
-        return self.call("joseph_update", P, x, row), gain, [row[name] for name in ("used", "nu", "S")]
+        return self.call("joseph_update", P, x, row), gain, [row[name] for name in ("used", "nu", "S", "R")]
 
     def row(self):
         kinds = [
