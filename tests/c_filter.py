@@ -119,10 +119,11 @@ class Flown:
 
 @functools.cache
 def compiled(folder, form):
-    manifest, out = load(folder).manifest, Path(tempfile.mkdtemp())
-    probe, image = out / "probe.c", out / "probe.so"
-    probe.write_text(PROBE.format(snake=manifest["model"].replace("-", "_"), p=manifest["c_prefix"]))
-    command = ["gcc", "-shared", "-fPIC", "-std=c99", "-O0", "-ffp-contract=off", *FORMS[form][2]]
-    sources = [*sorted((folder / "src").glob("*.c")), probe]
-    subprocess.run([*command, "-I", folder / "include", *sources, "-lm", "-o", image], check=True)
-    return ctypes.CDLL(str(image))
+    manifest = load(folder).manifest
+    with tempfile.TemporaryDirectory() as out:
+        probe, image = Path(out) / "probe.c", Path(out) / "probe.so"
+        probe.write_text(PROBE.format(snake=manifest["model"].replace("-", "_"), p=manifest["c_prefix"]))
+        command = ["gcc", "-shared", "-fPIC", "-std=c99", "-O0", "-ffp-contract=off", *FORMS[form][2]]
+        sources = [*sorted((folder / "src").glob("*.c")), probe]
+        subprocess.run([*command, "-I", folder / "include", *sources, "-lm", "-o", image], check=True)
+        return ctypes.CDLL(str(image))
