@@ -8,7 +8,7 @@ What is left of each must fall with the power of the step that is claimed.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from math import inf, log2
+from math import inf, isfinite, log2
 from typing import Any
 
 from flint import arb
@@ -39,6 +39,7 @@ from boresight.codegen.mechanics import (
     points,
     row_sizes,
     scaled,
+    size,
     slope,
 )
 from boresight.derive.expressions import symbols_in
@@ -47,6 +48,7 @@ from boresight.derive.ledger.numbers import Matrix, digits, zeros
 from boresight.derive.ledger.witness import hamilton, vector
 from boresight.derive.model import Function, Model
 from boresight.derive.models.variables import INCREMENTS
+from boresight.derive.within import within
 
 SHORT = arb((1, -32))  # s, a step whose remainder is looked at, of an error state
 FLIGHT = arb((1, -24))  # s, one of a total state, whose remainder falls faster
@@ -93,16 +95,23 @@ def falls(
     left, less = parts
     for i, row in enumerate(rows):
         for j in range(left.cols):
-            off, half = (abs(float(part[i, j])) / sizes[i] for part in (left, less))
-            if off <= nothing:
+            off, half = (size(part[i, j]) / sizes[i] if isfinite(sizes[i]) else inf for part in (left, less))
+            if within(off, nothing) and within(half, nothing):
                 continue
             verdict.difference = max(verdict.difference, off)
-            found = log2(off / half) if half else inf
-            if verdict.order is None or not found >= verdict.order:  # nor may it be no number
+            found = power_of(off, half)
+            if verdict.order is None or found < verdict.order:
                 verdict.order = found
-                if not found >= power - SLACK:
+                if not within(power - found, SLACK):
                     where = f"{row} by {columns[j]}" if columns else row
                     verdict.entry = f"{where}: what is left falls with dt^{found:.2f}, not dt^{power}"
+
+
+def power_of(off: float, half: float) -> float:
+    """The power of the step with which what is left falls; -inf where one of both is no number."""
+    if not (isfinite(off) and isfinite(half)):
+        return -inf
+    return log2(off / half) if off and half else (-inf if half else inf)
 
 
 # ---------------------------------------------------------------- error states
@@ -240,7 +249,7 @@ def check_flow(model: Model, reference: Mapping[str, Reference]) -> list[Mechani
 
             speed, spread = parted(rate(start))
             (x_whole, Q_whole), (x_half, Q_half) = left(FLIGHT), left(FLIGHT / 2)
-            moved = [max(abs(float(v)), LEAST * float(b)) for v, b in zip(speed, scale, strict=True)]
+            moved = [max(size(v), LEAST * float(b)) for v, b in zip(speed, scale, strict=True)]
             falls(step, (x_whole, x_half), [float(FLIGHT) * v for v in moved], FLOWN, names)
             falls(noise, (Q_whole, Q_half), [float(FLIGHT) * v for v in row_sizes(spread, scale)], ADDED, names, names)
             if step.entry:
@@ -340,10 +349,10 @@ def check_motion(model: Model, f: Function, level: ellipsoid.Level) -> Mechanics
                 parts.append([mine - theirs for mine, theirs in zip(found, exact, strict=True)])
             sizes = [largest(exact[0] - position_rate(p, v, level)), largest(exact[1] - v), largest(exact[2] - q)]
             parts = [[s * part[0], *part[1:]] for s, part in zip((1, arb(1) / 2), parts, strict=True)]
-        for output, size, *two in zip(outputs, sizes, *parts, strict=True):
+        for output, whole, *two in zip(outputs, sizes, *parts, strict=True):
             rows = [s.name for s in inputs[output.name].symbols]
             power = 4 if symbols_in(output.value) & before else 3
-            falls(verdict, two, [size] * len(rows), power, rows, nothing=FELT)
+            falls(verdict, two, [whole] * len(rows), power, rows, nothing=FELT)
     return verdict.check(model, f.name, "a body that turns and accelerates unevenly")
 
 

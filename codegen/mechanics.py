@@ -9,6 +9,7 @@ A strapdown that gives position, velocity and attitude is held against Newton's 
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from math import inf, isfinite
 from typing import Any
 
 import sympy as sp
@@ -25,6 +26,7 @@ from boresight.derive.ledger.witness import hamilton, quaternion, vector
 from boresight.derive.mechanics.earth import FRAMES
 from boresight.derive.model import Function, Measurement, Mechanics, Model, Variable
 from boresight.derive.models.variables import INCREMENTS, position
+from boresight.derive.within import within
 
 POINTS = 2
 # Powers of two, which are exact balls: s, the part of its box by which a state is moved for a derivative, and that of
@@ -158,46 +160,57 @@ def row_sizes(exact: Matrix, boxes: Sequence[Any] = ()) -> list[float]:
     return [max(largest(exact[i, j] for j in range(exact.cols)), floor) for i, floor in enumerate(least)]
 
 
+def size(value: Any) -> float:
+    """The largest magnitude that a ball allows; infinite where it is no number."""
+    most = float(arb(value).abs_upper())
+    return most if isfinite(most) else inf
+
+
 def largest(values: Iterable[Any]) -> float:
-    return max((abs(float(value)) for value in values), default=0.0)
+    return max(map(size, values), default=0.0)
 
 
 @dataclass
 class Verdict:
-    """The worst of what several points say."""
+    """The worst of what several points say.  wrong: the largest part by which an entry is off that is named."""
 
     difference: float = 0.0
     entry: str = ""
     ratio: float | None = None
     coefficient: float | None = None
     order: float | None = None
+    wrong: float = 0.0
 
-    def note(self, off: float, limit: float, entry: str) -> None:
-        self.difference = max(self.difference, abs(off))
-        if abs(off) > limit and not self.entry:
+    def note(self, off: Any, limit: float, entry: str) -> None:
+        self.difference = max(self.difference, size(off))
+        if not within(size(off), limit) and not self.entry:
             self.entry = entry
 
     def compare(
         self, stated: Matrix, exact: Matrix, rows: Sequence[str], columns: Sequence[str], scale: Any, sizes: list[float]
     ) -> None:
         """Both times the scale of each column; sizes: of each row.  The entry named is the one that is most off."""
-        for (i, row), size in zip(enumerate(rows), sizes, strict=True):
+        for (i, row), whole in zip(enumerate(rows), sizes, strict=True):
             for j, column in enumerate(columns):
-                off = abs(float(stated[i, j] - exact[i, j]))
-                if off > self.difference * size:
-                    self.difference = off / size
-                    if off > EQUAL * abs(float(exact[i, j])) and off > AT_ALL * size:
-                        numbers = (float(m[i, j] / scale[j]) for m in (stated, exact))
-                        self.entry = "{} by {}: {:.6g} stated, {:.6g} exact".format(row, column, *numbers)
+                off = size(stated[i, j] - exact[i, j])
+                part = off / whole if isfinite(off) and isfinite(whole) else inf
+                self.difference = max(self.difference, part)
+                close = within(off, EQUAL * size(exact[i, j])) or within(part, AT_ALL)
+                if not (isfinite(whole) and close) and part > self.wrong:
+                    self.wrong = part
+                    numbers = (float(m[i, j] / scale[j]) for m in (stated, exact))
+                    self.entry = "{} by {}: {:.6g} stated, {:.6g} exact".format(row, column, *numbers)
 
     def remainder(self, parts: Iterable[Matrix], sizes: Sequence[float]) -> None:
         """parts: what is left at a finite error and at half of it; sizes: what each row is measured by."""
         left, less = (largest(r / s for r, s in zip(part, sizes, strict=True)) for part in parts)
-        if left > NOTHING:
-            self.ratio = max(self.ratio or 0.0, less / left)
-            self.coefficient = max(self.coefficient or 0.0, left / float(FINITE) ** 2)
-            if less > FOURFOLD * left and not self.entry:
-                self.entry = f"half the error leaves {less / left:.3f} of the remainder, not a quarter"
+        if within(left, NOTHING) and within(less, NOTHING):
+            return
+        ratio = less / left if isfinite(left) and left > 0 else inf
+        self.ratio = max(self.ratio or 0.0, ratio)
+        self.coefficient = max(self.coefficient or 0.0, left / float(FINITE) ** 2)
+        if not within(ratio, FOURFOLD) and not self.entry:
+            self.entry = f"half the error leaves {ratio:.3f} of the remainder, not a quarter"
 
     def check(self, model: Model, unit: str, against: str) -> MechanicsCheck:
         return MechanicsCheck(
@@ -300,7 +313,7 @@ class Moving:
         self.exact, self.hat, self.n = exact, hat, exact.model.n
         self.sensed = exact.sensed(hat)
         self.J = slope(lambda x: exact.seen(exact.corrected(hat, x)), scale)
-        blind = [s.name for j, s in enumerate(exact.model.x) if largest(self.J[:, j]) == 0]
+        blind = [s.name for j, s in enumerate(exact.model.x) if within(largest(self.J[:, j]), NOTHING)]
         if blind:
             raise LookupError(f"feedback does not take out {', '.join(blind)}")
         left = (self.J.T * self.J).inv() * self.J.T
@@ -369,8 +382,8 @@ def compare_feedback(back: Verdict, moving: Moving, scale: Sequence[Any]) -> Non
     still = exact.seen(exact.corrected(hat, [arb(0)] * moving.n)) - exact.seen(hat)
     names = [(v, s.name) for v in exact.returned for s in v.symbols]
     for i, (v, name) in enumerate(names):
-        back.note(float(still[i]), NOTHING, f"{name} moves by {float(still[i]):.3g} where no error is taken out")
-        moves = [j for j in range(J.cols) if largest([J[i, j]]) > 0]
+        back.note(still[i], NOTHING, f"{name} moves by {float(still[i]):.3g} where no error is taken out")
+        moves = [j for j in range(J.cols) if not within(size(J[i, j]), NOTHING)]
         if v.norm is None and len(moves) == 1:
             by = float(J[i, moves[0]] / scale[moves[0]])
             back.note(by + 1, EQUAL, f"{name} by {exact.model.x[moves[0]].name}: {by:.6g} stated, -1 exact")
@@ -482,7 +495,8 @@ def check_measurement(model: Model, m: Measurement, H_of: Reference) -> Mechanic
             verdict.remainder((left(list(e)) - origin - H * e for e in (error, error / 2)), sizes)
             if seen.z is not None and seen.law is not None:
                 whole, half = (seen.residual(values, part) for part in (FINITE, FINITE / 2))
-                if whole > NOTHING and half > FOURFOLD * whole and not verdict.entry:
+                vanishes = within(whole, NOTHING) or (isfinite(whole) and within(half, FOURFOLD * whole))
+                if not vanishes and not verdict.entry:
                     verdict.entry = (
                         f"{seen.exact.name}_z is {whole:.3g} for a {seen.law.small} of "
                         f"{largest(FINITE * values[s] for s in seen.small):.3g}, where "

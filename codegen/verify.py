@@ -13,7 +13,7 @@ import signal
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import asdict, dataclass
-from math import inf
+from math import inf, isfinite, isnan
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
 from typing import Any, Union
@@ -32,6 +32,7 @@ from boresight.codegen.functions.units import units
 from boresight.codegen.generate import generated_folder, known, load_model, model_names, named
 from boresight.codegen.mechanics import MechanicsCheck, check_mechanics
 from boresight.derive.model import Measurement, Model
+from boresight.derive.within import within
 from boresight.runtime.library import Library, load
 
 POINTS, CORNERS = 1000, 64
@@ -62,7 +63,8 @@ class UnitCheck:
 
     @property
     def ok(self) -> bool:
-        return self.same_bits and self.looseness >= 1 and self.zeros_are_zero and self.width <= WIDEST
+        close = self.looseness >= 1 and isfinite(self.largest_error) and within(self.width, WIDEST)
+        return self.same_bits and self.zeros_are_zero and close
 
 
 @dataclass(frozen=True)
@@ -79,7 +81,7 @@ class FirstOrderCheck:
 
     @property
     def ok(self) -> bool:
-        return self.limit <= LIMIT and (self.ratio is None or abs(self.ratio - 0.5) < 0.01)
+        return within(self.limit, LIMIT) and (self.ratio is None or within(abs(self.ratio - 0.5), 0.01))
 
 
 def verify(
@@ -188,11 +190,16 @@ class Part:
 
     def __add__(self, other: "Part") -> "Part":
         return Part(
-            max(self.largest_error, other.largest_error),
-            min(self.looseness, other.looseness),
+            worst(self.largest_error, other.largest_error),
+            -worst(-self.looseness, -other.looseness),
             self.zeros_are_zero and other.zeros_are_zero,
-            max(self.width, other.width),
+            worst(self.width, other.width),
         )
+
+
+def worst(*values: float) -> float:
+    """The largest; infinite where one is no number."""
+    return inf if any(map(isnan, values)) else max(values)
 
 
 @dataclass
@@ -312,9 +319,8 @@ def check_points(case: Case, first: int, step: int) -> Part:
                 part += Part(zeros_are_zero=zeros, width=relative_width(entries))
     for values, bound, error in zip(got, bounds, errors, strict=True):
         loose = np.divide(bound, error, where=error > 0, out=np.full_like(bound, inf))
-        loose[~np.isfinite(values)] = 0.0
-        known = error[np.isfinite(error)]
-        part += Part(float(known.max(initial=0.0)), float(loose.min(initial=inf)))
+        loose[~(np.isfinite(values) & np.isfinite(error) & np.isfinite(bound))] = 0.0
+        part += Part(float(error.max(initial=0.0)), float(loose.min(initial=inf)))
     return part
 
 
@@ -323,8 +329,8 @@ def relative_width(entries: Entries) -> float:
     values = entries.values()
     if not all(map(arb.is_finite, values)):
         return inf
-    radius = max(map(float, map(arb.rad, values)), default=0.0)
-    largest = max(map(abs, map(float, values)), default=0.0)
+    radius = worst(*map(float, map(arb.rad, values)), 0.0)
+    largest = worst(*map(abs, map(float, values)), 0.0)
     return radius and (radius / largest if largest else inf)
 
 
@@ -391,6 +397,10 @@ def check_first_order(model: Model, m: Measurement, made: list[Unit], library: L
 
 
 def to_json(checks: list[Check]) -> list[dict[str, Any]]:
-    """One object a check, with its fields and `ok`; looseness is null where the C is exact, ok where nothing was held
-    against exact mechanics."""
-    return [{key: value if value != inf else None for key, value in asdict(c).items()} | {"ok": c.ok} for c in checks]
+    """One object a check, with its fields and `ok`; what is not finite is null, as looseness where the C is exact; ok
+    is null where nothing was held against exact mechanics."""
+
+    def shown(value: Any) -> Any:
+        return None if isinstance(value, float) and not isfinite(value) else value
+
+    return [{key: shown(value) for key, value in asdict(c).items()} | {"ok": c.ok} for c in checks]

@@ -10,6 +10,7 @@ from math import inf
 from pathlib import Path
 from typing import Any
 
+from boresight.derive.within import within
 from boresight.evidence.sources import Folder, Source
 
 PLACE = Path(__file__).resolve().parent.parent / "results" / "proofs"
@@ -33,7 +34,8 @@ class Output:
     @property
     def bounded(self) -> bool:
         """Whether there is a bound that says something."""
-        return self.bound is not None and self.found is not None and not self.bound > NOTHING * self.found > 0
+        most = NOTHING * self.found if self.found else inf
+        return self.bound is not None and self.found is not None and within(self.bound, most)
 
     @property
     def tight(self) -> bool:
