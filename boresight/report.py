@@ -168,7 +168,8 @@ def verified(checks: Sequence["Check"]) -> Parts:
                     "" if check.coefficient is None
                     else f", and by {check.coefficient:.3f} per unit of what it neglects"
                 )  # fmt: skip
-                orders.append(f"{check.unit} differs from the exact Jacobian by {check.limit:.1e}{beyond}: {ok}")
+                differs = check.entry or f"differs from the exact Jacobian by {check.limit:.1e}{beyond}"
+                orders.append(f"{check.unit} {differs}: {ok}")
         parts += [name, indented(rows), *map(indented, orders), *([indented(exact)] if exact.row_count else [])]
     parts.append(
         "The bits are compared with CasADi's C, error and bound with 50 digits; a difference from exact mechanics is a "

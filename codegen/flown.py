@@ -14,14 +14,13 @@ from typing import Any
 from flint import arb
 
 from boresight.codegen.functions.reference import precise
-from boresight.codegen.functions.samples import generator, sample
-from boresight.codegen.functions.unit import state_variable
+from boresight.codegen.functions.samples import generator
 from boresight.codegen.mechanics import (
     FINITE,
     LEAST,
+    MANY,
     MOVED,
     NAVIGATION,
-    POINTS,
     STEP,
     Exact,
     MechanicsCheck,
@@ -33,7 +32,7 @@ from boresight.codegen.mechanics import (
     compiled,
     fields,
     filled,
-    finite_error,
+    finite_errors,
     largest,
     navigating,
     points,
@@ -42,6 +41,7 @@ from boresight.codegen.mechanics import (
     size,
     slope,
 )
+from boresight.codegen.points import nearest_zero
 from boresight.derive.expressions import symbols_in
 from boresight.derive.ledger import ellipsoid
 from boresight.derive.ledger.numbers import Matrix, digits, zeros
@@ -124,7 +124,7 @@ def check_transition(exact: Exact, reference: Mapping[str, Reference]) -> Mechan
     with precise():
         for k, middle in enumerate(points(model, "Phi")):
             moving = Moving(exact, middle, scale)
-            error = finite_error(model, scale, "Phi", str(k))
+            error = finite_errors(model, scale, "Phi", str(k))[0]
             rates = scaled(filled((n, n), reference["F"](fields(model, middle))[0]), scale)
             sizes = [float(SHORT) * size for size in row_sizes(rates, scale)]
 
@@ -194,23 +194,22 @@ def transition_and_noise(F: Matrix, S: Matrix, dt: Any) -> tuple[Matrix, Matrix]
 # ---------------------------------------------------------------- total states
 
 
-def states(model: Model, what: str) -> list[tuple[Values, Matrix]]:
-    """Values of all inputs, and states, in their boxes."""
-    drawn = sample((state_variable(model),), 0, POINTS, generator("state", model.name, what))[0].tolist()
-    return list(zip(points(model, what), [Matrix([arb(v) for v in state]) for state in drawn], strict=True))
-
-
 def read(model: Model, values: Values, x: Matrix, dt: Any = None) -> dict[str, Any]:
     """What a unit is called with."""
     moved = values if dt is None else values | {model.dt: dt}
     return fields(model, moved) | {"x": list(x)}
 
 
+def state(model: Model, values: Values) -> Matrix:
+    return Matrix([values[s] for s in model.x])
+
+
 def check_derivative(model: Model, reference: Mapping[str, Reference]) -> MechanicsCheck:
     """Phi against differences of next."""
     n, scale, names, verdict = model.n, box(model), [s.name for s in model.x], Verdict()
     with precise():
-        for values, x in states(model, "Phi"):
+        for values in points(model, "Phi", MANY):
+            x = state(model, values)
 
             def after(error: Sequence[Any], values: Values = values, x: Matrix = x) -> Matrix:
                 return filled((n, 1), reference["next"](read(model, values, x + Matrix(list(error))))[0])
@@ -231,7 +230,8 @@ def check_flow(model: Model, reference: Mapping[str, Reference]) -> list[Mechani
         return Matrix(entries[:n]), Matrix([entries[n * i : n * (i + 1)] for i in range(1, n + 1)])
 
     with precise():
-        for values, x in states(model, "next"):
+        for values in points(model, "next"):
+            x = state(model, values)
             start = Matrix([*x, *zeros(n * n, 1)])
 
             def rate(both: Matrix, values: Values = values) -> Matrix:
@@ -326,10 +326,11 @@ def check_motion(model: Model, f: Function, level: ellipsoid.Level) -> Mechanics
     """
     inputs, carried = {v.name: v for v in model.inputs}, NAVIGATION[model.frame[:3]]
     outputs = [next(o for o in f.outputs if o.name == name) for name in carried]
-    run, read = compiled(*(o.value for o in outputs)), symbols_in(*(o.value for o in outputs))
+    run = compiled(*(o.value for o in outputs))
     before = {s for v in INCREMENTS[2:] for s in v.symbols}
-    verdict, rng = Verdict(), generator("uneven", model.name, f.name)
-    for values in points(model, f.name):
+    verdict, rng = Verdict(), generator("uneven")
+    rest: Values = {s: zero for v in model.inputs for s, zero in zip(v.symbols, nearest_zero(v), strict=True)}
+    for values in points(model, "strapdown"):
         p, v, q = (Matrix([values[s] for s in inputs[name].symbols]) for name in carried)
         rate, force = ([Matrix([arb(float(c)) for c in rng.uniform(-1, 1, 3)]) for _ in range(3)] for _ in range(2))
         parts: list[list[Matrix]] = []
@@ -337,7 +338,7 @@ def check_motion(model: Model, f: Function, level: ellipsoid.Level) -> Mechanics
             turning, velocity = uneven(q, rate, force)
             distance, sums = integrated(velocity), [integrated(series) for series in (rate, force)]
             for s in (TURNED, TURNED / 2):
-                now: Values = dict.fromkeys(read, arb(0)) | {inputs["dt"].scalar: STEP}
+                now: Values = rest | {inputs["dt"].scalar: STEP}
                 increments = [at(series, s) for series in sums] + [-at(series, -s) for series in sums]
                 columns = zip((*(inputs[name] for name in carried), *INCREMENTS), (p, v, q, *increments), strict=True)
                 for variable, column in columns:

@@ -16,8 +16,9 @@ import sympy as sp
 from flint import arb
 
 from boresight.codegen.functions.reference import evaluator, precise
-from boresight.codegen.functions.samples import generator, sample
+from boresight.codegen.functions.samples import generator
 from boresight.codegen.functions.unit import state_variable
+from boresight.codegen.points import exact_points, nearest_zero
 from boresight.derive.expressions import substituted, symbols_in
 from boresight.derive.ledger import ellipsoid
 from boresight.derive.ledger.navigation import Navigator
@@ -28,12 +29,14 @@ from boresight.derive.model import Function, Measurement, Mechanics, Model, Vari
 from boresight.derive.models.variables import INCREMENTS, position
 from boresight.derive.within import within
 
-POINTS = 2
+POINTS, DIRECTIONS = 2, 3  # of F and of what is as dear, and of an error at each of them
+MANY = 6  # points of what is cheap
 # Powers of two, which are exact balls: s, the part of its box by which a state is moved for a derivative, and that of
 # an error whose remainder is looked at.
 STEP, MOVED, FINITE = arb((1, -83)), arb((1, -66)), arb((1, -13))
 EQUAL = 1e-12  # of an entry, or AT_ALL of the largest of its row, each times the box of its state
 AT_ALL = 1e-15
+JUMP = 1e-15  # of the box of an estimate: what a strapdown adds to it over STEP is less
 LEAST = 1e-9  # of the box of a state in a second: what is smaller measures no row
 NOTHING = 1e-28
 FOURFOLD = 0.26
@@ -104,28 +107,19 @@ def filled(shape: tuple[int, int], entries: Mapping[tuple[int, int], Any]) -> Ma
     return matrix
 
 
-def points(model: Model, what: str) -> list[Values]:
-    """Values of all inputs, in the middle half of their boxes, quaternions of the norm that is meant; x is zero."""
-    drawn = sample(model.inputs, 0, POINTS, generator("mechanics", model.name, what))
-    found = []
-    for k in range(POINTS):
-        values: Values = dict.fromkeys(model.x, arb(0))
-        for v, part in zip(model.inputs, drawn, strict=True):
-            column = [arb(float(number)) for number in part[k]]
-            with precise():
-                if v.norm:
-                    length = sum((c * c for c in column), arb(0)).sqrt()
-                    column = [(c / length).mid() for c in column]
-                else:
-                    column = [(c + (arb(a) + arb(b)) / 2) / 2 for c, a, b in zip(column, v.low, v.high, strict=True)]
+def points(model: Model, check: str, count: int = POINTS) -> list[Values]:
+    """Values of all inputs in their boxes and norms, and of a total state; an error state is zero."""
+    found: list[Values] = [dict.fromkeys(model.x, arb(0)) for _ in range(count)]
+    for v in (*model.inputs, *(model.states if model.kind == "total-state" else ())):
+        for values, column in zip(found, exact_points(v, count, check), strict=True):
             values.update(zip(v.symbols, column, strict=True))
-        found.append(values)
     return found
 
 
 def fields(model: Model, values: Values) -> dict[str, list[Any]]:
-    """The inputs by name."""
-    return {v.name: [values[s] for s in v.symbols] for v in model.inputs}
+    """The inputs by name, and the state as x."""
+    named = {v.name: [values[s] for s in v.symbols] for v in model.inputs}
+    return named | {"x": [values[s] for s in symbols(model)]}
 
 
 def symbols(model: Model) -> list[sp.Symbol]:
@@ -241,14 +235,44 @@ class Exact:
                 if output.name not in self.fields:
                     raise LookupError(f"{f.name} returns {output.name}, which is no input of the model")
         self.carried, self.returned = (self.outputs(f) for f in (strapdown, feedback))
-        known = {s for v in model.inputs for s in v.symbols}
-        self.idle = symbols_in(*(o.value for o in strapdown.outputs)) - known | {
-            s for v in (*INCREMENTS, *(what for _, what in self.mechanics.driven)) for s in v.symbols
-        }
+        beside = (*INCREMENTS, *(v for v, _ in self.mechanics.step), *(what for _, what in self.mechanics.driven))
+        read = symbols_in(*(o.value for o in strapdown.outputs))
+        self.idle = dict.fromkeys(read - {s for v in model.inputs for s in v.symbols}, arb(0))
+        for v in beside:
+            self.idle |= dict(zip(v.symbols, nearest_zero(v), strict=True))
         self.strapdown, self.feedback = (compiled(*(o.value for o in f.outputs)) for f in (strapdown, feedback))
         self.stepped = compiled(*(sp.Matrix(e) for _, e in self.mechanics.step)) if self.mechanics.step else None
         level = self.mechanics.level
         self.axes = compiled(level.axes) if level else None
+        apart = {s for v in (*self.carried, *self.returned) for s in v.symbols} | {model.dt, *self.idle}
+        rest = [v for v in model.inputs if read & {*v.symbols} and not apart & {*v.symbols}]
+        self.unstated = self.increments(rest)
+
+    def increments(self, read: Iterable[Variable]) -> list[Variable]:
+        """What strapdown adds at once, however short the step; `step` does not state it, so it is put to nothing.
+
+        Raises LookupError where strapdown moves the estimates at once by itself.
+        """
+        hat, found = points(self.model, "F", 1)[0], []
+        boxes = [max(map(abs, ends)) for v in self.returned for ends in zip(v.low, v.high, strict=True)]
+
+        def jumps(one: Values, other: Values) -> list[str]:
+            parts = zip(list(self.seen(one) - self.seen(other)), boxes, strict=True)
+            names = [s.name for v in self.returned for s in v.symbols]
+            return [name for name, (off, most) in zip(names, parts, strict=True) if not within(size(off) / most, JUMP)]
+
+        with precise():
+            here = self.after(hat, self.sensed(hat))
+            for v in read:
+                still = hat | dict(zip(v.symbols, nearest_zero(v), strict=True))
+                if jumps(here, self.after(still, self.sensed(still))):
+                    found.append(v)
+            for v in found:
+                self.idle |= dict(zip(v.symbols, nearest_zero(v), strict=True))
+            moved = jumps(self.after(hat, self.sensed(hat)), hat)
+        if moved:
+            raise LookupError(f"strapdown moves {moved[0]} at once, however short the step; see Mechanics.step")
+        return found
 
     def outputs(self, f: Function) -> list[Variable]:
         return [self.fields[output.name] for output in f.outputs]
@@ -256,11 +280,11 @@ class Exact:
     def sensed(self, values: Values, dt: Any = STEP) -> Values:
         """What the strapdown reads over the step, the same for estimates and truth."""
         assert self.model.dt is not None
-        at = values | dict.fromkeys(self.idle, arb(0)) | {self.model.dt: dt}
+        at = values | self.idle | {self.model.dt: dt}
         if self.stepped:
             for (variable, _), column in zip(self.mechanics.step, self.stepped(at), strict=True):
                 at.update(zip(variable.symbols, column, strict=True))
-        return {s: at[s] for s in self.idle | {self.model.dt}} | {
+        return {s: at[s] for s in (*self.idle, self.model.dt)} | {
             s: at[s] for variable, _ in self.mechanics.step for s in variable.symbols
         }
 
@@ -345,10 +369,12 @@ def scaled(matrix: Matrix, scale: Sequence[Any]) -> Matrix:
     return Matrix([[matrix[i, j] * scale[j] for j in range(matrix.cols)] for i in range(matrix.rows)])
 
 
-def finite_error(model: Model, scale: Sequence[Any], *words: str) -> Matrix:
-    """An error in a direction that the words draw."""
-    drawn = generator("direction", model.name, *words).uniform(-1, 1, model.n)
-    return Matrix([arb(float(c)) * size * FINITE for c, size in zip(drawn, scale, strict=True)])
+def finite_errors(model: Model, scale: Sequence[Any], *words: str) -> list[Matrix]:
+    """Errors in directions that the words and the names of the states draw."""
+    drawn = [generator("direction", *words, s.name).uniform(-1, 1, DIRECTIONS).tolist() for s in model.x]
+    return [
+        Matrix([arb(of[k]) * size * FINITE for of, size in zip(drawn, scale, strict=True)]) for k in range(DIRECTIONS)
+    ]
 
 
 def check_error_model(exact: Exact, F_of: Reference) -> list[MechanicsCheck]:
@@ -364,10 +390,13 @@ def check_error_model(exact: Exact, F_of: Reference) -> list[MechanicsCheck]:
             found = slope(moving.rate, scale)
             sizes = row_sizes(found, scale)
             F_verdict.compare(scaled(F, scale), found, names, names, scale, sizes)
-            error = finite_error(model, scale, str(k))
-            F_verdict.remainder((moving.rate(list(e)) - F * e for e in (error, error / 2)), sizes)
+            for error in finite_errors(model, scale, "F", str(k)):
+                F_verdict.remainder((moving.rate(list(e)) - F * e for e in (error, error / 2)), sizes)
             compare_noise(G_verdict, moving, G_at(hat)[0])
             compare_feedback(back, moving, scale)
+    if F_verdict.entry and exact.unstated:
+        nothing = ", ".join(v.name for v in exact.unstated)
+        F_verdict.entry += f"; Mechanics.step does not state {nothing}, which is put to nothing over the step"
     law = "strapdown and feedback"
     return [
         F_verdict.check(model, "F", law),
@@ -410,16 +439,14 @@ def check_own_rate(model: Model, F_of: Reference) -> MechanicsCheck:
     """F against differences of the f that the model states."""
     n, scale, names, verdict = model.n, box(model), [s.name for s in model.x], Verdict()
     f = compiled(model.f)
-    drawn = sample((state_variable(model),), 0, POINTS, generator("state", model.name))[0]
     with precise():
-        for hat, state in zip(points(model, "F"), drawn.tolist(), strict=True):
-            here = hat | dict(zip(model.x, map(arb, state), strict=True))
+        for here in points(model, "F", MANY):
 
             def displaced(x: Sequence[Any], here: Values = here) -> Matrix:
                 return f(plus(here, model, x))[0]
 
             found = slope(displaced, scale)
-            F = filled((n, n), F_of(fields(model, here) | {"x": state})[0])
+            F = filled((n, n), F_of(fields(model, here))[0])
             verdict.compare(scaled(F, scale), found, names, names, scale, row_sizes(found, scale))
     return verdict.check(model, "F", "f")
 
@@ -450,7 +477,10 @@ class Seen:
             self.against, left = "z and feedback", m.z - substituted(m.z, true)
         self.left = compiled(left)
         self.tied = [(inputs[name], compiled(sp.Matrix(e))) for name, e in self.law.tied] if self.law else []
-        self.small = inputs[self.law.small].symbols if self.law and self.law.small else ()
+        small = inputs[self.law.small] if self.law and self.law.small else None
+        if small and any(zero != 0 for zero in nearest_zero(small)):
+            raise LookupError(f"{small.name} is neglected, and its box does not hold 0; widen it")
+        self.small = small.symbols if small else ()
         self.z = compiled(self.exact.z) if self.small and self.exact.z is not None else None
 
     def at(self, values: Values, part: Any) -> Values:
@@ -474,25 +504,24 @@ def check_measurement(model: Model, m: Measurement, H_of: Reference) -> Mechanic
     A total state is anywhere in its box, an error state zero.
     """
     unit, columns, scale, verdict = f"{m.name}_H", [s.name for s in model.x], box(model), Verdict()
-    states = sample((state_variable(model),), 0, POINTS, generator("state", model.name, m.name))[0].tolist()
     try:
         seen = Seen(model, m)
     except LookupError as missing:
         return MechanicsCheck(model.name, unit, "", why=str(missing.args[0]))
     with precise():
-        for k, values in enumerate(points(model, m.name)):
-            x = states[k] if model.kind == "total-state" else [0.0] * model.n
-            here = seen.at(values | dict(zip(model.x, map(arb, x), strict=True)), 0)
+        for k, values in enumerate(points(model, "H", MANY)):
+            here = seen.at(values, 0)
 
             def left(x: Sequence[Any], here: Values = here) -> Matrix:
                 return seen.left(plus(here, model, x))[0]
 
-            H = filled((len(m.rows), model.n), H_of(fields(model, here) | {"x": x})[0])
+            H = filled((len(m.rows), model.n), H_of(fields(model, here))[0])
             found = slope(left, scale)
             sizes = row_sizes(found)
             verdict.compare(scaled(H, scale), found, m.rows, columns, scale, sizes)
-            error, origin = finite_error(model, scale, m.name, str(k)), left([arb(0)] * model.n)
-            verdict.remainder((left(list(e)) - origin - H * e for e in (error, error / 2)), sizes)
+            origin = left([arb(0)] * model.n)
+            for error in finite_errors(model, scale, "H", str(k)):
+                verdict.remainder((left(list(e)) - origin - H * e for e in (error, error / 2)), sizes)
             if seen.z is not None and seen.law is not None:
                 whole, half = (seen.residual(values, part) for part in (FINITE, FINITE / 2))
                 vanishes = within(whole, NOTHING) or (isfinite(whole) and within(half, FOURFOLD * whole))
@@ -538,11 +567,12 @@ def check_strapdown(model: Model, f: Function, level: ellipsoid.Level) -> Mechan
     run = compiled(*(o.value for o in outputs))
     rows = [s.name for name in carried for s in fields[name].symbols]
     verdict = Verdict()
-    rng = generator("newton", model.name, f.name)
-    for drawn in points(model, f.name):
+    rng = generator("newton")
+    for drawn in points(model, "strapdown"):
         now = [Matrix([drawn[s] for s in fields[name].symbols]) for name in carried]
         omega, force = (Matrix([arb(float(c)) for c in rng.uniform(-size, size, 3)]) for size in (1, 20))
-        values: Values = dict.fromkeys(symbols_in(*(o.value for o in outputs)), arb(0)) | {dt: STEP}
+        values: Values = {s: zero for v in model.inputs for s, zero in zip(v.symbols, nearest_zero(v), strict=True)}
+        values |= {dt: STEP}
         for name, column in zip(carried, now, strict=True):
             values.update(zip(fields[name].symbols, column, strict=True))
         for variable, sensed in zip(INCREMENTS, (omega, force, omega, force), strict=True):

@@ -25,18 +25,20 @@ from boresight import BoresightError
 from boresight.codegen.flown import check_flown
 from boresight.codegen.functions.maker import UnitMaker
 from boresight.codegen.functions.reference import Entries, precise
-from boresight.codegen.functions.samples import answered, generator, sample
+from boresight.codegen.functions.samples import answered, generator
 from boresight.codegen.functions.tape import evaluate
 from boresight.codegen.functions.unit import Unit
 from boresight.codegen.functions.units import units
 from boresight.codegen.generate import generated_folder, known, load_model, model_names, named
 from boresight.codegen.mechanics import MechanicsCheck, check_mechanics
-from boresight.derive.model import Measurement, Model
+from boresight.codegen.points import drawn, nearest_zero
+from boresight.derive.model import Measurement, Model, Variable
 from boresight.derive.within import within
 from boresight.runtime.library import Library, load
 
 POINTS, CORNERS = 1000, 64
 WIDEST = 1e-45  # of the largest number of a matrix: a reference that knows less proves nothing
+NEGLECTED = 1e-3  # of its own unit: how small a neglected input becomes, or half of the smallest that is drawn
 LIMIT = 1e-12  # of a linear H and the Jacobian of the exact measurement, where nothing is neglected
 
 ZERO = arb(0)
@@ -71,13 +73,14 @@ class UnitCheck:
 class FirstOrderCheck:
     """limit: largest difference where the neglected input is zero, over the largest element (1 or more).  ratio: by
     what the difference falls when that input is halved.  coefficient: the difference over it, as it becomes small.
-    Both are None where nothing is neglected."""
+    Both are None where nothing is neglected.  entry: what keeps it from being looked at; it is then no number."""
 
     model: str
     unit: str
     limit: float
     ratio: float | None
     coefficient: float | None
+    entry: str = ""
 
     @property
     def ok(self) -> bool:
@@ -276,7 +279,7 @@ def called(library: Library, unit: Unit, values: Mapping[str, np.ndarray]) -> An
 
 
 def prepare(model: Model, unit: Unit, flight: Library, casadi: Library, points: int) -> Case:
-    inputs = answered(unit, CORNERS, points + CORNERS, generator("verify", model.name, unit.name))
+    inputs = answered(unit, CORNERS, points + CORNERS, generator("verify", unit.name, *(a.name for a in unit.args)))
     values = {a.name: part for a, part in zip(unit.args, inputs, strict=True)}
     ours, theirs = (as_dict(unit, called(library, unit, values)) for library in (flight, casadi))
     same = all(ours[r.name].tobytes() == theirs[r.name].tobytes() for r in unit.results)
@@ -351,49 +354,72 @@ def check_first_order(model: Model, m: Measurement, made: list[Unit], library: L
     count = 200 if full else 20
     exact_H = maker.numeric(m.h, jacobian=True) if m.h is not None else None
     read = {a.name: a for a in ((*unit.args, *full.args) if full else maker.variables)}
-    rng = generator("first order", model.name, m.name)
-    drawn = sample(tuple(read.values()), 0, count, rng)
-    # a law of rotations holds for quaternions of the norm that is meant, the middle of its range
-    values = {
-        a.name: v / np.linalg.norm(v, axis=1, keepdims=True) * (sum(a.norm) / 2) if a.norm else v / 2
-        for a, v in zip(read.values(), drawn, strict=True)
-    }
-    values["x"] = np.zeros((count, model.n))
-    directions = rng.standard_normal(values[law.small].shape) if law.small else np.ones((count, 1))
-    directions /= np.linalg.norm(directions, axis=1, keepdims=True)
     tied = [(name, maker.numeric(expression)) for name, expression in law.tied]
+    values = {name: drawn(v, count, f"{unit.name} first order") for name, v in read.items()}
+    values["x"] = np.zeros((count, model.n))
+    if law.small and any(zero != 0 for zero in nearest_zero(read[law.small])):
+        return FirstOrderCheck(
+            model.name, unit.name, inf, None, None, f"{law.small} is neglected, and its box does not hold 0; widen it"
+        )
+    whole = values.get(law.small or "", np.ones((count, 1)))
+    lengths = np.linalg.norm(whole, axis=1, keepdims=True)
+    small = min(NEGLECTED, lengths.min() / 2)
 
     def exact(reference: Callable[..., list[Entries]], shape: tuple[int, int]) -> np.ndarray:
         """(count, *shape) in double."""
-        out = np.zeros((count, *shape))
-        for k in range(count):
+        out = np.zeros((len(values["x"]), *shape))
+        for k in range(len(out)):
             for place, value in reference({key: v[k].tolist() for key, v in values.items()})[0].items():
                 out[k][place] = float(value)
         return out
 
-    def compiled(u: Unit) -> np.ndarray:
-        return np.asarray(called(library, u, values))
+    def shrink(scale: float) -> None:
+        """The neglected input made as long as that, and what is tied to the others."""
+        if law.small:
+            values[law.small] = scale * whole / lengths
+        for name, expression in tied:
+            values[name] = exact(expression, (read[name].size, 1))[..., 0]
 
     def difference(scale: float) -> tuple[float, float]:
         """Largest, and largest as a part of the matrix."""
-        if law.small:
-            values[law.small] = scale * directions
-        for name, expression in tied:
-            values[name] = exact(expression, (read[name].size, 1))[..., 0]
+        shrink(scale)
+        ours = np.asarray(called(library, unit, values))
         if full:
-            whole = compiled(full)
+            theirs = np.asarray(called(library, full, values))
         else:
             assert exact_H is not None
-            whole = exact(exact_H, (len(m.rows), model.n))
-        away = np.abs(compiled(unit) - whole).max(axis=(1, 2))
-        return float(away.max()), float((away / np.abs(whole).max(axis=(1, 2), initial=1.0)).max())
+            theirs = exact(exact_H, (len(m.rows), model.n))
+        away = np.abs(ours - theirs).max(axis=(1, 2))
+        return float(away.max()), float((away / np.abs(theirs).max(axis=(1, 2), initial=1.0)).max())
 
-    _, at_zero = difference(0.0)
+    scales = (0.0, small, small / 2) if law.small else (0.0,)
+    inside = np.ones(count, dtype=bool)
+    for scale in scales:
+        shrink(scale)
+        for name, _ in law.tied:
+            inside &= lies_inside(read[name], values[name])
+    if not inside.any():
+        names = ", ".join(name for name, _ in law.tied)
+        return FirstOrderCheck(model.name, unit.name, inf, None, None, f"{names} as tied leaves its box at every point")
+    values = {name: v[inside] for name, v in values.items()}
+    whole, lengths = whole[inside], lengths[inside]
+    try:
+        found = [difference(scale) for scale in scales]
+    except BoresightError as error:
+        return FirstOrderCheck(model.name, unit.name, inf, None, None, str(error))
     if law.small is None:
-        return FirstOrderCheck(model.name, unit.name, at_zero, None, None)
-    small = 1e-3
-    (at_small, _), (at_half, _) = difference(small), difference(small / 2)
-    return FirstOrderCheck(model.name, unit.name, at_zero, at_half / at_small, at_half / (small / 2))
+        return FirstOrderCheck(model.name, unit.name, found[0][1], None, None)
+    (_, at_zero), (at_small, _), (at_half, _) = found
+    ratio = at_half / at_small if at_small else inf
+    return FirstOrderCheck(model.name, unit.name, at_zero, ratio, at_half / (small / 2))
+
+
+def lies_inside(v: Variable, values: np.ndarray) -> np.ndarray:
+    """(points,) whether the values (points, size) lie in the box of v and in the range of its norm."""
+    least, most = v.norm or (0.0, inf)
+    length = np.linalg.norm(values, axis=1)
+    inside: np.ndarray = ((v.low <= values) & (values <= v.high)).all(axis=1) & (least <= length) & (length <= most)
+    return inside
 
 
 def to_json(checks: list[Check]) -> list[dict[str, Any]]:
