@@ -19,7 +19,7 @@ from boresight.codegen.functions.reference import evaluator, precise
 from boresight.codegen.functions.samples import generator
 from boresight.codegen.functions.unit import state_variable
 from boresight.codegen.points import exact_points, nearest_zero
-from boresight.derive.expressions import substituted, symbols_in
+from boresight.derive.expressions import symbols_in
 from boresight.derive.ledger import ellipsoid
 from boresight.derive.ledger.navigation import Navigator
 from boresight.derive.ledger.numbers import Matrix, digits, zeros
@@ -40,6 +40,7 @@ JUMP = 1e-15  # of the box of an estimate: what a strapdown adds to it over STEP
 LEAST = 1e-9  # of the box of a state in a second: what is smaller measures no row
 NOTHING = 1e-28
 FOURFOLD = 0.26
+ITERATIONS, SETTLED = 40, 1e-72  # of Newton's method, and what it may leave
 
 Values = dict[sp.Symbol, Any]
 Reference = Callable[[Mapping[str, Sequence[Any]]], list[Any]]  # of a printed unit: the non-zeros of its results
@@ -322,9 +323,9 @@ class Exact:
     def read_out(self, hat: Values, true: Values, inverse: Matrix) -> Matrix:
         """The x which feedback takes out of `hat` to have `true`: Newton's method with one slope, near to it."""
         wanted, x = self.seen(self.turned(true, hat, true)), zeros(self.model.n, 1)
-        for _ in range(40):
+        for _ in range(ITERATIONS):
             missing = self.seen(self.corrected(hat, list(x))) - wanted
-            if largest(missing) < 1e-72:
+            if within(largest(missing), SETTLED):
                 break
             x = Matrix([value.mid() for value in x - inverse * missing])  # a correction needs no bound of its error
         return x
@@ -454,6 +455,56 @@ def check_own_rate(model: Model, F_of: Reference) -> MechanicsCheck:
 # ---------------------------------------------------------------- H
 
 
+class Corrected:
+    """The inputs once `feedback` has taken an error out of the estimates.
+
+    What feedback does not return stands still, such as a measured value.  What `Mechanics.step` states by an estimate
+    follows it: increments stand still, and a rate from which the bias is removed changes with the bias.
+    """
+
+    def __init__(self, model: Model, feedback: Function):
+        self.model, inputs = model, {v.name: v for v in model.inputs}
+        self.returned = [inputs[o.name] for o in feedback.outputs if o.name in inputs]
+        self.feedback = compiled(*(o.value for o in feedback.outputs if o.name in inputs))
+        known = {s for v in self.returned for s in v.symbols}
+        others = {s: v for v in model.inputs for s in v.symbols if s not in known and s != model.dt}
+        self.following: list[tuple[list[Variable], Callable[[Values], list[Matrix]]]] = []
+        done: set[str] = set()
+        for _, expression in (model.mechanics or Mechanics()).step:
+            read = symbols_in(expression)
+            follow = list(dict.fromkeys(v for s, v in others.items() if s in read and v.name not in done))
+            if read & known and follow and sum(v.size for v in follow) == len(expression):
+                self.following.append((follow, compiled(sp.Matrix(expression))))
+                done |= {v.name for v in follow}
+        self.still = [
+            v for v in model.inputs if v not in self.returned and v.name not in done and model.dt not in v.symbols
+        ]
+
+    def __call__(self, values: Values, x: Sequence[Any]) -> Values:
+        after = dict(values)
+        columns = self.feedback(values | dict(zip(symbols(self.model), x, strict=True)))
+        for v, column in zip(self.returned, columns, strict=True):
+            after.update(zip(v.symbols, column, strict=True))
+        for follow, stated in self.following:
+            order = [s for v in follow for s in v.symbols]
+            scale = [arb(max(map(abs, ends))) for v in follow for ends in zip(v.low, v.high, strict=True)]
+
+            def off(by: Sequence[Any], after: Values = after, order: Any = order, stated: Any = stated) -> Matrix:
+                return stated(after | {s: after[s] + e for s, e in zip(order, by, strict=True)})[0] - stated(values)[0]
+
+            try:
+                inverse, by = slope(off, scale).inv(), zeros(len(order), 1)
+            except ZeroDivisionError:
+                raise LookupError(f"Mechanics.step does not determine {follow[0].name}") from None
+            for _ in range(ITERATIONS):
+                missing = off(list(by))
+                if within(largest(missing), SETTLED):
+                    break
+                by = Matrix([(b - s * d).mid() for b, s, d in zip(by, scale, inverse * missing, strict=True)])
+            after.update((s, after[s] + e) for s, e in zip(order, by, strict=True))
+        return after
+
+
 class Seen:
     """A measurement: what it sees of an error, and the points where its H holds.
 
@@ -464,24 +515,31 @@ class Seen:
         self.model, self.law = model, m.first_order
         inputs = {v.name: v for v in model.inputs}
         self.exact = next(o for o in model.measurements if o.name == self.law.of) if self.law and self.law.of else m
-        feedback = next((f for f in model.functions if f.name == "feedback"), None)
+        own = next((f for f in model.functions if f.name == "feedback"), None)
+        feedback = (model.mechanics and model.mechanics.feedback) or own
+        self.hint = ""
         if self.exact.h is not None:
-            self.against, left = "h", self.exact.h
+            self.against, h = "h", compiled(self.exact.h)
+            self.left = lambda here, x: h(plus(here, model, x))[0]
         elif m.z is None or feedback is None:
-            raise LookupError("it has no h, and no z and feedback to make one of")
+            lacking = "feedback" if m.z is not None else "z, which the caller brings"
+            raise LookupError(f"it has no {lacking}; state an h beside H, with first_order=FirstOrder()")
         else:
-            true = {s: e for o in feedback.outputs for s, e in zip(inputs[o.name].symbols, o.value, strict=True)}
-            if symbols_in(m.z) - set(true):  # one of them may follow from an estimate
-                read = ", ".join(v.name for v in model.inputs if symbols_in(m.z) & set(v.symbols) - set(true))
-                raise LookupError(f"it has no h, and feedback does not say what becomes of {read}")
-            self.against, left = "z and feedback", m.z - substituted(m.z, true)
-        self.left = compiled(left)
+            self.against, z, corrected = "z and feedback", compiled(m.z), Corrected(model, feedback)
+            self.left = lambda here, x: z(here)[0] - z(corrected(here, x))[0]
+            still = [v.name for v in corrected.still if symbols_in(m.z) & set(v.symbols)]
+            if still:
+                self.hint = f"; {', '.join(still)} stood still, as a measured value does: else state h and FirstOrder()"
         self.tied = [(inputs[name], compiled(sp.Matrix(e))) for name, e in self.law.tied] if self.law else []
         small = inputs[self.law.small] if self.law and self.law.small else None
         if small and any(zero != 0 for zero in nearest_zero(small)):
             raise LookupError(f"{small.name} is neglected, and its box does not hold 0; widen it")
         self.small = small.symbols if small else ()
         self.z = compiled(self.exact.z) if self.small and self.exact.z is not None else None
+
+    def less_turns(self, change: Matrix) -> Matrix:
+        """A change of z, of an angle less whole turns."""
+        return Matrix([wrapped(e) if i in self.exact.angles else e for i, e in enumerate(change)])
 
     def at(self, values: Values, part: Any) -> Values:
         """The point, what H neglects made a part of itself, and what is tied to the others with it."""
@@ -503,25 +561,29 @@ def check_measurement(model: Model, m: Measurement, H_of: Reference) -> Mechanic
 
     A total state is anywhere in its box, an error state zero.
     """
-    unit, columns, scale, verdict = f"{m.name}_H", [s.name for s in model.x], box(model), Verdict()
     try:
         seen = Seen(model, m)
+        return compare_measurement(model, m, H_of, seen).check(model, f"{m.name}_H", seen.against)
     except LookupError as missing:
-        return MechanicsCheck(model.name, unit, "", why=str(missing.args[0]))
+        return MechanicsCheck(model.name, f"{m.name}_H", "", why=str(missing.args[0]))
+
+
+def compare_measurement(model: Model, m: Measurement, H_of: Reference, seen: Seen) -> Verdict:
+    columns, scale, verdict = [s.name for s in model.x], box(model), Verdict()
     with precise():
         for k, values in enumerate(points(model, "H", MANY)):
             here = seen.at(values, 0)
+            origin = seen.left(here, [arb(0)] * model.n)
 
-            def left(x: Sequence[Any], here: Values = here) -> Matrix:
-                return seen.left(plus(here, model, x))[0]
+            def change(x: Sequence[Any], here: Values = here, origin: Matrix = origin) -> Matrix:
+                return seen.less_turns(seen.left(here, x) - origin)
 
             H = filled((len(m.rows), model.n), H_of(fields(model, here))[0])
-            found = slope(left, scale)
+            found = slope(change, scale)
             sizes = row_sizes(found)
             verdict.compare(scaled(H, scale), found, m.rows, columns, scale, sizes)
-            origin = left([arb(0)] * model.n)
             for error in finite_errors(model, scale, "H", str(k)):
-                verdict.remainder((left(list(e)) - origin - H * e for e in (error, error / 2)), sizes)
+                verdict.remainder((change(list(e)) - H * e for e in (error, error / 2)), sizes)
             if seen.z is not None and seen.law is not None:
                 whole, half = (seen.residual(values, part) for part in (FINITE, FINITE / 2))
                 vanishes = within(whole, NOTHING) or (isfinite(whole) and within(half, FOURFOLD * whole))
@@ -531,12 +593,14 @@ def check_measurement(model: Model, m: Measurement, H_of: Reference) -> Mechanic
                         f"{largest(FINITE * values[s] for s in seen.small):.3g}, where "
                         f"{' and '.join(name for name, _ in seen.law.tied)} should make it vanish to first order"
                     )
-    return verdict.check(model, unit, seen.against)
+    if verdict.entry:
+        verdict.entry += seen.hint
+    return verdict
 
 
 def wrapped(angle: arb) -> arb:
     turn = 2 * arb.pi()
-    return angle - turn * round(float(angle / turn))
+    return angle - turn * round(float(angle / turn)) if angle.is_finite() else angle
 
 
 # ---------------------------------------------------------------- strapdown

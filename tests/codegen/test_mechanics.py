@@ -6,15 +6,19 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from sympy import Matrix, diag
+from flint import arb
+from sympy import Matrix, Symbol, diag
 
 from boresight import report, terminal
 from boresight.codegen.functions.maker import UnitMaker
+from boresight.codegen.functions.reference import precise
 from boresight.codegen.generate import load_model
-from boresight.codegen.mechanics import check_mechanics
+from boresight.codegen.mechanics import Seen, check_mechanics
+from boresight.derive.ledger import numbers as ledger
 from boresight.derive.mechanics import earth
 from boresight.derive.mechanics.earth import ENU
 from boresight.derive.mechanics.rotation import conjugate, skew
+from boresight.derive.model import FirstOrder, Measurement
 from boresight.derive.models import variables as var
 
 EXAMPLES = Path(__file__).parent.parent.parent / "examples"
@@ -161,3 +165,65 @@ def test_a_rate_of_ones_own_is_the_mechanics_of_its_F(capsys):
     lines = capsys.readouterr().out.splitlines()
     assert next(line for line in lines if line.split()[:1] == ["G"]).endswith("not checked")
     assert lines[-1] == "verify: 2 passed, 0 failed, 1 not checked"
+
+
+# ---------------------------------------------------------------- z before and after feedback
+
+
+def climbing(H, z=None, **more):
+    """Height and speed, a barometer, and an H by hand; no h."""
+    return replace(
+        load_model(f"{EXAMPLES / 'vertical.py'}:VERTICAL"),
+        measurements=(Measurement("altitude", ("height",), "m", "height", z=z, H=H, **more),),
+    )
+
+
+HEIGHT, BARO = (Symbol(name, real=True) for name in ("height", "baro"))
+Z = Matrix([HEIGHT - BARO])
+
+
+@pytest.mark.parametrize("H, right", [((1, 0, 0), True), ((-1, 0, 0), False), ((1, 0.001, 0), False)])
+def test_an_H_of_a_measured_value_is_held_by_z_before_and_after_feedback(H, right):
+    check = checked(climbing(Matrix([H]), Z))["altitude_H"]
+    assert check.against == "z and feedback"
+    assert check.ok is right
+    assert right or "; baro stood still, as a measured value does" in check.entry
+
+
+def test_where_the_caller_brings_z_the_row_names_first_order():
+    check = checked(climbing(Matrix([[1, 0, 0]])))["altitude_H"]
+    assert check.ok is None
+    assert check.why == "it has no z, which the caller brings; state an h beside H, with first_order=FirstOrder()"
+    h = Matrix([Symbol("d_height", real=True)])
+    for H, right in (((1, 0, 0), True), ((-1, 0, 0), False)):
+        tied = checked(climbing(Matrix([H]), h=h, first_order=FirstOrder()))["altitude_H"]
+        assert (tied.against, tied.ok) == ("h", right)
+
+
+@pytest.mark.parametrize("name, model_name", [("zaru", "azimuth-hold"), ("velocity", "velocity-dcm")])
+def test_a_rate_without_its_bias_follows_the_estimate_of_the_bias(name, model_name):
+    bare = measured(model(model_name), name, h=None, first_order=None)
+    check = checked(bare)[f"{name}_H"]
+    # the delay is known to h alone, and z does not read it
+    assert check.ok is (name == "zaru"), check.entry
+    if name == "zaru":
+        H = Matrix(measurement(bare, name).H)
+        H[0, 9] = -H[0, 9]
+        assert re.search(r"x by dbg_x: 1 stated, -1 exact", checked(measured(bare, name, H=H))["zaru_H"].entry)
+        without = replace(bare, mechanics=replace(bare.mechanics, step=()))
+        assert "omega_ib_b stood still" in checked(without)["zaru_H"].entry
+
+
+def test_every_H_of_the_autopilot_is_held_by_z_and_feedback():
+    checks = checked(load_model(f"{EXAMPLES / 'autopilot.py'}:AUTOPILOT"))
+    of_H = [check for unit, check in checks.items() if unit.endswith("_H")]
+    assert len(of_H) == 10
+    assert [(check.against, check.ok) for check in of_H] == [("z and feedback", True)] * 10
+
+
+def test_a_heading_that_passes_south_is_less_whole_turns():
+    made = load_model(f"{EXAMPLES / 'autopilot.py'}:AUTOPILOT")
+    seen = Seen(made, next(m for m in made.measurements if m.name == "yaw"))
+    with precise():
+        assert abs(float(seen.less_turns(ledger.Matrix([2 * arb.pi() - arb("1e-9")]))[0]) + 1e-9) < 1e-20
+        assert not seen.less_turns(ledger.Matrix([arb("nan")]))[0].is_finite()
