@@ -156,6 +156,8 @@ def verified(checks: Sequence["Check"]) -> Parts:
                     check.unit, str(check.points), str(check.outputs), "same" if check.same_bits else "DIFFER",
                     f"{check.largest_error:.1e}", loose, ok,
                 )  # fmt: skip
+                if not check.ok:
+                    orders.append(f"{check.unit}: {check.reason}")
             elif isinstance(check, MechanicsCheck):
                 if check.ok is None:
                     exact.add_row(check.unit, check.why, "", "", "not checked")
@@ -168,8 +170,8 @@ def verified(checks: Sequence["Check"]) -> Parts:
                     "" if check.coefficient is None
                     else f", and by {check.coefficient:.3f} per unit of what it neglects"
                 )  # fmt: skip
-                differs = check.entry or f"differs from the exact Jacobian by {check.limit:.1e}{beyond}"
-                orders.append(f"{check.unit} {differs}: {ok}")
+                differs = f"{check.unit} differs from the exact Jacobian by {check.limit:.1e}{beyond}: {ok}"
+                orders.append(differs if check.ok else f"{check.unit}: {check.reason}: {ok}")
         parts += [name, indented(rows), *map(indented, orders), *([indented(exact)] if exact.row_count else [])]
     parts.append(
         "The bits are compared with CasADi's C, error and bound with 50 digits; a difference from exact mechanics is a "

@@ -19,6 +19,7 @@ from boresight.codegen.functions.reference import evaluator, precise
 from boresight.codegen.functions.samples import generator
 from boresight.codegen.functions.unit import state_variable
 from boresight.codegen.points import exact_points, nearest_zero
+from boresight.derive.dimensions import ROOT_SECOND
 from boresight.derive.expressions import symbols_in
 from boresight.derive.ledger import ellipsoid
 from boresight.derive.ledger.navigation import Navigator
@@ -27,6 +28,7 @@ from boresight.derive.ledger.witness import hamilton, quaternion, vector
 from boresight.derive.mechanics.earth import FRAMES
 from boresight.derive.model import Function, Measurement, Mechanics, Model, Variable
 from boresight.derive.models.variables import INCREMENTS, position
+from boresight.derive.units import Unit, units
 from boresight.derive.within import within
 
 POINTS, DIRECTIONS = 2, 3  # of F and of what is as dear, and of an error at each of them
@@ -70,6 +72,11 @@ class MechanicsCheck:
     @property
     def ok(self) -> bool | None:
         return None if self.why else not self.entry
+
+    @property
+    def reason(self) -> str:
+        """Why it is not ok."""
+        return self.entry or self.why
 
 
 def check_mechanics(model: Model, reference: Mapping[str, Reference]) -> list[MechanicsCheck]:
@@ -207,7 +214,10 @@ class Verdict:
         if not within(ratio, FOURFOLD) and not self.entry:
             self.entry = f"half the error leaves {ratio:.3f} of the remainder, not a quarter"
 
-    def check(self, model: Model, unit: str, against: str) -> MechanicsCheck:
+    def check(self, model: Model, unit: str, against: str, lacking: str = "") -> MechanicsCheck:
+        """lacking: why a part of the unit could not be held, which is no right where all the rest is right."""
+        if lacking and not self.entry:
+            return MechanicsCheck(model.name, unit, "", why=lacking)
         return MechanicsCheck(
             model.name, unit, against, self.difference, self.entry, self.ratio, self.coefficient, order=self.order
         )
@@ -238,6 +248,7 @@ class Exact:
         self.carried, self.returned = (self.outputs(f) for f in (strapdown, feedback))
         beside = (*INCREMENTS, *(v for v, _ in self.mechanics.step), *(what for _, what in self.mechanics.driven))
         read = symbols_in(*(o.value for o in strapdown.outputs))
+        owners = {v.name: v for v in (*beside, *model.inputs)}
         self.idle = dict.fromkeys(read - {s for v in model.inputs for s in v.symbols}, arb(0))
         for v in beside:
             self.idle |= dict(zip(v.symbols, nearest_zero(v), strict=True))
@@ -247,6 +258,9 @@ class Exact:
         self.axes = compiled(level.axes) if level else None
         apart = {s for v in (*self.carried, *self.returned) for s in v.symbols} | {model.dt, *self.idle}
         rest = [v for v in model.inputs if read & {*v.symbols} and not apart & {*v.symbols}]
+        self.driveable = [
+            v for v in owners.values() if read & {*v.symbols} and v not in (*self.carried, *self.returned)
+        ]
         self.unstated = self.increments(rest)
 
     def increments(self, read: Iterable[Variable]) -> list[Variable]:
@@ -401,28 +415,37 @@ def check_error_model(exact: Exact, F_of: Reference) -> list[MechanicsCheck]:
     law = "strapdown and feedback"
     return [
         F_verdict.check(model, "F", law),
-        G_verdict.check(model, "G", law),
+        G_verdict.check(model, "G", law, undriven(exact)),
         back.check(model, "feedback", "an error of computed - true"),
     ]
 
 
 def compare_feedback(back: Verdict, moving: Moving, scale: Sequence[Any]) -> None:
-    """No error changes nothing, and what is an error of a number itself is computed - true."""
+    """No error changes nothing, and what is an error of a number itself, in its own unit, is computed - true.
+
+    An error in another unit, such as metres of a latitude, is held by F and H, which read it out of what feedback does.
+    """
     exact, hat, J = moving.exact, moving.hat, moving.J
     still = exact.seen(exact.corrected(hat, [arb(0)] * moving.n)) - exact.seen(hat)
-    names = [(v, s.name) for v in exact.returned for s in v.symbols]
-    for i, (v, name) in enumerate(names):
+    names = [(v, s.name, unit) for v in exact.returned for s, unit in zip(v.symbols, unit_of(v), strict=True)]
+    errors = [unit for block in exact.model.states for unit in unit_of(block)]
+    for i, (v, name, unit) in enumerate(names):
         back.note(still[i], NOTHING, f"{name} moves by {float(still[i]):.3g} where no error is taken out")
         moves = [j for j in range(J.cols) if not within(size(J[i, j]), NOTHING)]
-        if v.norm is None and len(moves) == 1:
+        if v.norm is None and len(moves) == 1 and unit == errors[moves[0]]:
             by = float(J[i, moves[0]] / scale[moves[0]])
             back.note(by + 1, EQUAL, f"{name} by {exact.model.x[moves[0]].name}: {by:.6g} stated, -1 exact")
 
 
+def unit_of(v: Variable) -> list[Unit]:
+    return units(v.unit, v.size)
+
+
 def compare_noise(verdict: Verdict, moving: Moving, G: Matrix) -> None:
-    """G, each column with either sign: white noise has none.  What drives no sensor drives one state, by itself."""
+    """G, each column with either sign: white noise has none.  What drives no sensor is held where it drives one state,
+    by itself and once; G of another cannot be known."""
     model = moving.exact.model
-    names = [entry.name for entry in model.noise]
+    names = list(map(str, model.noise))
     sensors = [s.name for noise, _ in moving.exact.mechanics.driven for s in noise.symbols]
     found = slope(moving.driven_rate, [arb(1)] * len(sensors)) if sensors else None
     exact = zeros(G.rows, G.cols)
@@ -431,9 +454,25 @@ def compare_noise(verdict: Verdict, moving: Moving, G: Matrix) -> None:
             column = found[:, sensors.index(name)]
             exact[:, k] = column if float((G[:, k].T * column)[0]) >= 0 else -column
         else:
-            entries = [abs(float(entry)) for entry in G[:, k]]
-            exact[entries.index(max(entries)), k] = arb(1)
+            exact[:, k] = G[:, k]
     verdict.compare(G, exact, [s.name for s in model.x], names, [1] * len(names), row_sizes(exact, box(model)))
+
+
+def undriven(exact: Exact) -> str:
+    """Why some columns of G cannot be held, and what to state; nothing where all can."""
+    model, mechanics = exact.model, exact.mechanics
+    stated = {s for noise, _ in mechanics.driven for s in noise.symbols}
+    owners = {s: v for v in model.inputs for s in v.symbols}
+    alone = [[e for e in column if e != 0] in ([1], [-1]) for column in model.G.T.tolist()]
+    lost = [w for w, by_itself in zip(model.noise, alone, strict=True) if w not in stated and not by_itself]
+    names = list(dict.fromkeys(owners[w].name if w in owners else str(w) for w in lost))
+    if not lost:
+        return ""
+    first = owners.get(lost[0])
+    read = [v.name for v in exact.driveable if first and unit_of(v)[0].like(unit_of(first)[0] * ROOT_SECOND)]
+    what = f"({names[0]}, {read[0] if read else 'what it adds to over a second'})"
+    verb = "is" if len(names) == 1 else "are"
+    return f"{', '.join(names)} {verb} not said to add to anything; state driven=({what},) of Mechanics"
 
 
 def check_own_rate(model: Model, F_of: Reference) -> MechanicsCheck:

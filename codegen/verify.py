@@ -42,6 +42,7 @@ NEGLECTED = 1e-3  # of its own unit: how small a neglected input becomes, or hal
 LIMIT = 1e-12  # of a linear H and the Jacobian of the exact measurement, where nothing is neglected
 
 ZERO = arb(0)
+ROUNDING = 2.0**-53  # of double precision
 
 Check = Union["UnitCheck", "FirstOrderCheck", MechanicsCheck]
 Progress = Callable[[int, int, str], None]  # functions done, of all, and which one is
@@ -51,7 +52,7 @@ Progress = Callable[[int, int, str], None]  # functions done, of all, and which 
 class UnitCheck:
     """largest_error: of any output, against 50 digits.  looseness: how many times the bound was larger than the error,
     where it came closest; below 1 the bound is broken.  width: the largest radius of what the 50 digits are known to,
-    over the largest number of its matrix."""
+    over the largest number that it is made of.  scale: the largest output."""
 
     model: str
     unit: str
@@ -62,11 +63,24 @@ class UnitCheck:
     looseness: float
     zeros_are_zero: bool
     width: float
+    scale: float = 0.0
+
+    @property
+    def reason(self) -> str:
+        """Why it is not ok."""
+        known = f"of {self.largest_error:.1e} where outputs are up to {self.scale:.3g}"
+        found = {
+            "the bits are not those of CasADi's C": not self.same_bits,
+            f"an error {known} lies beyond the bound on rounding": not self.looseness >= 1,
+            f"there is an error {known}": not isfinite(self.largest_error),
+            "an element that is left out is not zero": not self.zeros_are_zero,
+            f"50 digits know the result to {self.width:.0e} only": not within(self.width, WIDEST),
+        }
+        return "; ".join(text for text, wrong in found.items() if wrong)
 
     @property
     def ok(self) -> bool:
-        close = self.looseness >= 1 and isfinite(self.largest_error) and within(self.width, WIDEST)
-        return self.same_bits and self.zeros_are_zero and close
+        return not self.reason
 
 
 @dataclass(frozen=True)
@@ -83,8 +97,18 @@ class FirstOrderCheck:
     entry: str = ""
 
     @property
+    def reason(self) -> str:
+        """Why it is not ok."""
+        if self.entry:
+            return self.entry
+        if not within(self.limit, LIMIT):
+            return f"it differs by {self.limit:.1e} of the largest element where nothing is neglected"
+        falls = self.ratio is None or within(abs(self.ratio - 0.5), 0.01)
+        return "" if falls else f"half of what it neglects leaves {self.ratio:.3f} of the difference, not half"
+
+    @property
     def ok(self) -> bool:
-        return within(self.limit, LIMIT) and (self.ratio is None or within(abs(self.ratio - 0.5), 0.01))
+        return not self.reason
 
 
 def verify(
@@ -222,7 +246,9 @@ class Case:
 
     def verdict(self, model: Model) -> UnitCheck:
         outputs = sum(len(r.nonzeros) for r in self.unit.results)
-        return UnitCheck(model.name, self.unit.name, self.count, outputs, self.same_bits, **asdict(self.part))
+        scale = worst(*(float(np.abs(values).max(initial=0.0)) for values in self.got), 0.0)
+        part = asdict(self.part)
+        return UnitCheck(model.name, self.unit.name, self.count, outputs, self.same_bits, **part, scale=scale)
 
 
 class Underway:
@@ -319,7 +345,9 @@ def check_points(case: Case, first: int, step: int) -> Part:
                 ]
                 errors[o][row] = [float(d.abs_lower()) for d in off]
                 zeros = all(entries[at].contains(ZERO) for at in entries.keys() - printed[o].keys())
-                part += Part(zeros_are_zero=zeros, width=relative_width(entries))
+                # what the running bound follows is as large as the bound over one rounding
+                made_of = worst(*bounds[o][row].tolist(), 0.0) / ROUNDING
+                part += Part(zeros_are_zero=zeros, width=relative_width(entries, made_of))
     for values, bound, error in zip(got, bounds, errors, strict=True):
         loose = np.divide(bound, error, where=error > 0, out=np.full_like(bound, inf))
         loose[~(np.isfinite(values) & np.isfinite(error) & np.isfinite(bound))] = 0.0
@@ -327,13 +355,14 @@ def check_points(case: Case, first: int, step: int) -> Part:
     return part
 
 
-def relative_width(entries: Entries) -> float:
-    """The largest radius over the largest number of a matrix; infinite where one is no number."""
+def relative_width(entries: Entries, made_of: float = 0.0) -> float:
+    """The largest radius over the largest number of a matrix, or over those that it is made of; infinite where one is
+    no number.  A result that is zero since large numbers cancel has no size of its own."""
     values = entries.values()
     if not all(map(arb.is_finite, values)):
         return inf
     radius = worst(*map(float, map(arb.rad, values)), 0.0)
-    largest = worst(*map(abs, map(float, values)), 0.0)
+    largest = worst(*map(abs, map(float, values)), made_of)
     return radius and (radius / largest if largest else inf)
 
 
@@ -429,4 +458,4 @@ def to_json(checks: list[Check]) -> list[dict[str, Any]]:
     def shown(value: Any) -> Any:
         return None if isinstance(value, float) and not isfinite(value) else value
 
-    return [{key: shown(value) for key, value in asdict(c).items()} | {"ok": c.ok} for c in checks]
+    return [{key: shown(value) for key, value in asdict(c).items()} | {"ok": c.ok, "reason": c.reason} for c in checks]

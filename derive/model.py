@@ -446,10 +446,11 @@ class Mechanics:
         The same inputs once the errors x are taken out; None for the model's own.
     step : tuple of (Variable, Matrix), optional
         What strapdown reads over a short dt, and its expression, such as increments from rates;
-        what is not given is zero.
+        what is not given is zero, or the value of its box nearest to zero.
     driven : tuple of (Variable, Variable), optional
         A noise, and what of strapdown's inputs it adds to, an integral over the step or a rate; or
-        the block of states that it drives by itself.
+        the block of states that it drives by itself.  A noise that is not named is held where it
+        drives one state by itself, with 1.
     level : Level, optional
         Of `boresight.derive.model`: where the errors stand against the computed axes, as in a psi
         model.

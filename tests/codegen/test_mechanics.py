@@ -18,7 +18,7 @@ from boresight.derive.ledger import numbers as ledger
 from boresight.derive.mechanics import earth
 from boresight.derive.mechanics.earth import ENU
 from boresight.derive.mechanics.rotation import conjugate, skew
-from boresight.derive.model import FirstOrder, Measurement
+from boresight.derive.model import FirstOrder, Function, Measurement, Model, Output, Struct, constant, variable
 from boresight.derive.models import variables as var
 
 EXAMPLES = Path(__file__).parent.parent.parent / "examples"
@@ -227,3 +227,75 @@ def test_a_heading_that_passes_south_is_less_whole_turns():
     with precise():
         assert abs(float(seen.less_turns(ledger.Matrix([2 * arb.pi() - arb("1e-9")]))[0]) + 1e-9) < 1e-20
         assert not seen.less_turns(ledger.Matrix([arb("nan")]))[0].is_finite()
+
+
+# ---------------------------------------------------------------- what is right and has another form
+
+
+def ship(by=1, unit="m"):
+    """A ship on a meridian whose error of the latitude is in metres, or in rad."""
+    radius = constant("R", "6378137", "m", "radius of a sphere")
+    lat = variable("lat", "lat", "rad", "latitude", -1.5, 1.5)
+    speed = variable("v", "v", "m/s", "speed north", -100.0, 100.0)
+    d_north = variable("d_north", "d_north", unit, "error of the place", -1e3, 1e3, wide=True)
+    dv = variable("dv", "dv", "m/s", "error of the speed", -10.0, 10.0)
+    dt = variable("dt", "dt", "s", "step", 1e-3, 0.1)
+    noise = variable("n", "n", "m/s/sqrt(s)", "noise density", 0.0, 1.0)
+    length = radius if unit == "m" else 1
+    return Model(
+        name="ship", c_prefix="sh", title="a ship on a meridian", frame="none", states=(d_north, dv),
+        structs=(Struct("nav", "carried", (lat, speed)), Struct("step", "one step", (dt, noise))),
+        F=Matrix([[0, length / radius], [0, 0]]), G=Matrix([0, 1]), noise=noise.vector, dt=dt.scalar,
+        measurements=(Measurement("place", ("lat",), "rad", "place", H=Matrix([[1 / length, 0]]), z=lat.vector),),
+        functions=(
+            Function("strapdown", "one step", (
+                Output("lat", lat.vector + speed.vector * dt.scalar / radius, "rad", "latitude"),)),
+            Function("feedback", "errors out", (
+                Output("lat", lat.vector - by * d_north.vector / length, "rad", "latitude"),
+                Output("v", speed.vector - dv.vector, "m/s", "speed"))),
+        ),
+    )  # fmt: skip
+
+
+def test_an_error_in_another_unit_than_its_estimate_is_held_by_what_reads_it_out():
+    assert [check for check in checked(ship()).values() if not check.ok] == []
+    wrong = checked(ship(-1))
+    assert wrong["feedback"].ok
+    assert wrong["F"].ok is False and wrong["place_H"].ok is False
+
+
+def test_an_error_in_the_unit_of_its_estimate_is_computed_minus_true():
+    assert checked(ship(unit="rad"))["feedback"].ok
+    assert checked(ship(-1, "rad"))["feedback"].entry == "lat by d_north: 1 stated, -1 exact"
+
+
+def driven(noise):
+    """velocity-dcm with no word of what this noise adds to."""
+    made = model("velocity-dcm")
+    kept = tuple(pair for pair in made.mechanics.driven if pair[0].name != noise)
+    return replace(made, mechanics=replace(made.mechanics, driven=kept))
+
+
+def test_a_noise_that_is_said_to_add_to_nothing_is_not_held_and_the_remedy_is_named():
+    check = checked(driven("gyro_noise"))["G"]
+    assert check.ok is None
+    assert (
+        check.why == "gyro_noise is not said to add to anything; state driven=((gyro_noise, dtheta_ib_b),) of Mechanics"
+    )
+    assert checked(model("velocity-dcm"))["G"].ok
+
+
+def test_what_is_wrong_beside_a_noise_that_is_not_held_is_named_still():
+    made = driven("gyro_noise")
+    check = checked(replace(made, G=made.G * diag(*[1] * 5, 2)))["G"]
+    assert check.ok is False
+    assert "by accel_noise_z" in check.entry
+
+
+def test_a_noise_that_drives_one_state_by_itself_needs_no_word():
+    made = model("azimuth-hold")
+    names = {noise.name for noise, _ in made.mechanics.driven}
+    assert "gyro_bias_noise" not in names
+    assert checked(made)["G"].ok
+    twice = replace(made, G=made.G * diag(*[1] * 11, 2))
+    assert checked(twice)["G"].why.startswith("accel_bias_noise is not said to add to anything")

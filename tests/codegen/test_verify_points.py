@@ -15,7 +15,16 @@ from boresight.codegen.functions.samples import generator
 from boresight.codegen.functions.tape import evaluate
 from boresight.codegen.functions.units import units
 from boresight.codegen.mechanics import Exact, exact_points, points
-from boresight.codegen.verify import check_first_order
+from boresight.codegen.verify import (
+    WIDEST,
+    FirstOrderCheck,
+    UnitCheck,
+    check_first_order,
+    check_points,
+    prepare,
+    relative_width,
+    to_json,
+)
 from boresight.derive.model import FirstOrder, Function, Measurement, Mechanics, Model, Output, Struct, variable
 from boresight.derive.models import variables as var
 
@@ -212,3 +221,34 @@ def test_what_is_neglected_and_never_zero_is_a_row_that_fails():
     assert check.ok is False
     assert check.entry == "bent is neglected, and its box does not hold 0; widen it"
     assert checked(gauge(low=0.5, small=True))["gauge_H"].why == check.entry
+
+
+# ---------------------------------------------------------------- a result that is zero
+
+
+def test_a_result_that_cancels_to_zero_is_known_by_the_numbers_that_it_is_made_of():
+    made = gauge()
+    dv, v = made.x[0], made.inputs[0].scalar
+    zero = replace(made, measurements=(
+        Measurement("gauge", ("v",), "1", "always zero", h=Matrix([sin(dv + v) - sin(dv) * cos(v) - cos(dv) * sin(v)])),))  # fmt: skip
+    unit = next(u for u in units(zero) if u.name == "gauge_h")
+    library = Interpreted([unit])
+    case = prepare(zero, unit, library, library, 20)
+    case.part += check_points(case, 0, 1)
+    verdict = case.verdict(zero)
+    assert verdict.ok and verdict.width < 1e-60, verdict.reason
+    assert relative_width({(0, 0): arb(0, 1e-79)}) > WIDEST
+    assert replace(verdict, width=1e-30).reason == "50 digits know the result to 1e-30 only"
+
+
+def test_a_verdict_on_the_c_gives_its_reason_and_its_scale():
+    check = UnitCheck("m", "F", 1, 1, False, 1e-3, 0.5, False, 1e-60, 40.0)
+    assert not check.ok
+    assert check.reason == (
+        "the bits are not those of CasADi's C; an error of 1.0e-03 where outputs are up to 40 lies beyond the bound on "
+        "rounding; an element that is left out is not zero"
+    )
+    assert FirstOrderCheck("m", "H", 0.1, None, None).reason.startswith("it differs by 1.0e-01 of the largest")
+    assert "leaves 0.900 of the difference" in FirstOrderCheck("m", "H", 0.0, 0.9, 1.0).reason
+    shown = to_json([check])[0]
+    assert shown["scale"] == 40.0 and shown["reason"] == check.reason
