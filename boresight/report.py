@@ -137,7 +137,7 @@ def equation(entry: dict[str, str], conditions: Sequence[str]) -> Parts:
 def verified(checks: Sequence["Check"]) -> Parts:
     """For each model a table of its C, then what it states and flies beside exact mechanics; the verdict."""
     from boresight.codegen.mechanics import MechanicsCheck
-    from boresight.codegen.verify import UnitCheck
+    from boresight.codegen.verify import UnitCheck, counted
 
     parts: Parts = []
     for name in dict.fromkeys(check.model for check in checks):
@@ -159,8 +159,9 @@ def verified(checks: Sequence["Check"]) -> Parts:
                 if not check.ok:
                     orders.append(f"{check.unit}: {check.reason}")
             elif isinstance(check, MechanicsCheck):
-                if check.ok is None:
-                    exact.add_row(check.unit, check.why, "", "", "not checked")
+                if check.why:
+                    word = "stated" if check.stated else "listed" if check.unheld else "not checked"
+                    exact.add_row(check.unit, check.unheld or check.why, "", "", word)
                 else:
                     where = f"; {check.entry}" if check.entry else ""
                     order = f"{check.order:.2f}" if check.order is not None else ""
@@ -176,8 +177,9 @@ def verified(checks: Sequence["Check"]) -> Parts:
     parts.append(
         "The bits are compared with CasADi's C, error and bound with 50 digits; a difference from exact mechanics is a "
         "part of the largest of its row, each entry times the box of its state; its order is the power of dt with "
-        "which it falls."
+        "which it falls.  Listed: nothing exact is known of it, for the reason that the model gives.  Stated: it has "
+        "no other side; compare it with its source."
     )
-    left = sum(c.ok is None for c in checks)
-    verdict = f"verify: {sum(c.ok is True for c in checks)} passed, {sum(c.ok is False for c in checks)} failed"
-    return [*parts, verdict + (f", {left} not checked" if left else "")]
+    count = counted(checks)
+    more = [f", {count[name]} {name}" for name in ("not checked", "listed") if count[name]]
+    return [*parts, f"verify: {count['passed']} passed, {count['failed']} failed{''.join(more)}"]

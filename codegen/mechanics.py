@@ -9,6 +9,7 @@ A strapdown that gives position, velocity and attitude is held against Newton's 
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from math import inf, isfinite
 from typing import Any
 
@@ -56,7 +57,8 @@ class MechanicsCheck:
     times the box of its state.  entry: the place and size of it, where it is one too many.  ratio: what is left of the
     remainder when the errors are halved; coefficient: the remainder over their square, or of next over dt^5.  order:
     the power of the step with which what is left falls.  Each is None where no remainder is.  why: what is missing for
-    the check; then it says nothing, and `ok` is None.
+    the check; then it says nothing, and `ok` is None.  unheld: the reason that the model gives for that, which counts
+    as held.  stated: a value of the model that has no function, such as a constant; it is listed, and counts as held.
     """
 
     model: str
@@ -68,10 +70,12 @@ class MechanicsCheck:
     coefficient: float | None = None
     why: str = ""
     order: float | None = None
+    unheld: str = ""
+    stated: bool = False
 
     @property
     def ok(self) -> bool | None:
-        return None if self.why else not self.entry
+        return None if self.why and not (self.unheld or self.stated) else not self.entry
 
     @property
     def reason(self) -> str:
@@ -84,14 +88,19 @@ def check_mechanics(model: Model, reference: Mapping[str, Reference]) -> list[Me
     checks = [check_strapdown(model, f, level) for f, level in navigating(model)]
     if model.f is not None:
         checks.append(check_own_rate(model, reference["F"]))
-        checks.append(MechanicsCheck(model.name, "G", "", why="f says nothing of the noise"))
+        checks.append(
+            MechanicsCheck(model.name, "G", "each noise drives one state by itself", 0.0)
+            if not any(mixed for _, mixed in mixing(model))
+            else MechanicsCheck(model.name, "G", "", why="f says nothing of the noise")
+        )
     elif model.kind == "error-state":
         try:
             checks += check_error_model(Exact(model), reference["F"])
         except LookupError as missing:
             why = str(missing.args[0])
             checks += [MechanicsCheck(model.name, unit, "", why=why) for unit in ("F", "G", "feedback")]
-    return checks + [check_measurement(model, m, reference[f"{m.name}_H"]) for m in model.measurements]
+    checks += [check_measurement(model, m, reference[f"{m.name}_H"]) for m in model.measurements]
+    return checks + [check for m in model.measurements if (check := check_residual(model, m))]
 
 
 # ---------------------------------------------------------------- numbers
@@ -458,13 +467,18 @@ def compare_noise(verdict: Verdict, moving: Moving, G: Matrix) -> None:
     verdict.compare(G, exact, [s.name for s in model.x], names, [1] * len(names), row_sizes(exact, box(model)))
 
 
+def mixing(model: Model) -> list[tuple[Any, bool]]:
+    """The noises, and of each whether it does more than to drive one state by itself, once."""
+    columns = [[e for e in column if e != 0] for column in model.G.T.tolist()]
+    return [(w, column not in ([1], [-1])) for w, column in zip(model.noise, columns, strict=True)]
+
+
 def undriven(exact: Exact) -> str:
     """Why some columns of G cannot be held, and what to state; nothing where all can."""
     model, mechanics = exact.model, exact.mechanics
     stated = {s for noise, _ in mechanics.driven for s in noise.symbols}
     owners = {s: v for v in model.inputs for s in v.symbols}
-    alone = [[e for e in column if e != 0] in ([1], [-1]) for column in model.G.T.tolist()]
-    lost = [w for w, by_itself in zip(model.noise, alone, strict=True) if w not in stated and not by_itself]
+    lost = [w for w, mixed in mixing(model) if mixed and w not in stated]
     names = list(dict.fromkeys(owners[w].name if w in owners else str(w) for w in lost))
     if not lost:
         return ""
@@ -554,9 +568,7 @@ class Seen:
         self.model, self.law = model, m.first_order
         inputs = {v.name: v for v in model.inputs}
         self.exact = next(o for o in model.measurements if o.name == self.law.of) if self.law and self.law.of else m
-        own = next((f for f in model.functions if f.name == "feedback"), None)
-        feedback = (model.mechanics and model.mechanics.feedback) or own
-        self.hint = ""
+        feedback, self.hint = feedback_of(model), ""
         if self.exact.h is not None:
             self.against, h = "h", compiled(self.exact.h)
             self.left = lambda here, x: h(plus(here, model, x))[0]
@@ -635,6 +647,47 @@ def compare_measurement(model: Model, m: Measurement, H_of: Reference, seen: See
     if verdict.entry:
         verdict.entry += seen.hint
     return verdict
+
+
+def check_residual(model: Model, m: Measurement) -> MechanicsCheck | None:
+    """z against h, by every error that moves z as feedback takes it out.
+
+    A row of the other sign is wrong.  Else z says nothing where it differs, for it may read what only follows from an
+    estimate: then None.
+    """
+    feedback = feedback_of(model)
+    if m.z is None or m.h is None or feedback is None:
+        return None
+    z, h, corrected, scale = compiled(m.z), compiled(m.h), Corrected(model, feedback), box(model)
+    verdict, names = Verdict(), [s.name for s in model.x]
+
+    def both(here: Values, x: Sequence[Any]) -> Matrix:
+        return Matrix([*(z(here)[0] - z(corrected(here, x))[0]), *h(plus(here, model, x))[0]])
+
+    try:
+        with precise():
+            for here in points(model, "z"):
+                by = slope(partial(both, here), scale)
+                by_z, by_h = by[: len(m.rows), :], by[len(m.rows) :, :]
+                moved = [j for j in range(model.n) if not within(largest(by_z[:, j]), NOTHING)]
+                if not moved:
+                    return None
+                by_z, by_h = (Matrix([[of[i, j] for j in moved] for i in range(of.rows)]) for of in (by_z, by_h))
+                for i, row in enumerate(m.rows):
+                    apart = largest(by_z[i, j] + by_h[i, j] for j in range(len(moved)))
+                    if within(apart, EQUAL * largest(by_h[i, j] for j in range(len(moved)))) and apart < LEAST:
+                        verdict.entry = f"{row} falls where h grows; z is computed - measured"
+                        return verdict.check(model, f"{m.name}_z", "h and feedback")
+                columns, sizes = [names[j] for j in moved], row_sizes(by_h)
+                verdict.compare(by_z, by_h, m.rows, columns, [scale[j] for j in moved], sizes)
+    except LookupError:
+        return None
+    return None if verdict.entry else verdict.check(model, f"{m.name}_z", "h and feedback")
+
+
+def feedback_of(model: Model) -> Function | None:
+    own = next((f for f in model.functions if f.name == "feedback"), None)
+    return (model.mechanics and model.mechanics.feedback) or own
 
 
 def wrapped(angle: arb) -> arb:

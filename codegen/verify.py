@@ -32,6 +32,7 @@ from boresight.codegen.functions.units import units
 from boresight.codegen.generate import generated_folder, known, load_model, model_names, named
 from boresight.codegen.mechanics import MechanicsCheck, check_mechanics
 from boresight.codegen.points import drawn, nearest_zero
+from boresight.codegen.unheld import with_unheld
 from boresight.derive.model import Measurement, Model, Variable
 from boresight.derive.within import within
 from boresight.runtime.library import Library, load
@@ -132,8 +133,8 @@ def verify(
     list of checks
         Of each, `ok` says whether it holds.  `UnitCheck`: our C has CasADi's bits and lies within
         the rounding of 50 digits.  `FirstOrderCheck`: a linear H is the first order of an exact
-        measurement.  `MechanicsCheck`: F, G, Phi, Q and H against mechanics; where there is nothing
-        to hold them against, `ok` is None.
+        measurement.  `MechanicsCheck`: F, G, Phi, Q, H and functions against mechanics; where there
+        is nothing to hold them against, `ok` is None, or True if `Model.unheld` gives a reason.
 
     Raises
     ------
@@ -151,8 +152,8 @@ def verify(
 
     >>> from boresight import verify
     >>> checks = verify(model, points=10)
-    >>> [check.unit for check in checks if not check.ok]  # f says nothing of the noise
-    ['G']
+    >>> [check.unit for check in checks if not check.ok]
+    []
     """
     if not isinstance(points, int) or points < 1:
         raise BoresightError(f"verify: points is {points!r}; give a whole number of 1 or more")
@@ -200,7 +201,7 @@ def verify_all(
             before = Underway(model, cases, stack)
             before.laws = [check_first_order(model, m, made, flight) for m in model.measurements if m.first_order]
             references = {unit.name: unit.reference for unit in made}
-            before.laws += check_mechanics(model, references) + check_flown(model, references)
+            before.laws += with_unheld(model, check_mechanics(model, references) + check_flown(model, references))
         if before:
             collect(before)
     return checks
@@ -449,6 +450,27 @@ def lies_inside(v: Variable, values: np.ndarray) -> np.ndarray:
     length = np.linalg.norm(values, axis=1)
     inside: np.ndarray = ((v.low <= values) & (values <= v.high)).all(axis=1) & (least <= length) & (length <= most)
     return inside
+
+
+def counted(checks: Sequence[Check]) -> dict[str, int]:
+    """How many passed, failed, were not checked, and are listed by their model as what cannot be."""
+    rows = [check for check in checks if not getattr(check, "stated", False)]
+    listed = [check for check in rows if getattr(check, "unheld", "")]
+    return {
+        "passed": sum(check.ok is True for check in rows) - len(listed),
+        "failed": sum(check.ok is False for check in rows),
+        "not checked": sum(check.ok is None for check in rows),
+        "listed": len(listed),
+    }
+
+
+def status(checks: Sequence[Check], strict: bool = False) -> int:
+    """The exit status: 0 all held, 1 something wrong, 3 nothing wrong but not all held.
+
+    strict: what a model lists as held against nothing is not held.
+    """
+    count = counted(checks)
+    return 1 if count["failed"] else 3 if count["not checked"] or (strict and count["listed"]) else 0
 
 
 def to_json(checks: list[Check]) -> list[dict[str, Any]]:

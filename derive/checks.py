@@ -201,6 +201,7 @@ def check_model(model: "Model") -> None:
     check_step(model)
     check_idle(model)
     check_carried(model)
+    check_unheld(model)
 
 
 def check_names(model: "Model") -> None:
@@ -590,3 +591,17 @@ def check_carried(model: "Model") -> None:
                     f"{f.name} returns {o.name} of shape {o.value.shape}; the input {o.name} has "
                     f"{(inputs[o.name].size, 1)}",
                 )
+
+
+def check_unheld(model: "Model") -> None:
+    """What is listed as held against nothing is a function of the model, once, with a reason."""
+    known = {f.name for f in model.functions} | {f"{m.name}_{part}" for m in model.measurements for part in "zhH"}
+    known |= {"F", "G", "Phi", "Q", "next", "feedback", "strapdown"} if model.n else set()
+    names = [name for name, _ in model.unheld]
+    for name, reason in model.unheld:
+        if name not in known:
+            fail(model, f"unheld names {name!r}, which verify does not know{did_you_mean(name, sorted(known))}")
+        if not reason.strip():
+            fail(model, f"unheld gives no reason for {name!r}; say why nothing exact can be held against it")
+        if names.count(name) > 1:
+            fail(model, f"unheld names {name!r} twice; give one reason")

@@ -556,6 +556,9 @@ class Model:
     loops : bool, optional
         Of a state carried by f, the filter in C takes its step by loops over printed f, F and Qc,
         which is less code and slower.
+    unheld : tuple of (str, str), optional
+        What nothing exact can be held against, and why: name of a function, as "F" or "fix_H", and
+        the reason.  `verify` prints it and counts it as held; `verify --strict` does not.
 
     Raises
     ------
@@ -609,6 +612,7 @@ class Model:
     Phi: Matrix | None = None
     exact: bool = False
     error: str = ERRORS[0]
+    unheld: tuple[tuple[str, str], ...] = ()
     where: str = where_written()
 
     def __post_init__(self) -> None:
@@ -655,6 +659,7 @@ class Model:
         measurements: tuple[Measurement, ...] = (),
         functions: tuple[Function, ...] = (),
         equations: tuple[str, ...] = (),
+        unheld: tuple[tuple[str, str], ...] = (),
     ) -> "Model":
         """A larger model: new states behind the old ones; what carries a known name replaces it.
 
@@ -682,6 +687,8 @@ class Model:
             As `structs`.
         equations : tuple of str, optional
             Added to the source.
+        unheld : tuple of (str, str), optional
+            Added to the list.
 
         Returns
         -------
@@ -742,4 +749,5 @@ class Model:
             mechanics=self.mechanics,
             order=self.order,
             loops=self.loops,
+            unheld=self.unheld + unheld,
         )

@@ -12,7 +12,7 @@ from typing import Any
 
 from boresight.codegen.export import export
 from boresight.codegen.generate import generate
-from boresight.codegen.verify import verify_all
+from boresight.codegen.verify import counted, verify_all
 from boresight.evidence.sources import Examples
 
 NAMES = ("pendulum", "vertical", "radar", "gnss_ins")
@@ -26,14 +26,14 @@ def examples(of: Examples, out: Path, names: Collection[str] = NAMES) -> dict[st
 def walked(place: Path, name: str, out: Path) -> dict[str, Any]:
     target, folder = f"{place / name}.py:{name.upper()}", out / "generated" / name
     generate(target, folder)
-    checks = [check.ok for check in verify_all([(target, folder)])]
+    checks = verify_all([(target, folder)])
     with chdir(out), redirect_stdout(StringIO()):
         judged = runpy.run_path(str(place / f"fly_{name}.py"), run_name="__main__")["judged"]
     export(target, out / name, "double", folder)
     made = subprocess.run(["make", "-s", "-C", out / name, "test"], capture_output=True, text=True, check=True)
     runs, n = judged.errors.shape[1:]
     return {
-        "verify": {"passed": checks.count(True), "failed": checks.count(False), "not checked": checks.count(None)},
+        "verify": counted(checks),
         "nees": [round(float(judged.nees[at]), 6) for at in (len(judged.nees) // 3, -1)],
         "runs": runs,
         "states": n,

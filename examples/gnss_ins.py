@@ -135,4 +135,5 @@ GNSS_INS = Model(
         *var.card(FRAME),
     ),
     mechanics=var.mechanics(FRAME, var.F_B.vector, biased=True),
+    unheld=(("antenna", "it is what z compares with the fix; each H is the Jacobian of h, which is made of it"),),
 )  # fmt: skip

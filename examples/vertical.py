@@ -76,4 +76,5 @@ VERTICAL = Model(
     ),
     # `verify` adds the accelerometer's noise to dv, and holds F and G against strapdown and feedback.
     mechanics=Mechanics(driven=((accel_noise, dv),)),
+    unheld=(("strapdown", "how this vehicle moves is stated by the model alone; F, G and Phi follow from it"),),
 )  # fmt: skip

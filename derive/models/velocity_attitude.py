@@ -216,4 +216,5 @@ def velocity_attitude() -> Model:
         ),
         mechanics=var.mechanics(FRAME, F_B.vector, biased=True,
                                 driven=((noises[4], D_MOUNT), (noises[5], D_TAU))),
+        unheld=(("expected", "it is what z compares with the master; each H is held against h, which is made of it"),),
     )  # fmt: skip

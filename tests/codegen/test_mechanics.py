@@ -150,7 +150,7 @@ def test_an_error_that_both_F_and_strapdown_share_is_found_by_newtons_law():
 
 
 def test_where_a_model_has_no_mechanics_nothing_is_called_right():
-    bare = replace(model("phi-error"), functions=(), mechanics=None)
+    bare = replace(model("phi-error"), functions=(), mechanics=None, unheld=())
     checks = checked(bare)
     assert {unit: check.ok for unit, check in checks.items()} == {"F": None, "G": None, "feedback": None}
     assert checks["F"].why == "the model has no strapdown and feedback"
@@ -159,7 +159,9 @@ def test_where_a_model_has_no_mechanics_nothing_is_called_right():
 
 
 def test_a_rate_of_ones_own_is_the_mechanics_of_its_F(capsys):
-    checks = checked(load_model(f"{EXAMPLES / 'own_model.py'}:TANK"))
+    tank = load_model(f"{EXAMPLES / 'own_model.py'}:TANK")
+    assert checked(tank)["G"].against == "each noise drives one state by itself"
+    checks = checked(replace(tank, G=tank.G * diag(1, 2)))
     assert [(c.unit, c.ok) for c in checks.values()] == [("F", True), ("G", None), ("reading_H", True)]
     terminal.page(*report.verified(list(checks.values())))
     lines = capsys.readouterr().out.splitlines()

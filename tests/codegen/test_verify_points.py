@@ -229,8 +229,8 @@ def test_what_is_neglected_and_never_zero_is_a_row_that_fails():
 def test_a_result_that_cancels_to_zero_is_known_by_the_numbers_that_it_is_made_of():
     made = gauge()
     dv, v = made.x[0], made.inputs[0].scalar
-    zero = replace(made, measurements=(
-        Measurement("gauge", ("v",), "1", "always zero", h=Matrix([sin(dv + v) - sin(dv) * cos(v) - cos(dv) * sin(v)])),))  # fmt: skip
+    h = Matrix([sin(dv + v) - sin(dv) * cos(v) - cos(dv) * sin(v)])
+    zero = replace(made, measurements=(Measurement("gauge", ("v",), "1", "always zero", h=h),))
     unit = next(u for u in units(zero) if u.name == "gauge_h")
     library = Interpreted([unit])
     case = prepare(zero, unit, library, library, 20)
