@@ -22,6 +22,7 @@ import numpy as np
 from flint import arb
 
 from boresight import BoresightError
+from boresight.codegen.beside import check_beside
 from boresight.codegen.flown import check_flown
 from boresight.codegen.functions.maker import UnitMaker
 from boresight.codegen.functions.reference import Entries, precise
@@ -201,7 +202,8 @@ def verify_all(
             before = Underway(model, cases, stack)
             before.laws = [check_first_order(model, m, made, flight) for m in model.measurements if m.first_order]
             references = {unit.name: unit.reference for unit in made}
-            before.laws += with_unheld(model, check_mechanics(model, references) + check_flown(model, references))
+            laws = check_mechanics(model, references) + check_flown(model, references) + check_beside(model)
+            before.laws += with_unheld(model, laws)
         if before:
             collect(before)
     return checks

@@ -122,9 +122,4 @@ def euler_matching() -> Model:
             "Misalignment: C_b2n = C_m2n exp([mu x]), m the master's body axes.",
         ),
         mechanics=Mechanics(step=((dtheta, zeros(3, 1)),), driven=((GYRO_NOISE, dtheta),)),
-        unheld=(
-            ("strapdown", "it carries the attitude alone, by rates that are given; F and Phi follow from it"),
-            ("euler_angles", "(16) of the paper; the ledger derives it"),
-            ("omega_in_n", "the ledger of mechanics derives it: (strapdown-1)"),
-        ),
     )  # fmt: skip

@@ -72,7 +72,6 @@ def error_model(
             *var.card(frame),
         ),
         mechanics=mechanics,
-        unheld=((function, f"the ledger of mechanics derives it: (map-{2 if frame is NED else 3})"),),
     )  # fmt: skip
 
 

@@ -60,8 +60,6 @@ def strapdown(frame: Frame = ENU) -> Model:
         card=var.card(frame),
         unheld=(
             ("compensated", "four samples instead of two; a test holds them against coning motion"),
-            ("rates", "the ledger of mechanics derives them: (strapdown-1)"),
-            ("earth", "the ledger of mechanics derives it: (strapdown-1)"),
         ),
     )  # fmt: skip
 

@@ -10,6 +10,7 @@ from typer.testing import CliRunner
 
 from boresight import BoresightError, cli, report, terminal
 from boresight.codegen import verify as v
+from boresight.codegen.beside import check_beside
 from boresight.codegen.flown import check_flown
 from boresight.codegen.functions.units import units
 from boresight.codegen.generate import load_model
@@ -32,7 +33,7 @@ VERTICAL = f"{ROOT / 'examples' / 'vertical.py'}:VERTICAL"
 def held(made):
     """Every row of the model against mechanics; no C is made of it."""
     references = {unit.name: unit.reference for unit in units(made)}
-    return with_unheld(made, check_mechanics(made, references) + check_flown(made, references))
+    return with_unheld(made, check_mechanics(made, references) + check_flown(made, references) + check_beside(made))
 
 
 def rows(made):
