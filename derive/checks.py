@@ -16,7 +16,7 @@ import sympy
 from sympy import Expr, I, Matrix, MatrixBase, Symbol, nan, oo, zoo
 from sympy.core.function import AppliedUndef
 
-from boresight.derive.expressions import parts_of, symbols_in
+from boresight.derive.expressions import numeric, parts_of, symbols_in
 from boresight.errors import BoresightError, did_you_mean
 
 if TYPE_CHECKING:
@@ -197,6 +197,7 @@ def check_model(model: "Model") -> None:
         check_symbols(model, item)
         check_constants(item)
     check_measurements(model)
+    check_turns(model)
     check_noise(model)
     check_step(model)
     check_idle(model)
@@ -514,6 +515,26 @@ def check_measurements(model: "Model") -> None:
         for item in (m.first_order.small, *(name for name, _ in m.first_order.tied)):
             if item is not None and item not in inputs:
                 fail(m, f"first_order names {item!r}, which is no input{did_you_mean(item, inputs)}")
+
+
+def check_turns(model: "Model") -> None:
+    """A row in rad that grows with a state that wraps is an angle, or is said to be none."""
+    wrapping = [symbol for block in model.states if block.wraps for symbol in block.symbols]
+    for m in model.measurements if wrapping else ():
+        if m.angle is not None:
+            continue
+        units = [unit.strip() for unit in m.unit.split(",")]
+        of = m.h if m.h is not None else m.H * model.x
+        label = "h" if m.h is not None else "H"
+        for i, (row, unit) in enumerate(zip(m.rows, units * len(m.rows) if len(units) == 1 else units, strict=False)):
+            grows = numeric(of[i : i + 1, :]).jacobian(wrapping) if unit == "rad" else []
+            for symbol, by in zip(wrapping, grows, strict=False):
+                if by != 0 and symbol not in by.free_symbols:
+                    fail(
+                        m,
+                        f"{label}[{row}] turns with {symbol}, which wraps; give angle=True or the rows that are angles "
+                        "(angle=False to mean it)",
+                    )
 
 
 def check_box_of_z(m: Any) -> None:

@@ -263,7 +263,9 @@ class Measurement:
     first_order : FirstOrder, optional
         What a given H approximates, of `boresight.derive.model`; `verify` holds it against that.
     angle : bool or tuple of str, optional
-        The rows that are angles, True for all: z, h and z - h are wrapped to [-pi, pi).
+        The rows that are angles, True for all: z, h and z - h are wrapped to [-pi, pi).  Without it
+        no row is one, and a row in rad that grows with a state that wraps is refused; False means
+        it.
     equations : tuple of str, optional
         The source, as "song-lee-2001 (16)".
     correlated : bool, optional
@@ -304,7 +306,7 @@ class Measurement:
     h: Matrix | None = None
     H: Matrix | None = None
     first_order: FirstOrder | None = None
-    angle: bool | tuple[str, ...] = False
+    angle: bool | tuple[str, ...] | None = None
     equations: tuple[str, ...] = ()
     correlated: bool = False
     low: tuple[float, ...] = ()

@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from pendulum import PENDULUM, dt
-from sympy import Matrix, Symbol, eye, zeros
+from sympy import Matrix, Symbol, atan2, cos, eye, sin, zeros
 
 from boresight import BoresightError
 from boresight.codegen.generate import generate
-from boresight.derive.model import Measurement, Mechanics, Struct, variable
+from boresight.derive.model import Measurement, Mechanics, Model, Struct, variable
 from boresight.derive.models.euler_matching import euler_matching
 from boresight.runtime.library import load
 
@@ -153,3 +153,45 @@ def test_extend_adds_states_behind_the_old_ones(tmp_path, library, points):
 def test_rows_that_are_angles_are_named_in_a_tuple():
     with pytest.raises(BoresightError, match=r"angle is 'horizontal', .*a tuple of one has a comma: \('horizontal',\)"):
         angled("horizontal")
+
+
+HEADING = variable("psi", "psi", "rad", "heading", -4.0, 4.0, wraps=True)
+TURN = variable("turn", "r", "rad/s", "its rate", -5.0, 5.0)
+OFFSET = variable("offset", "offset", "rad", "of the antenna", -4.0, 4.0)
+
+
+def antenna(h=None, H=None, unit="rad", **more):
+    """A heading that wraps, and one row that reads it."""
+    dt = variable("dt", "dt", "s", "step", 1e-3, 1.0)
+    gust = variable("gust", "gust", "rad/s/sqrt(s)", "noise density", 0.0, 1.0)
+    return Model(
+        name="antenna", c_prefix="an", title="a heading", frame="none", states=(HEADING, TURN),
+        structs=(Struct("step", "one step", (dt, gust, OFFSET)),),
+        f=Matrix([TURN.scalar, 0]), G=Matrix([0, 1]), noise=gust.vector, dt=dt.scalar,
+        measurements=(Measurement("gnss", ("yaw",), unit, "heading", h=h and Matrix([h]), H=H, **more),),
+    )  # fmt: skip
+
+
+GROWS = {
+    "the heading": {"h": HEADING.scalar + OFFSET.scalar},
+    "less the heading": {"h": atan2(OFFSET.scalar, 1) - HEADING.scalar},
+    "a linear H": {"H": Matrix([[1, 0]])},
+}
+
+
+@pytest.mark.parametrize("what", GROWS)
+def test_a_row_that_turns_with_a_state_that_wraps_is_an_angle_or_is_said_to_be_none(what):
+    with pytest.raises(
+        BoresightError, match=r"measurement gnss: [hH]\[yaw\] turns with psi, which wraps; give angle=True"
+    ):
+        antenna(**GROWS[what])
+    for angle in (True, False, ("yaw",)):
+        antenna(**GROWS[what], angle=angle)
+
+
+@pytest.mark.parametrize("h, unit", [
+    (atan2(sin(HEADING.scalar), cos(HEADING.scalar)), "rad"), (sin(HEADING.scalar), "rad"),
+    (TURN.scalar, "rad"), (HEADING.scalar, "1"),
+])  # fmt: skip
+def test_a_row_that_a_whole_turn_does_not_change_needs_no_word(h, unit):
+    antenna(h, unit=unit)
