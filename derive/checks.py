@@ -444,6 +444,7 @@ def check_given(model: "Model") -> None:
     for item in model.inputs:
         if item.wraps:
             fail(item, "only a state wraps; an input is read as the caller gives it: leave wraps out")
+    check_kept_norms(model)
     for block in model.states:
         if block.wraps and block.unit != "rad":
             fail(block, f"it wraps, but its unit is {block.unit!r}; angles in rad wrap")
@@ -458,6 +459,23 @@ def mechanics_of(model: "Model") -> tuple[Any, Any] | None:
         (model.mechanics and getattr(model.mechanics, name)) or own.get(name) for name in ("strapdown", "feedback")
     ]
     return (found[0], found[1]) if model.states and all(found) else None
+
+
+def check_kept_norms(model: "Model") -> None:
+    """A state with a norm is a unit quaternion of a total state; no step and no update keeps another norm."""
+    normed = [block for block in model.states if block.norm is not None]
+    for block in normed:
+        unit = block.norm is not None and block.norm[0] <= 1 <= block.norm[1]
+        if model.kind != "total-state" or block.size != 4 or block.unit != "1" or not unit:
+            fail(
+                block,
+                "it is a state with a norm, which no step and no update of a filter keeps, unless it is a quaternion of "
+                "a total state, of unit 1 and norm 1; make it an input of nav that an error state corrects by feedback, "
+                "or leave norm out",
+            )
+    turning = next((block for block in model.states if normed and block.wraps), None)
+    if turning is not None:
+        fail(turning, f"it wraps beside the quaternion {normed[0].name}, whose model is made an error state; leave wraps out")
 
 
 def check_rows(model: "Model") -> None:

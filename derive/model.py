@@ -37,7 +37,8 @@ class Variable:
     frame : str, optional
         Where the components are resolved, or what the variable maps between.
     norm : (float, float), optional
-        Where the Euclidean norm must lie, as of a quaternion.
+        Where the Euclidean norm must lie, as of a quaternion; of an input, since no filter keeps
+        that of a state.
     wraps : bool, optional
         As a state, an angle of which a whole turn means nothing: kept in [-pi, pi).
     wide : bool, optional

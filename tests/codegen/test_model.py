@@ -195,3 +195,9 @@ def test_a_row_that_turns_with_a_state_that_wraps_is_an_angle_or_is_said_to_be_n
 ])  # fmt: skip
 def test_a_row_that_a_whole_turn_does_not_change_needs_no_word(h, unit):
     antenna(h, unit=unit)
+
+
+def test_a_norm_of_a_state_is_refused_since_nothing_keeps_it():
+    direction = replace(HEADING, wraps=False, norm=(0.9, 1.1))
+    with pytest.raises(BoresightError, match="variable psi: it is a state with a norm, which no step and no update"):
+        replace(antenna(HEADING.scalar, angle=True), states=(direction, TURN))
