@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, Union, get_args, get_origin, ge
 import sympy
 from sympy import Expr, I, Matrix, MatrixBase, Symbol, nan, oo, zoo
 from sympy.core.function import AppliedUndef
+from sympy.matrices.expressions.matexpr import MatrixElement
 
 from boresight.derive.expressions import numeric, parts_of, symbols_in
 from boresight.errors import BoresightError, did_you_mean
@@ -194,6 +195,7 @@ def check_model(model: "Model") -> None:
     for item in expressions(model):
         check_shape(item)
     for item in expressions(model):
+        check_kinds(item)
         check_symbols(model, item)
         check_constants(item)
     check_measurements(model)
@@ -215,6 +217,7 @@ def check_names(model: "Model") -> None:
             "another",
         )
     variables = (*model.states, *model.inputs)
+    check_places(model)
     by_field = unique((item, "field", item.name) for item in variables)
     unique((item, "symbol", symbol.name) for item in variables for symbol in item.symbols)
     # a state's index is a macro in upper case
@@ -261,6 +264,19 @@ def check_names(model: "Model") -> None:
     for name, output in outputs.items():
         if name in {s.name for s in model.structs}:
             fail(output, f"{name!r} is the name of a struct too, and C passes both to one function; choose another")
+
+
+def check_places(model: "Model") -> None:
+    """Each variable stands in one place: among the states, or in one struct."""
+    places: dict[Any, str] = {}
+    every = [(block, "the states") for block in model.states]
+    every += [(v, f"struct {s.name}") for s in model.structs for v in s.fields]
+    for v, place in every:
+        other = places.setdefault((v, v.where), place)
+        if [one for one, _ in every if (one, one.where) == (v, v.where)] != [v]:
+            second = next((p for one, p in every if (one, one.where) == (v, v.where) and p != other), "")
+            both = f"in {other} and in {second}" if second else f"twice in {other}"
+            fail(v, f"it stands {both}; leave it in one: a function reads what it needs of any")
 
 
 def suggested_name(name: str) -> str:
@@ -343,6 +359,29 @@ def entries_with(item: Expressions, wanted: Any) -> str:
         if wanted in parts_of([value]):
             return item.entry(i, j)
     return item.label
+
+
+def check_kinds(item: Expressions) -> None:
+    """What looks like a symbol of the model and is none, and what has no value where it matters."""
+    for part in sorted(parts_of(item.matrix), key=str):
+        if isinstance(part, MatrixElement):
+            fail(
+                item.part,
+                f"{entries_with(item, part)} holds {part}, an entry of a MatrixSymbol, which is no variable of the "
+                "model; take the symbols of one: its .symbols, or its .vector",
+            )
+        if isinstance(part, AppliedUndef) and part.args and all(arg.is_Symbol for arg in part.args):
+            fail(
+                item.part,
+                f"{entries_with(item, part)} holds {part}, a function of {listed(map(str, part.args))}; a variable is "
+                "a symbol: take its .scalar, or one of its .symbols",
+            )
+        if isinstance(part, sympy.DiracDelta):
+            fail(
+                item.part,
+                f"{entries_with(item, part)} holds {part}, the slope of a sign, which has none at 0; write a Piecewise "
+                "in the place of sign, or give h and let H be derived",
+            )
 
 
 def check_symbols(model: "Model", item: Expressions) -> None:

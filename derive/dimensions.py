@@ -171,6 +171,7 @@ def check_units(model: Model) -> None:
     check_constants(model, terms)
     noise = [check_entry(model, f"noise[{w}]", w, None, terms) or ONE for w in model.noise]
     x = [u for v in model.states for u in fields[v.name]]
+    check_densities(model, x, noise, terms)
     for item in (*expressions(model), *beside(model)):
         check_matrix(item, needed(item, x, noise, fields), terms)
     for density, increment in model.mechanics.driven if model.mechanics else ():
@@ -181,6 +182,22 @@ def check_units(model: Model) -> None:
                 f"it is that of {made}, or of {made / SECOND} as a rate, and {increment.name} is {added}; name what it "
                 "adds to",
             )
+
+
+def check_densities(model: Model, x: Sequence[Unit], noise: Sequence[Unit], terms: Terms) -> None:
+    """A noise that G takes as it stands is the root of a density, of the state that it drives."""
+    owners = {s: v for v in model.inputs for s in v.symbols}
+    names = [s.name for s in model.x]
+    for (i, j), value in model.G.todok().items():
+        density, w = x[i] / ROOT_SECOND, model.noise[j]
+        if not value.is_Number or noise[j].like(density):
+            continue
+        if w.is_Pow and w.exp == 2 and (base := terms(w.base)) is not None and base.like(density):
+            fail(model, f"noise[{w}] is a square; noise is the root of a density: leave the square of {w.base} out")
+        sample = noise[j].like(x[i]) or noise[j].like(x[i] / SECOND)
+        hint = "; a sigma per sample is none: multiply it by the root of the sample time" if sample else ""
+        named = f"{w} is" if w in owners else f"noise[{w}] is"
+        fail(owners.get(w, model), f"{named} {noise[j]}; the root density that drives {names[i]} has {density}{hint}")
 
 
 def declared(part: Any, text: str, count: int) -> list[Unit]:

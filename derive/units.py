@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 BASE = {"kilogram": "kg", "meter": "m", "second": "s", "kelvin": "K", "ampere": "A", "mole": "mol", "candela": "cd"}
 # What these are to a navigator; pint takes them for grams and thousandths of an inch.
 OURS = {"g": "standard_gravity", "mg": "millistandard_gravity", "ug": "microstandard_gravity", "mil": "artillery_mil"}
+PLURAL = re.compile(r"\b(rad|mrad|deg|kg)s\b")  # rads are a dose of radiation
 ROOT = re.compile(r"sqrt\(([^()]*)\)")
 
 
@@ -115,6 +116,9 @@ def unit(text: str) -> Unit:
         raise BoresightError(f"the unit {text!r} has a zero of its own; declare {found} and convert at the border")
     if abs(float(str(factor)) - 1) > 1e-12:
         number = f"{factor:.6g} {found}".removesuffix(" 1")
+        meant = PLURAL.sub(r"\1", text)
+        if meant != text:
+            raise BoresightError(f"{text} is {number} to pint (did you mean {meant!r}?)")
         raise BoresightError(f"{text} is {number}; declare {found} and convert at the border")
     return found
 

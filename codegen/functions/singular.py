@@ -193,7 +193,10 @@ def refuse(model: Model, looked: Looked, name: str, step: int, point: list[np.nd
         boxes[symbol] = f"{symbol} is {variable.low[i]:.6g} to {variable.high[i]:.6g} in {variable.where}"
     some = f"at {', '.join(at[:4])} it {does}" if at else f"it {does}"
     more = f"; {', '.join(list(boxes.values())[:4])}" if boxes else ""
-    fail(looked.part, f"{name} has no value inside the boxes: {some}{more}; narrow the box, or write another form")
+    divisor = needed(looked.tape, one.args[-1]) if one.op in ("div", "inv") else []
+    root = any(looked.tape.steps[k].op == "sqrt" and operand in needed(looked.tape, k) for k in divisor)
+    form = "another form, as sqrt(Max(..., a constant))" if root else "another form"
+    fail(looked.part, f"{name} has no value inside the boxes: {some}{more}; narrow the box, or write {form}")
 
 
 def near_zero(value: float, variable: Variable, i: int) -> float:

@@ -63,6 +63,7 @@ ENCODER = "measurements=(Measurement("
 HEIGHT = "functions=(Function("
 RATE = 'rate = variable("rate"'
 ANGLE = 'angle = variable("angle"'
+TORQUE = 'torque = variable("torque"'
 ROD = 'rod = variable("rod"'
 G_LINE = "g = constant("
 
@@ -259,9 +260,71 @@ MISTAKES = [
         "noise per sample",
         '"rad/s/sqrt(s)"',
         '"rad/s"',
+        TORQUE,
+        "jitter is rad/s; the root density that drives omega has rad/s/sqrt(s)",
+        "a sigma per sample is none: multiply it by the root of the sample time",
+    ),
+    mistake(
+        "noise of another state",
+        '"rad/s/sqrt(s)"',
+        '"m/sqrt(s)"',
+        TORQUE,
+        "jitter is m/sqrt(s); the root density that drives omega has rad/s/sqrt(s)",
+    ),
+    mistake(
+        "noise squared",
+        "noise=torque.vector",
+        "noise=Matrix([torque.scalar**2])",
         MODEL,
-        "G[omega, jitter] is 1",
-        "omega per jitter and root second",
+        "noise[jitter**2] is a square",
+        "leave the square of jitter out",
+    ),
+    mistake("radians", '"rad/s", "its rate"', '"rads/s", "its rate"', RATE, "(did you mean 'rad/s'?)"),
+    mistake(
+        "a function of time",
+        "f=Matrix([omega, ",
+        "f=Matrix([__import__('sympy.physics.mechanics').physics.mechanics.dynamicsymbols('theta'), ",
+        MODEL,
+        "f[theta] holds theta(t), a function of t",
+        "take its .scalar",
+    ),
+    mistake(
+        "a matrix symbol",
+        "f=Matrix([omega, ",
+        "f=Matrix([__import__('sympy').MatrixSymbol('X', 2, 1)[1, 0], ",
+        MODEL,
+        "f[theta] holds X[1, 0], an entry of a MatrixSymbol",
+        ".symbols",
+    ),
+    mistake(
+        "one variable in two structs",
+        'Struct("plant", "the pendulum", (rod,))',
+        'Struct("plant", "the pendulum", (rod, dt))',
+        "dt = variable(",
+        "variable dt: it stands in struct plant and in struct step; leave it in one",
+    ),
+    mistake(
+        "a state twice",
+        "states=(angle, rate)",
+        "states=(angle, rate, angle)",
+        ANGLE,
+        "it stands twice in the states",
+    ),
+    mistake(
+        "a Jacobian of sign by hand",
+        "h=Matrix([theta])",
+        "H=Matrix([__import__('sympy').sign(omega - 1).diff(omega), 0]).T",
+        ENCODER,
+        "holds DiracDelta(omega - 1), the slope of a sign, which has none at 0",
+        "give h and let H be derived",
+    ),
+    mistake(
+        "a distance that may be zero",
+        '"rad", "the angle that is read", h=Matrix([theta])',
+        '"rad", "the angle that is read", h=Matrix([sqrt(theta**2 + (omega * dt.scalar)**2)])',
+        ENCODER,
+        "has no value inside the boxes",
+        "write another form, as sqrt(Max(..., a constant))",
     ),
     mistake(
         "measurement of another dimension",
@@ -485,6 +548,12 @@ def test_the_file_without_a_mistake_is_generated(generate, tmp_path):
     status, _, error = generate(GOOD)
     assert (status, error) == (0, "")
     assert (tmp_path / "out" / "manifest.json").is_file()
+
+
+def test_a_distance_that_is_kept_off_zero_passes(generate):
+    near = '__import__("sympy").Max(theta**2 + (omega * dt.scalar)**2, constant("near", "1e-6", "rad^2", "least"))'
+    status, _, error = generate(GOOD.replace("h=Matrix([theta])", f"h=Matrix([sqrt({near})])"))
+    assert (status, error) == (0, "")
 
 
 def test_the_messages_that_the_documentation_shows_are_those_that_are_given(generate):
