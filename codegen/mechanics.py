@@ -533,11 +533,16 @@ class Corrected:
             v for v in model.inputs if v not in self.returned and v.name not in done and model.dt not in v.symbols
         ]
 
-    def __call__(self, values: Values, x: Sequence[Any]) -> Values:
+    def estimates(self, values: Values, x: Sequence[Any]) -> Values:
+        """The values with what feedback returns alone."""
         after = dict(values)
         columns = self.feedback(values | dict(zip(symbols(self.model), x, strict=True)))
         for v, column in zip(self.returned, columns, strict=True):
             after.update(zip(v.symbols, column, strict=True))
+        return after
+
+    def __call__(self, values: Values, x: Sequence[Any]) -> Values:
+        after = self.estimates(values, x)
         for follow, stated in self.following:
             order = [s for v in follow for s in v.symbols]
             scale = [arb(max(map(abs, ends))) for v in follow for ends in zip(v.low, v.high, strict=True)]

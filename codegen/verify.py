@@ -34,6 +34,7 @@ from boresight.codegen.generate import generated_folder, known, load_model, mode
 from boresight.codegen.mechanics import MechanicsCheck, check_mechanics
 from boresight.codegen.points import drawn, nearest_zero
 from boresight.codegen.unheld import with_unheld
+from boresight.codegen.words import check_words
 from boresight.derive.model import Measurement, Model, Variable
 from boresight.derive.within import within
 from boresight.runtime.library import Library, load
@@ -202,7 +203,8 @@ def verify_all(
             before = Underway(model, cases, stack)
             before.laws = [check_first_order(model, m, made, flight) for m in model.measurements if m.first_order]
             references = {unit.name: unit.reference for unit in made}
-            laws = check_mechanics(model, references) + check_flown(model, references) + check_beside(model)
+            laws = check_mechanics(model, references) + check_flown(model, references)
+            laws += check_beside(model) + check_words(model)
             before.laws += with_unheld(model, laws)
         if before:
             collect(before)

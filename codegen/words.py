@@ -1,0 +1,146 @@
+"""What a model says in words about the signs of its errors, held against what its `feedback` does.
+
+The card and the meanings of the states are printed in headers and pages.  Read are `C_hat = (I - [e x]) C`, also with
+the factors exchanged, and what an error is: computed - true, estimated - true, a_hat - a, or the other one.
+"""
+
+import re
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from flint import arb
+
+from boresight.codegen.functions.reference import precise
+from boresight.codegen.mechanics import (
+    EQUAL,
+    NOTHING,
+    Corrected,
+    MechanicsCheck,
+    Verdict,
+    feedback_of,
+    largest,
+    points,
+    rotation_of,
+    size,
+    slope,
+    symbols,
+    unit_of,
+)
+from boresight.derive.ledger.numbers import Matrix, eye
+from boresight.derive.ledger.witness import rotation_vector
+from boresight.derive.model import Model, Variable
+from boresight.derive.within import within
+
+TURN = re.compile(r"(?P<hat>C_hat\w*) = (?P<before>C\w* )?\(I (?P<sign>[-+]) \[(?P<error>\w+) x\]\)(?P<after> C\w*)?")
+COMPUTED = re.compile(r"\b(computed|estimated|nominal) - true\b|\b(\w+)_hat - \2\b")
+TRUE = re.compile(r"\btrue - (computed|estimated|nominal)\b|\b(\w+) - \2_hat\b")
+OF_ALL = re.compile(r"\bError = ")
+
+
+def check_words(model: Model) -> list[MechanicsCheck]:
+    """One row for all that is read; none where nothing is."""
+    feedback = feedback_of(model)
+    if model.kind != "error-state" or feedback is None:
+        return []
+    verdict, signs = Verdict(), Signs(model)
+    count = 0
+    for where, text in (*((f"card: {line}", line) for line in model.card), *meanings(model)):
+        for found in TURN.finditer(text):
+            count += turned(verdict, signs, where, found)
+        stated = -1 if COMPUTED.search(text) else 1 if TRUE.search(text) else 0
+        blocks = [block for block in model.states if where == block.name]
+        if stated and (blocks or OF_ALL.search(text)):
+            count += subtracted(verdict, signs, where, stated, blocks or model.states)
+    return [verdict.check(model, "words", "the signs of feedback")] if count else []
+
+
+def meanings(model: Model) -> Iterator[tuple[str, str]]:
+    for block in model.states:
+        yield block.name, block.meaning
+
+
+class Signs:
+    """How the estimates change as feedback takes an error out, at one point."""
+
+    def __init__(self, model: Model):
+        feedback = feedback_of(model)
+        assert feedback is not None
+        self.model, self.states = model, symbols(model)
+        self.corrected = Corrected(model, feedback)
+        (self.hat,) = points(model, "words", 1)
+        self.one = [arb(1)] * model.n
+        self.returned = [s for v in self.corrected.returned for s in v.symbols]
+        with precise():
+            self.numbers = slope(lambda x: self.after(x, self.returned), self.one)
+
+    def after(self, x: Sequence[Any], of: Sequence[Any]) -> Matrix:
+        estimates = self.corrected.estimates(self.hat, x)
+        return Matrix([estimates[s] for s in of])
+
+    def of(self, v: Variable) -> Matrix:
+        """(size, n) of an estimate by the errors."""
+        at = self.returned.index(v.symbols[0])
+        return self.numbers[at : at + v.size, :]
+
+    def turn(self, q: Variable, left: bool) -> Matrix:
+        """(3, n) of the rotation from the estimate to what is left of it, in the axes on that side, by the errors."""
+
+        def by(x: Sequence[Any]) -> Matrix:
+            true = rotation_of(self.after(x, q.symbols))
+            return rotation_vector(true * C.T if left else C.T * true)
+
+        with precise():
+            C = rotation_of(Matrix([self.hat[s] for s in q.symbols]))
+            return slope(by, self.one)
+
+    def place(self, block: Variable) -> slice:
+        at = self.states.index(block.symbols[0])
+        return slice(at, at + block.size)
+
+
+def turned(verdict: Verdict, signs: Signs, where: str, found: re.Match[str]) -> int:
+    """Of an attitude error; 1 if feedback makes such a turn of one quaternion, with either sign."""
+    error, left = found["error"], found["after"] is not None
+    block = next((b for b in signs.model.states if b.size == 3 and (b.name == error or alike(b, error))), None)
+    if block is None:
+        return 0
+    for q in (v for v in signs.corrected.returned if v.norm and v.size == 4):
+        by = signs.turn(q, left)[:, signs.place(block)]
+        for sign in (1, -1):
+            if within(largest(by - sign * eye(3)), EQUAL):
+                exact = "-" if sign == 1 else "+"
+                if exact != found["sign"]:
+                    form = found[0].replace(f"(I {found['sign']} [", f"(I {exact} [")
+                    verdict.entry = verdict.entry or f"{where.split(':')[0]} says {found[0]}; feedback means {form}"
+                return 1
+    return 0
+
+
+def alike(block: Variable, error: str) -> bool:
+    """Whether the components have this name before their axis."""
+    return all(s.name.startswith(f"{error}_") for s in block.symbols)
+
+
+def subtracted(verdict: Verdict, signs: Signs, where: str, stated: int, blocks: Sequence[Variable]) -> int:
+    """Of errors of numbers: how many components feedback takes off, or adds to, one estimate of the same unit."""
+    count = 0
+    for v in (v for v in signs.corrected.returned if v.norm is None):
+        by = signs.of(v)
+        for block in blocks:
+            columns = by[:, signs.place(block)]
+            for i, (s, unit) in enumerate(zip(v.symbols, unit_of(v), strict=True)):
+                for j, (e, own) in enumerate(zip(block.symbols, unit_of(block), strict=True)):
+                    if unit != own or within(size(columns[i, j]), NOTHING) or not alone(by, i):
+                        continue
+                    count += 1
+                    sign = 1 if float(columns[i, j]) > 0 else -1
+                    if sign != stated:
+                        words = {-1: "computed - true", 1: "true - computed"}
+                        text = f"{where.split(':')[0]} says {words[stated]}"
+                        verdict.entry = verdict.entry or f"{text}; feedback of {s} by {e} means {words[sign]}"
+    return count
+
+
+def alone(by: Matrix, row: int) -> bool:
+    """Whether one error alone moves this component."""
+    return sum(not within(size(by[row, j]), NOTHING) for j in range(by.cols)) == 1
