@@ -24,7 +24,8 @@ def by_unit(checks: Sequence[Check]) -> dict[str, dict[str, Any]]:
     for check in checks:
         against = check.against if isinstance(check, MechanicsCheck) else OF[type(check)]
         of = found.setdefault(check.unit, {"checks": {}})
-        of["checks"][against] = check.why if isinstance(check, MechanicsCheck) and check.why else check.ok
+        why = (check.unheld or check.why) if isinstance(check, MechanicsCheck) else ""
+        of["checks"][against] = why or check.ok
         if isinstance(check, UnitCheck):
             of |= {"points": check.points, "outputs": check.outputs}
     return found

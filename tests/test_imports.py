@@ -24,7 +24,7 @@ FORBIDDEN = {"runtime": {"sympy", "casadi"}, "studies": {"sympy", "casadi"}, "de
 # Within derive, each imports only what stands before it.  The `results` of a paper are functions of which
 # models are made; its letters, equations and witness judge them.
 ORDER = (
-    "where", "letters", "units", "constant", "named", "expressions", "checks", "model", "dimensions",
+    "where", "within", "letters", "units", "constant", "named", "expressions", "checks", "model", "dimensions",
     "mechanics", "papers/*/results", "models", "ledger", "papers", "pages",
 )  # fmt: skip
 # Types that stand in annotations alone, each of what calls the file: a second description of them would say no more.
