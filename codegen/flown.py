@@ -46,6 +46,7 @@ from boresight.derive.expressions import symbols_in
 from boresight.derive.ledger import ellipsoid
 from boresight.derive.ledger.numbers import Matrix, digits, zeros
 from boresight.derive.ledger.witness import hamilton, vector
+from boresight.derive.linear import is_rate
 from boresight.derive.model import Function, Model
 from boresight.derive.models.variables import INCREMENTS
 from boresight.derive.within import within
@@ -67,11 +68,12 @@ def check_flown(model: Model, reference: Mapping[str, Reference]) -> list[Mechan
     """Every check of one model; reference: of its printed units, by name."""
     checks = [check_motion(model, f, level) for f, level in navigating(model)]
     if model.kind == "error-state":
+        check = check_transition if model.F is not None else check_step
         try:
-            checks.append(check_transition(Exact(model), reference))
+            checks.append(check(Exact(model), reference))
         except LookupError as missing:
             checks.append(MechanicsCheck(model.name, "Phi", "", why=str(missing.args[0])))
-        checks += check_still(model, reference)
+        checks += check_still(model, reference) if model.F is not None else [check_added(model, reference)]
     elif model.f is not None:
         checks += [check_derivative(model, reference), *check_flow(model, reference)]
     elif model.next is not None:
@@ -148,6 +150,44 @@ def check_transition(exact: Exact, reference: Mapping[str, Reference]) -> Mechan
                 break
             verdict.remainder((left(list(part * error), SHORT) - part * at_whole for part in (1, arb(1) / 2)), sizes)
     return verdict.check(model, "Phi", "two flights of strapdown and feedback")
+
+
+def check_step(exact: Exact, reference: Mapping[str, Reference]) -> MechanicsCheck:
+    """Phi of a model in discrete time against the step of its strapdown, with what that reads as it is."""
+    model, n = exact.model, exact.model.n
+    scale, names, verdict = box(model), [s.name for s in model.x], Verdict()
+    with precise():
+        for hat in points(model, "Phi"):
+            moving = Moving(exact, hat, scale)
+            still = {s: zero for s, zero in exact.idle.items() if s not in hat}
+            found = slope(lambda x, m=moving, s=still: m.parted(x, s), scale)  # type: ignore[misc]
+            Phi = filled((n, n), reference["Phi"](fields(model, hat))[0])
+            verdict.compare(scaled(Phi, scale), found, names, names, scale, row_sizes(found, scale))
+    return verdict.check(model, "Phi", "the step of strapdown, and feedback")
+
+
+def check_added(model: Model, reference: Mapping[str, Reference]) -> MechanicsCheck:
+    """Q of a model in discrete time: of what each noise adds to in a step, where the model says it."""
+    mechanics = model.mechanics
+    if mechanics is None or not mechanics.driven:
+        return MechanicsCheck(
+            model.name, "Q", "", why="it is what the model gives; Mechanics(driven=...) would hold it"
+        )
+    exact, n, verdict = Exact(model), model.n, Verdict()
+    scale, names = box(model), [s.name for s in model.x]
+    with precise():
+        for hat in points(model, "Q"):
+            moving = Moving(exact, hat, scale)
+            still = {s: zero for s, zero in exact.idle.items() if s not in hat}
+            dt, found = hat[model.dt], zeros(n, n)
+            for noise, what in mechanics.driven:
+                variance = [hat[w] ** 2 * (1 / dt if is_rate(noise, what) else dt) for w in noise.symbols]
+                for s, added in zip(what.symbols, variance, strict=True):
+                    column = moving.wrong(s, still)
+                    found += column * column.T * added
+            Q = filled((n, n), reference["Q"](fields(model, hat))[0])
+            verdict.compare(Q, found, names, names, [1] * n, row_sizes(found))
+    return verdict.check(model, "Q", "the noises of a step")
 
 
 def most_off(off: Matrix, rates: Matrix, scale: Sequence[Any], names: Sequence[str]) -> str:

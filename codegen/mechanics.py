@@ -20,12 +20,14 @@ from boresight.codegen.functions.reference import evaluator, precise
 from boresight.codegen.functions.samples import generator
 from boresight.codegen.functions.unit import state_variable
 from boresight.codegen.points import exact_points, nearest_zero
+from boresight.derive.checks import ERRORS
 from boresight.derive.dimensions import ROOT_SECOND
 from boresight.derive.expressions import symbols_in
 from boresight.derive.ledger import ellipsoid
 from boresight.derive.ledger.navigation import Navigator
 from boresight.derive.ledger.numbers import Matrix, digits, zeros
 from boresight.derive.ledger.witness import hamilton, quaternion, vector
+from boresight.derive.linear import is_rate
 from boresight.derive.mechanics.earth import FRAMES
 from boresight.derive.model import Function, Measurement, Mechanics, Model, Variable
 from boresight.derive.models.variables import INCREMENTS, position
@@ -95,10 +97,12 @@ def check_mechanics(model: Model, reference: Mapping[str, Reference]) -> list[Me
         )
     elif model.kind == "error-state":
         try:
-            checks += check_error_model(Exact(model), reference["F"])
+            exact = Exact(model)
+            checks += check_error_model(exact, reference["F"]) if model.F is not None else []
+            checks.append(check_feedback(exact))
         except LookupError as missing:
-            why = str(missing.args[0])
-            checks += [MechanicsCheck(model.name, unit, "", why=why) for unit in ("F", "G", "feedback")]
+            why, rates = str(missing.args[0]), ("F", "G") if model.F is not None else ()
+            checks += [MechanicsCheck(model.name, unit, "", why=why) for unit in (*rates, "feedback")]
     checks += [check_measurement(model, m, reference[f"{m.name}_H"]) for m in model.measurements]
     return checks + [check for m in model.measurements if (check := check_residual(model, m))]
 
@@ -255,7 +259,8 @@ class Exact:
                 if output.name not in self.fields:
                     raise LookupError(f"{f.name} returns {output.name}, which is no input of the model")
         self.carried, self.returned = (self.outputs(f) for f in (strapdown, feedback))
-        beside = (*INCREMENTS, *(v for v, _ in self.mechanics.step), *(what for _, what in self.mechanics.driven))
+        sums = [what for noise, what in self.mechanics.driven if what not in model.states and not is_rate(noise, what)]
+        beside = (*INCREMENTS, *(v for v, _ in self.mechanics.step), *sums)
         read = symbols_in(*(o.value for o in strapdown.outputs))
         owners = {v.name: v for v in (*beside, *model.inputs)}
         self.idle = dict.fromkeys(read - {s for v in model.inputs for s in v.symbols}, arb(0))
@@ -366,11 +371,11 @@ class Moving:
             raise LookupError(f"feedback does not take out {', '.join(blind)}")
         left = (self.J.T * self.J).inv() * self.J.T
         self.inverse = Matrix([[(left[i, j] * scale[i]).mid() for j in range(left.cols)] for i in range(self.n)])
-        self.driven = [
-            target
+        self.driven = {
+            n: (s, arb(1) if is_rate(noise, what) else STEP)
             for noise, what in exact.mechanics.driven
-            for target, _ in zip(what.symbols, noise.symbols, strict=True)
-        ]
+            for s, n in zip(what.symbols, noise.symbols, strict=True)
+        }
 
     def rate(self, x: Sequence[Any]) -> Matrix:
         """Of the error x, with perfect sensors."""
@@ -381,11 +386,23 @@ class Moving:
         after, true = (self.exact.after(values, sensed) for values in (self.hat, self.exact.true(self.hat, x)))
         return self.exact.read_out(after, true, self.inverse)
 
-    def driven_rate(self, w: Sequence[Any]) -> Matrix:
-        """Of no error, where the sensors are wrong by w."""
-        wrong = self.sensed | {s: self.sensed[s] + STEP * e for s, e in zip(self.driven, w, strict=True)}
-        after, true = (self.exact.after(self.hat, sensed) for sensed in (wrong, self.sensed))
-        return self.exact.read_out(after, true, self.inverse) / STEP
+    def by_noise(self, n: sp.Symbol) -> Matrix:
+        """The rate of no error, where what a noise adds to is wrong by 1: a rate, an integral a second, or a state."""
+        s, over = self.driven[n]
+        return self.wrong(s, self.sensed, over, STEP)
+
+    def wrong(self, s: sp.Symbol, sensed: Values, over: Any = 1, step: Any = 1) -> Matrix:
+        """What becomes of no error over a step, where what strapdown reads is wrong by `over`, of a state by 1 alone."""
+        states = symbols(self.exact.model)
+        if s in states:
+            return Matrix([arb(int(s == own)) for own in states])
+        here = (self.hat | sensed)[s]
+
+        def apart(w: Sequence[Any]) -> Matrix:
+            after, true = (self.exact.after(self.hat, sensed | {s: here + part * w[0]}) for part in (over, 0))
+            return self.exact.read_out(after, true, self.inverse) / step
+
+        return slope(apart, [arb(1)])
 
 
 def scaled(matrix: Matrix, scale: Sequence[Any]) -> Matrix:
@@ -401,11 +418,20 @@ def finite_errors(model: Model, scale: Sequence[Any], *words: str) -> list[Matri
     ]
 
 
+def check_feedback(exact: Exact) -> MechanicsCheck:
+    """That no error changes nothing, and what is an error of a number has the model's sign."""
+    model, back, scale = exact.model, Verdict(), box(exact.model)
+    with precise():
+        for hat in points(model, "F"):
+            compare_feedback(back, Moving(exact, hat, scale), scale)
+    return back.check(model, "feedback", f"an error of {model.error}")
+
+
 def check_error_model(exact: Exact, F_of: Reference) -> list[MechanicsCheck]:
-    """F, G and feedback."""
+    """F and G."""
     model, n = exact.model, exact.model.n
     names, scale = [s.name for s in model.x], box(model)
-    F_verdict, G_verdict, back = Verdict(), Verdict(), Verdict()
+    F_verdict, G_verdict = Verdict(), Verdict()
     G_at = compiled(model.G)
     with precise():
         for k, hat in enumerate(points(model, "F")):
@@ -417,7 +443,6 @@ def check_error_model(exact: Exact, F_of: Reference) -> list[MechanicsCheck]:
             for error in finite_errors(model, scale, "F", str(k)):
                 F_verdict.remainder((moving.rate(list(e)) - F * e for e in (error, error / 2)), sizes)
             compare_noise(G_verdict, moving, G_at(hat)[0])
-            compare_feedback(back, moving, scale)
     if F_verdict.entry and exact.unstated:
         nothing = ", ".join(v.name for v in exact.unstated)
         F_verdict.entry += f"; Mechanics.step does not state {nothing}, which is put to nothing over the step"
@@ -425,16 +450,16 @@ def check_error_model(exact: Exact, F_of: Reference) -> list[MechanicsCheck]:
     return [
         F_verdict.check(model, "F", law),
         G_verdict.check(model, "G", law, undriven(exact)),
-        back.check(model, "feedback", "an error of computed - true"),
     ]
 
 
 def compare_feedback(back: Verdict, moving: Moving, scale: Sequence[Any]) -> None:
-    """No error changes nothing, and what is an error of a number itself, in its own unit, is computed - true.
+    """No error changes nothing, and what is an error of a number itself, in its own unit, has the model's sign.
 
     An error in another unit, such as metres of a latitude, is held by F and H, which read it out of what feedback does.
     """
     exact, hat, J = moving.exact, moving.hat, moving.J
+    sign = -1 if exact.model.error == ERRORS[0] else 1
     still = exact.seen(exact.corrected(hat, [arb(0)] * moving.n)) - exact.seen(hat)
     names = [(v, s.name, unit) for v in exact.returned for s, unit in zip(v.symbols, unit_of(v), strict=True)]
     errors = [unit for block in exact.model.states for unit in unit_of(block)]
@@ -443,7 +468,7 @@ def compare_feedback(back: Verdict, moving: Moving, scale: Sequence[Any]) -> Non
         moves = [j for j in range(J.cols) if not within(size(J[i, j]), NOTHING)]
         if v.norm is None and len(moves) == 1 and unit == errors[moves[0]]:
             by = float(J[i, moves[0]] / scale[moves[0]])
-            back.note(by + 1, EQUAL, f"{name} by {exact.model.x[moves[0]].name}: {by:.6g} stated, -1 exact")
+            back.note(by - sign, EQUAL, f"{name} by {exact.model.x[moves[0]].name}: {by:.6g} stated, {sign} exact")
 
 
 def unit_of(v: Variable) -> list[Unit]:
@@ -455,12 +480,10 @@ def compare_noise(verdict: Verdict, moving: Moving, G: Matrix) -> None:
     by itself and once; G of another cannot be known."""
     model = moving.exact.model
     names = list(map(str, model.noise))
-    sensors = [s.name for noise, _ in moving.exact.mechanics.driven for s in noise.symbols]
-    found = slope(moving.driven_rate, [arb(1)] * len(sensors)) if sensors else None
     exact = zeros(G.rows, G.cols)
-    for k, name in enumerate(names):
-        if found is not None and name in sensors:
-            column = found[:, sensors.index(name)]
+    for k, n in enumerate(model.noise):
+        if n in moving.driven:
+            column = moving.by_noise(n)
             exact[:, k] = column if float((G[:, k].T * column)[0]) >= 0 else -column
         else:
             exact[:, k] = G[:, k]

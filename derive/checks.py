@@ -508,13 +508,16 @@ def check_kept_norms(model: "Model") -> None:
         if model.kind != "total-state" or block.size != 4 or block.unit != "1" or not unit:
             fail(
                 block,
-                "it is a state with a norm, which no step and no update of a filter keeps, unless it is a quaternion of "
-                "a total state, of unit 1 and norm 1; make it an input of nav that an error state corrects by feedback, "
+                "it is a state with a norm, which no step and no update of a filter keeps but of a quaternion of a "
+                "total state, of unit 1 and norm 1: make it an input of nav that an error state corrects by feedback, "
                 "or leave norm out",
             )
     turning = next((block for block in model.states if normed and block.wraps), None)
     if turning is not None:
-        fail(turning, f"it wraps beside the quaternion {normed[0].name}, whose model is made an error state; leave wraps out")
+        fail(
+            turning,
+            f"it wraps beside the quaternion {normed[0].name}, whose model is made an error state; leave wraps out",
+        )
 
 
 def check_rows(model: "Model") -> None:

@@ -226,13 +226,9 @@ class Derivation:
 
     def increments(self) -> list[Symbol]:
         """What the strapdown reads as integrals over the step."""
-        sums = [what for noise, what in self.mechanics.driven if not self.is_rate(noise, what)]
+        sums = [what for noise, what in self.mechanics.driven if not is_rate(noise, what)]
         read = [v for v, _ in self.mechanics.step] + sums
         return [s for s in dict.fromkeys(s for v in read for s in v.symbols) if s not in self.x]
-
-    def is_rate(self, noise: Variable, what: Variable) -> bool:
-        """Whether a noise is that of a rate, which it adds to as a density, and not that of its integral."""
-        return units(noise.unit, noise.size)[0].like(units(what.unit, what.size)[0] * ROOT_SECOND)
 
     def sensed(self) -> list[Symbol]:
         return [s for _, what in self.mechanics.driven for s in what.symbols]
@@ -283,7 +279,7 @@ class Derivation:
         if spread is not None:
             return Phi, mirrored(short(back * spread * back.T))
         grown = short(self.noises(back, lambda s: slopes(after, [s])))
-        rates = {n for noise, what in self.mechanics.driven if self.is_rate(noise, what) for n in noise.symbols}
+        rates = {n for noise, what in self.mechanics.driven if is_rate(noise, what) for n in noise.symbols}
         added = Matrix.diag(*(n**2 / dt if n in rates else n**2 * dt for n in self.model.noise))
         return Phi, mirrored(grown * added * grown.T)
 
@@ -343,6 +339,11 @@ class Derivation:
             H = at_zero(Gradients(self.x)(h, self.x), self.x)
         H = H.applyfunc(lambda e: self.short.short(e) if polynomial(e) else e)
         return replace(m, h=h, H=H, at_zero=False, first_order=FirstOrder())
+
+
+def is_rate(noise: Variable, what: Variable) -> bool:
+    """Whether a noise is that of a rate, which it adds to as a density, and not that of its integral."""
+    return units(noise.unit, noise.size)[0].like(units(what.unit, what.size)[0] * ROOT_SECOND)
 
 
 def completed(model: Model) -> Model:

@@ -160,7 +160,9 @@ measurements = (
 
 step = dt.scalar
 turned = quaternion_from_rotation_vector(turn.vector - nav["gyro_bias"].vector * step)
-v_gained = dcm_from_quaternion(q.vector) * (gain.vector - nav["accel_bias"].vector * step) + Matrix([0, 0, GRAVITY]) * step
+v_gained = (
+    dcm_from_quaternion(q.vector) * (gain.vector - nav["accel_bias"].vector * step) + Matrix([0, 0, GRAVITY]) * step
+)
 
 AUTOPILOT = Model(
     name="autopilot",
