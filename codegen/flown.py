@@ -152,14 +152,21 @@ def check_transition(exact: Exact, reference: Mapping[str, Reference]) -> Mechan
     return verdict.check(model, "Phi", "two flights of strapdown and feedback")
 
 
+def over_step(exact: Exact, hat: Values, scale: Sequence[Any]) -> tuple[Moving, Values]:
+    """The model at a point, with errors read out where a whole step leads; and what of that no input has."""
+    still = {s: zero for s, zero in exact.idle.items() if s not in hat}
+    moving = Moving(exact, hat, scale)
+    moving.inverse = Moving(exact, exact.after(hat, still), scale).inverse
+    return moving, still
+
+
 def check_step(exact: Exact, reference: Mapping[str, Reference]) -> MechanicsCheck:
     """Phi of a model in discrete time against the step of its strapdown, with what that reads as it is."""
     model, n = exact.model, exact.model.n
     scale, names, verdict = box(model), [s.name for s in model.x], Verdict()
     with precise():
         for hat in points(model, "Phi"):
-            moving = Moving(exact, hat, scale)
-            still = {s: zero for s, zero in exact.idle.items() if s not in hat}
+            moving, still = over_step(exact, hat, scale)
             found = slope(lambda x, m=moving, s=still: m.parted(x, s), scale)  # type: ignore[misc]
             Phi = filled((n, n), reference["Phi"](fields(model, hat))[0])
             verdict.compare(scaled(Phi, scale), found, names, names, scale, row_sizes(found, scale))
@@ -177,8 +184,7 @@ def check_added(model: Model, reference: Mapping[str, Reference]) -> MechanicsCh
     scale, names = box(model), [s.name for s in model.x]
     with precise():
         for hat in points(model, "Q"):
-            moving = Moving(exact, hat, scale)
-            still = {s: zero for s, zero in exact.idle.items() if s not in hat}
+            moving, still = over_step(exact, hat, scale)
             dt, found = hat[model.dt], zeros(n, n)
             for noise, what in mechanics.driven:
                 variance = [hat[w] ** 2 * (1 / dt if is_rate(noise, what) else dt) for w in noise.symbols]

@@ -392,7 +392,7 @@ class Moving:
         return self.wrong(s, self.sensed, over, STEP)
 
     def wrong(self, s: sp.Symbol, sensed: Values, over: Any = 1, step: Any = 1) -> Matrix:
-        """What becomes of no error over a step, where what strapdown reads is wrong by `over`, of a state by 1 alone."""
+        """What becomes of no error over a step where what strapdown reads is wrong by `over`; of a state by 1 alone."""
         states = symbols(self.exact.model)
         if s in states:
             return Matrix([arb(int(s == own)) for own in states])
