@@ -282,7 +282,7 @@ def described(model: Model) -> dict[str, dict[str, str]]:
             "title": model.title, "kind": model.kind, "frame": model.frame, "prefix in C": model.c_prefix,
             "step": str(model.dt), "order": str(model.order), "in C": "by loops" * model.loops,
             "equations": ", ".join(model.equations),
-            "conventions": " ".join(model.card),
+            "conventions": " ".join(model.conventions),
         }
     }  # fmt: skip
     parts |= {f"state {v.name}": variable(v) for v in model.states}

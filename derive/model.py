@@ -629,6 +629,12 @@ class Model:
         return "functions" if not self.states else "total-state" if total else "error-state"
 
     @property
+    def conventions(self) -> tuple[str, ...]:
+        """Its card, with the sign of an error state's errors in front where the card does not say it."""
+        said = self.kind != "error-state" or any(line.startswith("Error =") for line in self.card)
+        return self.card if said else (f"Error = {self.error}.", *self.card)
+
+    @property
     def discrete(self) -> bool:
         """Whether its steps are given, and not the rates that they follow from."""
         return self.next is not None or self.Phi is not None

@@ -234,7 +234,7 @@ def model_view(model: Model, unit_views: list[dict[str, Any]]) -> dict[str, Any]
         "title": model.title,
         "frame": model.frame,
         "kind": model.kind.replace("-", " "),
-        "card": list(model.card),
+        "card": list(model.conventions),
         "n": model.n,
         "states": states,
         "structs": [

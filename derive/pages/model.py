@@ -378,7 +378,7 @@ def model_page(model: Model, manifest: Mapping[str, Any] | None = None, target: 
     used = {s for section in sections for form in forms(section) for s in letters_of(form.relation)}
     sections += names_of(shown, used)
     sections += [Section("C functions", tuple(_functions(model, units)), "c-functions"), *_equations(model)]
-    lead = (f"{model.title[0].upper()}{model.title[1:]}.", f"Frame: {model.frame}.", *model.card)
+    lead = (f"{model.title[0].upper()}{model.title[1:]}.", f"Frame: {model.frame}.", *model.conventions)
     return lettered(shown, Page(model.name, tuple(sections), lead))
 
 

@@ -1252,7 +1252,7 @@ static void propagate_lanes(block *b, const chosen *runs, const bs_given *given,
                                            7, 8, 9, 10, 11, 12, 13, 14, 1, 2, 3, 4, 5, 6, 7, 8, 9,
                                            10, 11, 12, 13, 14 };
     scratch *const s = runs->s;
-    bs_bits good = *rare;
+    bs_bits good = *rare & (b->considering < 2.0); /* none disabled */
     bs_lanes x[15];
     bs_lanes in[16];
     bs_read(&in[0], &given[0], 0, 3, runs->first, runs->n);
@@ -1528,7 +1528,11 @@ static void measure_zupt_lanes(block *b,
             return; /* the scalar function says what is wrong */
         }
     }
-    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS)) {
+    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS) ||
+        (*taking->options > (BS_INFLATE | BS_RELINEARIZE))) {
+        return;
+    }
+    if (((*taking->options & BS_RELINEARIZE) != 0U) && (*taking->iterations > 1)) {
         return;
     }
     bs_read(R, &given[0], 0, 3, runs->first, runs->n);
@@ -1571,7 +1575,11 @@ static void measure_azimuth_lanes(block *b,
             return; /* the scalar function says what is wrong */
         }
     }
-    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS)) {
+    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS) ||
+        (*taking->options > (BS_INFLATE | BS_RELINEARIZE))) {
+        return;
+    }
+    if (((*taking->options & BS_RELINEARIZE) != 0U) && (*taking->iterations > 1)) {
         return;
     }
     bs_read(R, &given[1], 0, 1, runs->first, runs->n);
@@ -1613,7 +1621,11 @@ static void measure_zaru_lanes(block *b,
             return; /* the scalar function says what is wrong */
         }
     }
-    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS)) {
+    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS) ||
+        (*taking->options > (BS_INFLATE | BS_RELINEARIZE))) {
+        return;
+    }
+    if (((*taking->options & BS_RELINEARIZE) != 0U) && (*taking->iterations > 1)) {
         return;
     }
     bs_read(R, &given[1], 0, 3, runs->first, runs->n);
@@ -1739,8 +1751,9 @@ static __attribute__((noinline)) void measure_zupt_alone(block *b,
                      unsigned char *status)
 {
     ah_filter filter;
-    ah_innovation innovation = { {0}, {0}, 0.0, 0U };
-    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations };
+    ah_innovation innovation = { {0}, {0}, 0.0, 0U, 0U };
+    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations,
+                     *taking->options };
     bs_status said;
     for (unsigned int k = 0U; k < 3U; ++k) {
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
@@ -1752,7 +1765,8 @@ static __attribute__((noinline)) void measure_zupt_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        taking->used[(run * 3U) +
+                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -1784,8 +1798,9 @@ static __attribute__((noinline)) void measure_azimuth_alone(block *b,
                      unsigned char *status)
 {
     ah_filter filter;
-    ah_innovation innovation = { {0}, {0}, 0.0, 0U };
-    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations };
+    ah_innovation innovation = { {0}, {0}, 0.0, 0U, 0U };
+    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations,
+                     *taking->options };
     bs_status said;
     for (unsigned int k = 0U; k < 1U; ++k) {
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
@@ -1798,7 +1813,8 @@ static __attribute__((noinline)) void measure_azimuth_alone(block *b,
     for (unsigned int k = 0U; k < 1U; ++k) {
         taking->nu[(run * 1U) + k] = innovation.nu[k];
         taking->S[(run * 1U) + k] = innovation.S[k];
-        taking->used[(run * 1U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        taking->used[(run * 1U) +
+                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -1830,8 +1846,9 @@ static __attribute__((noinline)) void measure_zaru_alone(block *b,
                      unsigned char *status)
 {
     ah_filter filter;
-    ah_innovation innovation = { {0}, {0}, 0.0, 0U };
-    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations };
+    ah_innovation innovation = { {0}, {0}, 0.0, 0U, 0U };
+    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations,
+                     *taking->options };
     bs_status said;
     for (unsigned int k = 0U; k < 3U; ++k) {
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
@@ -1844,7 +1861,8 @@ static __attribute__((noinline)) void measure_zaru_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        taking->used[(run * 3U) +
+                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }

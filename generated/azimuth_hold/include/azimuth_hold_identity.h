@@ -20,7 +20,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "c3d9b9f57ea9d683ccdd0021d870a5076d6b4aae63706768598d5c2d610cbfbe"
+#define AH_MODEL_HASH "e192ec54c730d0104175f9249b10e93b444316a381c288559aa653c6f5ea3ad4"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1
@@ -72,7 +72,11 @@
 #define ah_filter_correct BS_FORM(ah_filter_correct)
 #define ah_filter_covariance BS_FORM(ah_filter_covariance)
 #define ah_filter_digest BS_FORM(ah_filter_digest)
+#define ah_filter_disable BS_FORM(ah_filter_disable)
+#define ah_filter_disabled BS_FORM(ah_filter_disabled)
+#define ah_filter_enable BS_FORM(ah_filter_enable)
 #define ah_filter_health BS_FORM(ah_filter_health)
+#define ah_filter_inflate BS_FORM(ah_filter_inflate)
 #define ah_filter_init BS_FORM(ah_filter_init)
 #define ah_filter_init_blocks BS_FORM(ah_filter_init_blocks)
 #define ah_filter_init_sigmas BS_FORM(ah_filter_init_sigmas)
@@ -81,6 +85,7 @@
 #define ah_filter_measure_zupt BS_FORM(ah_filter_measure_zupt)
 #define ah_filter_propagate BS_FORM(ah_filter_propagate)
 #define ah_filter_restore BS_FORM(ah_filter_restore)
+#define ah_filter_set_block BS_FORM(ah_filter_set_block)
 #define ah_filter_set_nav BS_FORM(ah_filter_set_nav)
 #define ah_filter_sigmas BS_FORM(ah_filter_sigmas)
 #define ah_filter_size BS_FORM(ah_filter_size)

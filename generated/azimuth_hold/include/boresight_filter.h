@@ -33,8 +33,9 @@ typedef struct {
     const unsigned short *at; /* the states that they belong to, ascending */
     int count;                /* how many */
     bs_real z;
-    bs_real R;
-    bs_real gate; /* leave it out if |nu| exceeds this many sigmas; 0 for no gate */
+    bs_real R;    /* in and out: raised by a negative gate */
+    bs_real gate; /* leave it out if |nu| exceeds this many sigmas; 0 for no gate; a negative one
+                   * does not leave it out, but raises R so that |nu| is as many */
     bs_real nu;   /* out: z - h x */
     bs_real S;    /* out: h P h' + R */
     int used;     /* in: whether to take it; out: whether it was taken */
@@ -46,15 +47,23 @@ typedef struct {
 
 #define BS_MOST_ITERATIONS 64 /* so that a measurement ends in a time that is known */
 
+/* Options of bs_gates. */
+#define BS_INFLATE 1U     /* a row beyond its gate is not left out: it is taken with an R so much
+                           * larger that |nu| is at the gate */
+#define BS_RELINEARIZE 2U /* each row is linearised where the rows before it have led x, and there
+                           * is one iteration; of an H that does not depend on x nothing changes */
+
 /* How a measurement is taken.  Every row, no gate and one linearisation where a null pointer stands
  * in its place. */
 typedef struct {
-    unsigned int rows; /* bit i: take row i; BS_ALL_ROWS */
+    unsigned int rows; /* bit i: take row i; BS_ALL_ROWS; 0: nu and S of each row alone, nothing is
+                        * taken and nothing counted */
     bs_real gate;      /* a row whose |nu| exceeds this many sigmas is left out; 0 for no gate */
     bs_real joint;     /* a measurement whose NIS, of the rows within their gate, exceeds this is
                         * left out as a whole: a quantile of chi-square; 0 for no gate */
     int iterations;    /* how often a measurement that depends on x is linearised at most, to
                         * BS_MOST_ITERATIONS; 0 is 1 */
+    unsigned int options; /* the sum of BS_INFLATE and BS_RELINEARIZE, or 0 */
 } bs_gates;
 
 /* Of a snapshot: the version of its layout, and the bytes before the state: "BSFS", layout, bytes

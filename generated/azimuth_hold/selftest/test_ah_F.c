@@ -67,14 +67,14 @@ int test_ah_F(void)
     int failures = 0;
     ah_nav nav = {0};
     ah_corrected_imu corrected_imu = {0};
-    bs_real F[225];
+    bs_real got_F[225];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu);
-        if (ah_F(&nav, &corrected_imu, F) != BS_OK) {
+        if (ah_F(&nav, &corrected_imu, got_F) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("ah_F F", v, F, 225, out_F[v], tol_F[v], at_F, 60, 0);
+        failures += selftest_compare("ah_F F", v, got_F, 225, out_F[v], tol_F[v], at_F, 60, 0);
     }
     /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -87,12 +87,12 @@ int test_ah_F(void)
             nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 225);
-            if (ah_F(&nav, &corrected_imu, F) != expected) {
+            selftest_paint(got_F, 225);
+            if (ah_F(&nav, &corrected_imu, got_F) != expected) {
                 selftest_print("ah_F: lon_lat_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_F F", F, 225);
+            failures += selftest_painted("ah_F F", got_F, 225);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-6.283185307179586),
@@ -101,7 +101,7 @@ int test_ah_F(void)
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
             set_point(0, &nav, &corrected_imu);
             nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
-            if (ah_F(&nav, &corrected_imu, F) != BS_OK) {
+            if (ah_F(&nav, &corrected_imu, got_F) != BS_OK) {
                 selftest_print("ah_F: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -116,19 +116,19 @@ int test_ah_F(void)
             set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 225);
-            if (ah_F(&nav, &corrected_imu, F) != expected) {
+            selftest_paint(got_F, 225);
+            if (ah_F(&nav, &corrected_imu, got_F) != expected) {
                 selftest_print("ah_F: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_F F", F, 225);
+            failures += selftest_painted("ah_F F", got_F, 225);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (ah_F(&nav, &corrected_imu, F) != BS_OK) {
+            if (ah_F(&nav, &corrected_imu, got_F) != BS_OK) {
                 selftest_print("ah_F: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -145,12 +145,12 @@ int test_ah_F(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 225);
-            if (ah_F(&nav, &corrected_imu, F) != expected) {
+            selftest_paint(got_F, 225);
+            if (ah_F(&nav, &corrected_imu, got_F) != expected) {
                 selftest_print("ah_F: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_F F", F, 225);
+            failures += selftest_painted("ah_F F", got_F, 225);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -160,7 +160,7 @@ int test_ah_F(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (ah_F(&nav, &corrected_imu, F) != BS_OK) {
+            if (ah_F(&nav, &corrected_imu, got_F) != BS_OK) {
                 selftest_print("ah_F: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -173,7 +173,7 @@ int test_ah_F(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (ah_F(&nav, &corrected_imu, F) != BS_OUT_OF_RANGE) {
+        if (ah_F(&nav, &corrected_imu, got_F) != BS_OUT_OF_RANGE) {
             selftest_print("ah_F: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -188,30 +188,30 @@ int test_ah_F(void)
             corrected_imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 225);
-            if (ah_F(&nav, &corrected_imu, F) != expected) {
+            selftest_paint(got_F, 225);
+            if (ah_F(&nav, &corrected_imu, got_F) != expected) {
                 selftest_print("ah_F: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_F F", F, 225);
+            failures += selftest_painted("ah_F F", got_F, 225);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
             set_point(0, &nav, &corrected_imu);
             corrected_imu.f_b[i] = (end == 0) ? low[i] : high[i];
-            if (ah_F(&nav, &corrected_imu, F) != BS_OK) {
+            if (ah_F(&nav, &corrected_imu, got_F) != BS_OK) {
                 selftest_print("ah_F: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &corrected_imu);
-    failures += (ah_F(0, &corrected_imu, F) != BS_NULL_POINTER);
-    failures += (ah_F(&nav, 0, F) != BS_NULL_POINTER);
+    failures += (ah_F(0, &corrected_imu, got_F) != BS_NULL_POINTER);
+    failures += (ah_F(&nav, 0, got_F) != BS_NULL_POINTER);
     failures += (ah_F(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
-    failures += (ah_F_nz(0, &corrected_imu, F) != BS_NULL_POINTER);
-    failures += (ah_F_nz(&nav, 0, F) != BS_NULL_POINTER);
+    failures += (ah_F_nz(0, &corrected_imu, got_F) != BS_NULL_POINTER);
+    failures += (ah_F_nz(&nav, 0, got_F) != BS_NULL_POINTER);
     failures += (ah_F_nz(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
     return failures;
 }

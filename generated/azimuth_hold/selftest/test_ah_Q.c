@@ -125,14 +125,14 @@ int test_ah_Q(void)
     ah_nav nav = {0};
     ah_corrected_imu corrected_imu = {0};
     ah_noise noise = {0};
-    bs_real Q[225];
+    bs_real got_Q[225];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &noise);
-        if (ah_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+        if (ah_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("ah_Q Q", v, Q, 225, out_Q[v], tol_Q[v], at_Q, 177, 0);
+        failures += selftest_compare("ah_Q Q", v, got_Q, 225, out_Q[v], tol_Q[v], at_Q, 177, 0);
     }
     /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -145,12 +145,12 @@ int test_ah_Q(void)
             nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 225);
-            if (ah_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 225);
+            if (ah_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("ah_Q: lon_lat_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_Q Q", Q, 225);
+            failures += selftest_painted("ah_Q Q", got_Q, 225);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-6.283185307179586),
@@ -159,7 +159,7 @@ int test_ah_Q(void)
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
             set_point(0, &nav, &corrected_imu, &noise);
             nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
-            if (ah_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (ah_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("ah_Q: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -174,19 +174,19 @@ int test_ah_Q(void)
             set_point(0, &nav, &corrected_imu, &noise);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 225);
-            if (ah_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 225);
+            if (ah_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("ah_Q: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_Q Q", Q, 225);
+            failures += selftest_painted("ah_Q Q", got_Q, 225);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu, &noise);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (ah_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (ah_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("ah_Q: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -203,12 +203,12 @@ int test_ah_Q(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 225);
-            if (ah_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 225);
+            if (ah_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("ah_Q: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_Q Q", Q, 225);
+            failures += selftest_painted("ah_Q Q", got_Q, 225);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -218,7 +218,7 @@ int test_ah_Q(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (ah_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (ah_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("ah_Q: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -231,7 +231,7 @@ int test_ah_Q(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (ah_Q(&nav, &corrected_imu, &noise, Q) != BS_OUT_OF_RANGE) {
+        if (ah_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OUT_OF_RANGE) {
             selftest_print("ah_Q: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -246,19 +246,19 @@ int test_ah_Q(void)
             corrected_imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 225);
-            if (ah_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 225);
+            if (ah_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("ah_Q: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_Q Q", Q, 225);
+            failures += selftest_painted("ah_Q Q", got_Q, 225);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
             set_point(0, &nav, &corrected_imu, &noise);
             corrected_imu.f_b[i] = (end == 0) ? low[i] : high[i];
-            if (ah_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (ah_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("ah_Q: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -274,19 +274,19 @@ int test_ah_Q(void)
             corrected_imu.dt = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 225);
-            if (ah_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 225);
+            if (ah_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("ah_Q: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_Q Q", Q, 225);
+            failures += selftest_painted("ah_Q Q", got_Q, 225);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu, &noise);
             corrected_imu.dt = (end == 0) ? low[i] : high[i];
-            if (ah_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (ah_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("ah_Q: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -303,19 +303,19 @@ int test_ah_Q(void)
             noise.gyro_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 225);
-            if (ah_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 225);
+            if (ah_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("ah_Q: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_Q Q", Q, 225);
+            failures += selftest_painted("ah_Q Q", got_Q, 225);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &noise);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
-            if (ah_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (ah_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("ah_Q: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -332,19 +332,19 @@ int test_ah_Q(void)
             noise.accel_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 225);
-            if (ah_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 225);
+            if (ah_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("ah_Q: accel_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_Q Q", Q, 225);
+            failures += selftest_painted("ah_Q Q", got_Q, 225);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu, &noise);
             noise.accel_noise[i] = (end == 0) ? low[i] : high[i];
-            if (ah_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (ah_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("ah_Q: accel_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -361,19 +361,19 @@ int test_ah_Q(void)
             noise.gyro_bias_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 225);
-            if (ah_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 225);
+            if (ah_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("ah_Q: gyro_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_Q Q", Q, 225);
+            failures += selftest_painted("ah_Q Q", got_Q, 225);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &noise);
             noise.gyro_bias_noise[i] = (end == 0) ? low[i] : high[i];
-            if (ah_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (ah_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("ah_Q: gyro_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -390,32 +390,32 @@ int test_ah_Q(void)
             noise.accel_bias_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                   : (bad == 1) ? selftest_infinity()
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 225);
-            if (ah_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 225);
+            if (ah_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("ah_Q: accel_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_Q Q", Q, 225);
+            failures += selftest_painted("ah_Q Q", got_Q, 225);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu, &noise);
             noise.accel_bias_noise[i] = (end == 0) ? low[i] : high[i];
-            if (ah_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (ah_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("ah_Q: accel_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &corrected_imu, &noise);
-    failures += (ah_Q(0, &corrected_imu, &noise, Q) != BS_NULL_POINTER);
-    failures += (ah_Q(&nav, 0, &noise, Q) != BS_NULL_POINTER);
-    failures += (ah_Q(&nav, &corrected_imu, 0, Q) != BS_NULL_POINTER);
+    failures += (ah_Q(0, &corrected_imu, &noise, got_Q) != BS_NULL_POINTER);
+    failures += (ah_Q(&nav, 0, &noise, got_Q) != BS_NULL_POINTER);
+    failures += (ah_Q(&nav, &corrected_imu, 0, got_Q) != BS_NULL_POINTER);
     failures += (ah_Q(&nav, &corrected_imu, &noise, 0) != BS_NULL_POINTER);
-    failures += (ah_Q_nz(0, &corrected_imu, &noise, Q) != BS_NULL_POINTER);
-    failures += (ah_Q_nz(&nav, 0, &noise, Q) != BS_NULL_POINTER);
-    failures += (ah_Q_nz(&nav, &corrected_imu, 0, Q) != BS_NULL_POINTER);
+    failures += (ah_Q_nz(0, &corrected_imu, &noise, got_Q) != BS_NULL_POINTER);
+    failures += (ah_Q_nz(&nav, 0, &noise, got_Q) != BS_NULL_POINTER);
+    failures += (ah_Q_nz(&nav, &corrected_imu, 0, got_Q) != BS_NULL_POINTER);
     failures += (ah_Q_nz(&nav, &corrected_imu, &noise, 0) != BS_NULL_POINTER);
     return failures;
 }

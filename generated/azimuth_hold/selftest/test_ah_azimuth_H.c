@@ -25,13 +25,14 @@ static const unsigned short at_H[1] = { 8 };
 int test_ah_azimuth_H(void)
 {
     int failures = 0;
-    bs_real H[15];
+    bs_real got_H[15];
     for (int v = 0; v < N_VECTORS; ++v) {
-        if (ah_azimuth_H(H) != BS_OK) {
+        if (ah_azimuth_H(got_H) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("ah_azimuth_H H", v, H, 15, out_H[v], tol_H[v], at_H, 1, 0);
+        failures += selftest_compare("ah_azimuth_H H", v, got_H, 15, out_H[v], tol_H[v], at_H, 1,
+                                     0);
     }
     failures += (ah_azimuth_H(0) != BS_NULL_POINTER);
     failures += (ah_azimuth_H_nz(0) != BS_NULL_POINTER);

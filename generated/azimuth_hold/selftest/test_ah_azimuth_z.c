@@ -49,14 +49,14 @@ int test_ah_azimuth_z(void)
     int failures = 0;
     ah_nav nav = {0};
     ah_reference reference = {0};
-    bs_real z[1];
+    bs_real got_z[1];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &reference);
-        if (ah_azimuth_z(&nav, &reference, z) != BS_OK) {
+        if (ah_azimuth_z(&nav, &reference, got_z) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("ah_azimuth_z z", v, z, 1, out_z[v], tol_z[v], at_z, 1, 0);
+        failures += selftest_compare("ah_azimuth_z z", v, got_z, 1, out_z[v], tol_z[v], at_z, 1, 0);
     }
     /* q_b2n_wxyz: each component in turn NaN, infinite, beyond either end of its box; and at the
      * ends. */
@@ -69,12 +69,12 @@ int test_ah_azimuth_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 1);
-            if (ah_azimuth_z(&nav, &reference, z) != expected) {
+            selftest_paint(got_z, 1);
+            if (ah_azimuth_z(&nav, &reference, got_z) != expected) {
                 selftest_print("ah_azimuth_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_azimuth_z z", z, 1);
+            failures += selftest_painted("ah_azimuth_z z", got_z, 1);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -84,7 +84,7 @@ int test_ah_azimuth_z(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (ah_azimuth_z(&nav, &reference, z) != BS_OK) {
+            if (ah_azimuth_z(&nav, &reference, got_z) != BS_OK) {
                 selftest_print("ah_azimuth_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -97,7 +97,7 @@ int test_ah_azimuth_z(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (ah_azimuth_z(&nav, &reference, z) != BS_OUT_OF_RANGE) {
+        if (ah_azimuth_z(&nav, &reference, got_z) != BS_OUT_OF_RANGE) {
             selftest_print("ah_azimuth_z: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -114,12 +114,12 @@ int test_ah_azimuth_z(void)
             reference.q_ref_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 1);
-            if (ah_azimuth_z(&nav, &reference, z) != expected) {
+            selftest_paint(got_z, 1);
+            if (ah_azimuth_z(&nav, &reference, got_z) != expected) {
                 selftest_print("ah_azimuth_z: q_ref_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_azimuth_z z", z, 1);
+            failures += selftest_painted("ah_azimuth_z z", got_z, 1);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -129,7 +129,7 @@ int test_ah_azimuth_z(void)
             for (int j = 0; j < 4; ++j) {
                 reference.q_ref_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (ah_azimuth_z(&nav, &reference, z) != BS_OK) {
+            if (ah_azimuth_z(&nav, &reference, got_z) != BS_OK) {
                 selftest_print("ah_azimuth_z: q_ref_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -142,15 +142,15 @@ int test_ah_azimuth_z(void)
         for (int i = 0; i < 4; ++i) {
             reference.q_ref_wxyz[i] = (bs_real)beyond[end];
         }
-        if (ah_azimuth_z(&nav, &reference, z) != BS_OUT_OF_RANGE) {
+        if (ah_azimuth_z(&nav, &reference, got_z) != BS_OUT_OF_RANGE) {
             selftest_print("ah_azimuth_z: q_ref_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
         }
     }
     set_point(0, &nav, &reference);
-    failures += (ah_azimuth_z(0, &reference, z) != BS_NULL_POINTER);
-    failures += (ah_azimuth_z(&nav, 0, z) != BS_NULL_POINTER);
+    failures += (ah_azimuth_z(0, &reference, got_z) != BS_NULL_POINTER);
+    failures += (ah_azimuth_z(&nav, 0, got_z) != BS_NULL_POINTER);
     failures += (ah_azimuth_z(&nav, &reference, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -145,28 +145,29 @@ int test_ah_feedback(void)
     int failures = 0;
     bs_real x[AH_N_STATES] = {0};
     ah_nav nav = {0};
-    bs_real lon_lat_height[3];
-    bs_real v_n[3];
-    bs_real q_b2n_wxyz[4];
-    bs_real gyro_bias[3];
-    bs_real accel_bias[3];
+    bs_real got_lon_lat_height[3];
+    bs_real got_v_n[3];
+    bs_real got_q_b2n_wxyz[4];
+    bs_real got_gyro_bias[3];
+    bs_real got_accel_bias[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, x, &nav);
-        if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias, accel_bias) != BS_OK) {
+        if (ah_feedback(x, &nav, got_lon_lat_height, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                        got_accel_bias) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("ah_feedback lon_lat_height", v, lon_lat_height, 3,
+        failures += selftest_compare("ah_feedback lon_lat_height", v, got_lon_lat_height, 3,
                                      out_lon_lat_height[v], tol_lon_lat_height[v],
                                      at_lon_lat_height, 3, 0);
-        failures += selftest_compare("ah_feedback v_n", v, v_n, 3, out_v_n[v], tol_v_n[v], at_v_n,
-                                     3, 0);
-        failures += selftest_compare("ah_feedback q_b2n_wxyz", v, q_b2n_wxyz, 4, out_q_b2n_wxyz[v],
-                                     tol_q_b2n_wxyz[v], at_q_b2n_wxyz, 4, 0);
-        failures += selftest_compare("ah_feedback gyro_bias", v, gyro_bias, 3, out_gyro_bias[v],
+        failures += selftest_compare("ah_feedback v_n", v, got_v_n, 3, out_v_n[v], tol_v_n[v],
+                                     at_v_n, 3, 0);
+        failures += selftest_compare("ah_feedback q_b2n_wxyz", v, got_q_b2n_wxyz, 4,
+                                     out_q_b2n_wxyz[v], tol_q_b2n_wxyz[v], at_q_b2n_wxyz, 4, 0);
+        failures += selftest_compare("ah_feedback gyro_bias", v, got_gyro_bias, 3, out_gyro_bias[v],
                                      tol_gyro_bias[v], at_gyro_bias, 3, 0);
-        failures += selftest_compare("ah_feedback accel_bias", v, accel_bias, 3, out_accel_bias[v],
-                                     tol_accel_bias[v], at_accel_bias, 3, 0);
+        failures += selftest_compare("ah_feedback accel_bias", v, got_accel_bias, 3,
+                                     out_accel_bias[v], tol_accel_bias[v], at_accel_bias, 3, 0);
     }
     /* x: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
     for (int i = 0; i < 15; ++i) {
@@ -184,21 +185,21 @@ int test_ah_feedback(void)
             set_point(0, x, &nav);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                            accel_bias) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            if (ah_feedback(x, &nav, got_lon_lat_height, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                            got_accel_bias) != expected) {
                 selftest_print("ah_feedback: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_feedback lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("ah_feedback v_n", v_n, 3);
-            failures += selftest_painted("ah_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("ah_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("ah_feedback accel_bias", accel_bias, 3);
+            failures += selftest_painted("ah_feedback lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("ah_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("ah_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("ah_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("ah_feedback accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[15] = { BS_REAL(-0.008726646259971648),
@@ -219,8 +220,8 @@ int test_ah_feedback(void)
                                               BS_REAL(1.0), BS_REAL(1.0) };
             set_point(0, x, &nav);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                            accel_bias) != BS_OK) {
+            if (ah_feedback(x, &nav, got_lon_lat_height, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                            got_accel_bias) != BS_OK) {
                 selftest_print("ah_feedback: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -237,22 +238,22 @@ int test_ah_feedback(void)
             nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                            accel_bias) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            if (ah_feedback(x, &nav, got_lon_lat_height, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                            got_accel_bias) != expected) {
                 selftest_print("ah_feedback: lon_lat_height[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_feedback lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("ah_feedback v_n", v_n, 3);
-            failures += selftest_painted("ah_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("ah_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("ah_feedback accel_bias", accel_bias, 3);
+            failures += selftest_painted("ah_feedback lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("ah_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("ah_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("ah_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("ah_feedback accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-6.283185307179586),
@@ -261,8 +262,8 @@ int test_ah_feedback(void)
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
             set_point(0, x, &nav);
             nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
-            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                            accel_bias) != BS_OK) {
+            if (ah_feedback(x, &nav, got_lon_lat_height, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                            got_accel_bias) != BS_OK) {
                 selftest_print("ah_feedback: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -277,29 +278,29 @@ int test_ah_feedback(void)
             set_point(0, x, &nav);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                            accel_bias) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            if (ah_feedback(x, &nav, got_lon_lat_height, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                            got_accel_bias) != expected) {
                 selftest_print("ah_feedback: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_feedback lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("ah_feedback v_n", v_n, 3);
-            failures += selftest_painted("ah_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("ah_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("ah_feedback accel_bias", accel_bias, 3);
+            failures += selftest_painted("ah_feedback lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("ah_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("ah_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("ah_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("ah_feedback accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, x, &nav);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                            accel_bias) != BS_OK) {
+            if (ah_feedback(x, &nav, got_lon_lat_height, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                            got_accel_bias) != BS_OK) {
                 selftest_print("ah_feedback: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -316,21 +317,21 @@ int test_ah_feedback(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                            accel_bias) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            if (ah_feedback(x, &nav, got_lon_lat_height, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                            got_accel_bias) != expected) {
                 selftest_print("ah_feedback: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_feedback lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("ah_feedback v_n", v_n, 3);
-            failures += selftest_painted("ah_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("ah_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("ah_feedback accel_bias", accel_bias, 3);
+            failures += selftest_painted("ah_feedback lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("ah_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("ah_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("ah_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("ah_feedback accel_bias", got_accel_bias, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -340,8 +341,8 @@ int test_ah_feedback(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                            accel_bias) != BS_OK) {
+            if (ah_feedback(x, &nav, got_lon_lat_height, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                            got_accel_bias) != BS_OK) {
                 selftest_print("ah_feedback: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -354,8 +355,8 @@ int test_ah_feedback(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                        accel_bias) != BS_OUT_OF_RANGE) {
+        if (ah_feedback(x, &nav, got_lon_lat_height, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                        got_accel_bias) != BS_OUT_OF_RANGE) {
             selftest_print("ah_feedback: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -374,21 +375,21 @@ int test_ah_feedback(void)
             nav.gyro_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                            accel_bias) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            if (ah_feedback(x, &nav, got_lon_lat_height, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                            got_accel_bias) != expected) {
                 selftest_print("ah_feedback: gyro_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_feedback lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("ah_feedback v_n", v_n, 3);
-            failures += selftest_painted("ah_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("ah_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("ah_feedback accel_bias", accel_bias, 3);
+            failures += selftest_painted("ah_feedback lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("ah_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("ah_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("ah_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("ah_feedback accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.017453292519943295),
@@ -399,8 +400,8 @@ int test_ah_feedback(void)
                                              BS_REAL(0.017453292519943295) };
             set_point(0, x, &nav);
             nav.gyro_bias[i] = (end == 0) ? low[i] : high[i];
-            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                            accel_bias) != BS_OK) {
+            if (ah_feedback(x, &nav, got_lon_lat_height, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                            got_accel_bias) != BS_OK) {
                 selftest_print("ah_feedback: gyro_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -417,48 +418,48 @@ int test_ah_feedback(void)
             nav.accel_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                            accel_bias) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            if (ah_feedback(x, &nav, got_lon_lat_height, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                            got_accel_bias) != expected) {
                 selftest_print("ah_feedback: accel_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_feedback lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("ah_feedback v_n", v_n, 3);
-            failures += selftest_painted("ah_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("ah_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("ah_feedback accel_bias", accel_bias, 3);
+            failures += selftest_painted("ah_feedback lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("ah_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("ah_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("ah_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("ah_feedback accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
             set_point(0, x, &nav);
             nav.accel_bias[i] = (end == 0) ? low[i] : high[i];
-            if (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                            accel_bias) != BS_OK) {
+            if (ah_feedback(x, &nav, got_lon_lat_height, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                            got_accel_bias) != BS_OK) {
                 selftest_print("ah_feedback: accel_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, x, &nav);
-    failures += (ah_feedback(0, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                             accel_bias) != BS_NULL_POINTER);
-    failures += (ah_feedback(x, 0, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                             accel_bias) != BS_NULL_POINTER);
-    failures += (ah_feedback(x, &nav, 0, v_n, q_b2n_wxyz, gyro_bias,
-                             accel_bias) != BS_NULL_POINTER);
-    failures += (ah_feedback(x, &nav, lon_lat_height, 0, q_b2n_wxyz, gyro_bias,
-                             accel_bias) != BS_NULL_POINTER);
-    failures += (ah_feedback(x, &nav, lon_lat_height, v_n, 0, gyro_bias,
-                             accel_bias) != BS_NULL_POINTER);
-    failures += (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, 0,
-                             accel_bias) != BS_NULL_POINTER);
-    failures += (ah_feedback(x, &nav, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
+    failures += (ah_feedback(0, &nav, got_lon_lat_height, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                             got_accel_bias) != BS_NULL_POINTER);
+    failures += (ah_feedback(x, 0, got_lon_lat_height, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                             got_accel_bias) != BS_NULL_POINTER);
+    failures += (ah_feedback(x, &nav, 0, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                             got_accel_bias) != BS_NULL_POINTER);
+    failures += (ah_feedback(x, &nav, got_lon_lat_height, 0, got_q_b2n_wxyz, got_gyro_bias,
+                             got_accel_bias) != BS_NULL_POINTER);
+    failures += (ah_feedback(x, &nav, got_lon_lat_height, got_v_n, 0, got_gyro_bias,
+                             got_accel_bias) != BS_NULL_POINTER);
+    failures += (ah_feedback(x, &nav, got_lon_lat_height, got_v_n, got_q_b2n_wxyz, 0,
+                             got_accel_bias) != BS_NULL_POINTER);
+    failures += (ah_feedback(x, &nav, got_lon_lat_height, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
                              0) != BS_NULL_POINTER);
     return failures;
 }

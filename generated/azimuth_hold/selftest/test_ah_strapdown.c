@@ -143,23 +143,23 @@ int test_ah_strapdown(void)
     ah_nav nav = {0};
     ah_corrected_imu corrected_imu = {0};
     ah_increments increments = {0};
-    bs_real lon_lat_height[3];
-    bs_real v_n[3];
-    bs_real q_b2n_wxyz[4];
+    bs_real got_lon_lat_height[3];
+    bs_real got_v_n[3];
+    bs_real got_q_b2n_wxyz[4];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &increments);
-        if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
-                         q_b2n_wxyz) != BS_OK) {
+        if (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
+                         got_q_b2n_wxyz) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("ah_strapdown lon_lat_height", v, lon_lat_height, 3,
+        failures += selftest_compare("ah_strapdown lon_lat_height", v, got_lon_lat_height, 3,
                                      out_lon_lat_height[v], tol_lon_lat_height[v],
                                      at_lon_lat_height, 3, 0);
-        failures += selftest_compare("ah_strapdown v_n", v, v_n, 3, out_v_n[v], tol_v_n[v], at_v_n,
-                                     3, 0);
-        failures += selftest_compare("ah_strapdown q_b2n_wxyz", v, q_b2n_wxyz, 4, out_q_b2n_wxyz[v],
-                                     tol_q_b2n_wxyz[v], at_q_b2n_wxyz, 4, 0);
+        failures += selftest_compare("ah_strapdown v_n", v, got_v_n, 3, out_v_n[v], tol_v_n[v],
+                                     at_v_n, 3, 0);
+        failures += selftest_compare("ah_strapdown q_b2n_wxyz", v, got_q_b2n_wxyz, 4,
+                                     out_q_b2n_wxyz[v], tol_q_b2n_wxyz[v], at_q_b2n_wxyz, 4, 0);
     }
     /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -172,18 +172,18 @@ int test_ah_strapdown(void)
             nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
-                             q_b2n_wxyz) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            if (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
+                             got_q_b2n_wxyz) != expected) {
                 selftest_print("ah_strapdown: lon_lat_height[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_strapdown lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("ah_strapdown v_n", v_n, 3);
-            failures += selftest_painted("ah_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
+            failures += selftest_painted("ah_strapdown lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("ah_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("ah_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-6.283185307179586),
@@ -192,8 +192,8 @@ int test_ah_strapdown(void)
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
             set_point(0, &nav, &corrected_imu, &increments);
             nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
-            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
-                             q_b2n_wxyz) != BS_OK) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
+                             got_q_b2n_wxyz) != BS_OK) {
                 selftest_print("ah_strapdown: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -208,25 +208,25 @@ int test_ah_strapdown(void)
             set_point(0, &nav, &corrected_imu, &increments);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
-                             q_b2n_wxyz) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            if (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
+                             got_q_b2n_wxyz) != expected) {
                 selftest_print("ah_strapdown: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_strapdown lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("ah_strapdown v_n", v_n, 3);
-            failures += selftest_painted("ah_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
+            failures += selftest_painted("ah_strapdown lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("ah_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("ah_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu, &increments);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
-                             q_b2n_wxyz) != BS_OK) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
+                             got_q_b2n_wxyz) != BS_OK) {
                 selftest_print("ah_strapdown: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -243,17 +243,17 @@ int test_ah_strapdown(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
-                             q_b2n_wxyz) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            if (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
+                             got_q_b2n_wxyz) != expected) {
                 selftest_print("ah_strapdown: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_strapdown lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("ah_strapdown v_n", v_n, 3);
-            failures += selftest_painted("ah_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
+            failures += selftest_painted("ah_strapdown lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("ah_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("ah_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -263,8 +263,8 @@ int test_ah_strapdown(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
-                             q_b2n_wxyz) != BS_OK) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
+                             got_q_b2n_wxyz) != BS_OK) {
                 selftest_print("ah_strapdown: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -277,8 +277,8 @@ int test_ah_strapdown(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
-                         q_b2n_wxyz) != BS_OUT_OF_RANGE) {
+        if (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
+                         got_q_b2n_wxyz) != BS_OUT_OF_RANGE) {
             selftest_print("ah_strapdown: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -297,17 +297,17 @@ int test_ah_strapdown(void)
             nav.gyro_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
-                             q_b2n_wxyz) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            if (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
+                             got_q_b2n_wxyz) != expected) {
                 selftest_print("ah_strapdown: gyro_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_strapdown lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("ah_strapdown v_n", v_n, 3);
-            failures += selftest_painted("ah_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
+            failures += selftest_painted("ah_strapdown lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("ah_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("ah_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.017453292519943295),
@@ -318,8 +318,8 @@ int test_ah_strapdown(void)
                                              BS_REAL(0.017453292519943295) };
             set_point(0, &nav, &corrected_imu, &increments);
             nav.gyro_bias[i] = (end == 0) ? low[i] : high[i];
-            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
-                             q_b2n_wxyz) != BS_OK) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
+                             got_q_b2n_wxyz) != BS_OK) {
                 selftest_print("ah_strapdown: gyro_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -336,25 +336,25 @@ int test_ah_strapdown(void)
             nav.accel_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
-                             q_b2n_wxyz) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            if (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
+                             got_q_b2n_wxyz) != expected) {
                 selftest_print("ah_strapdown: accel_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_strapdown lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("ah_strapdown v_n", v_n, 3);
-            failures += selftest_painted("ah_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
+            failures += selftest_painted("ah_strapdown lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("ah_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("ah_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
             set_point(0, &nav, &corrected_imu, &increments);
             nav.accel_bias[i] = (end == 0) ? low[i] : high[i];
-            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
-                             q_b2n_wxyz) != BS_OK) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
+                             got_q_b2n_wxyz) != BS_OK) {
                 selftest_print("ah_strapdown: accel_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -370,25 +370,25 @@ int test_ah_strapdown(void)
             corrected_imu.dt = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
-                             q_b2n_wxyz) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            if (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
+                             got_q_b2n_wxyz) != expected) {
                 selftest_print("ah_strapdown: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_strapdown lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("ah_strapdown v_n", v_n, 3);
-            failures += selftest_painted("ah_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
+            failures += selftest_painted("ah_strapdown lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("ah_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("ah_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu, &increments);
             corrected_imu.dt = (end == 0) ? low[i] : high[i];
-            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
-                             q_b2n_wxyz) != BS_OK) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
+                             got_q_b2n_wxyz) != BS_OK) {
                 selftest_print("ah_strapdown: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -405,25 +405,25 @@ int test_ah_strapdown(void)
             increments.dtheta_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                   : (bad == 1) ? selftest_infinity()
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
-                             q_b2n_wxyz) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            if (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
+                             got_q_b2n_wxyz) != expected) {
                 selftest_print("ah_strapdown: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_strapdown lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("ah_strapdown v_n", v_n, 3);
-            failures += selftest_painted("ah_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
+            failures += selftest_painted("ah_strapdown lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("ah_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("ah_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
             set_point(0, &nav, &corrected_imu, &increments);
             increments.dtheta_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
-                             q_b2n_wxyz) != BS_OK) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
+                             got_q_b2n_wxyz) != BS_OK) {
                 selftest_print("ah_strapdown: dtheta_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -439,25 +439,25 @@ int test_ah_strapdown(void)
             increments.dv_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
-                             q_b2n_wxyz) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            if (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
+                             got_q_b2n_wxyz) != expected) {
                 selftest_print("ah_strapdown: dv_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_strapdown lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("ah_strapdown v_n", v_n, 3);
-            failures += selftest_painted("ah_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
+            failures += selftest_painted("ah_strapdown lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("ah_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("ah_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
             set_point(0, &nav, &corrected_imu, &increments);
             increments.dv_b[i] = (end == 0) ? low[i] : high[i];
-            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
-                             q_b2n_wxyz) != BS_OK) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
+                             got_q_b2n_wxyz) != BS_OK) {
                 selftest_print("ah_strapdown: dv_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -474,26 +474,26 @@ int test_ah_strapdown(void)
             increments.dtheta_before[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
-                             q_b2n_wxyz) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            if (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
+                             got_q_b2n_wxyz) != expected) {
                 selftest_print("ah_strapdown: dtheta_before[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_strapdown lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("ah_strapdown v_n", v_n, 3);
-            failures += selftest_painted("ah_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
+            failures += selftest_painted("ah_strapdown lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("ah_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("ah_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
             set_point(0, &nav, &corrected_imu, &increments);
             increments.dtheta_before[i] = (end == 0) ? low[i] : high[i];
-            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
-                             q_b2n_wxyz) != BS_OK) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
+                             got_q_b2n_wxyz) != BS_OK) {
                 selftest_print("ah_strapdown: dtheta_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -510,42 +510,42 @@ int test_ah_strapdown(void)
             increments.dv_before[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
-                             q_b2n_wxyz) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            if (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
+                             got_q_b2n_wxyz) != expected) {
                 selftest_print("ah_strapdown: dv_before[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ah_strapdown lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("ah_strapdown v_n", v_n, 3);
-            failures += selftest_painted("ah_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
+            failures += selftest_painted("ah_strapdown lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("ah_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("ah_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
             set_point(0, &nav, &corrected_imu, &increments);
             increments.dv_before[i] = (end == 0) ? low[i] : high[i];
-            if (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
-                             q_b2n_wxyz) != BS_OK) {
+            if (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
+                             got_q_b2n_wxyz) != BS_OK) {
                 selftest_print("ah_strapdown: dv_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &corrected_imu, &increments);
-    failures += (ah_strapdown(0, &corrected_imu, &increments, lon_lat_height, v_n,
-                              q_b2n_wxyz) != BS_NULL_POINTER);
-    failures += (ah_strapdown(&nav, 0, &increments, lon_lat_height, v_n,
-                              q_b2n_wxyz) != BS_NULL_POINTER);
-    failures += (ah_strapdown(&nav, &corrected_imu, 0, lon_lat_height, v_n,
-                              q_b2n_wxyz) != BS_NULL_POINTER);
-    failures += (ah_strapdown(&nav, &corrected_imu, &increments, 0, v_n,
-                              q_b2n_wxyz) != BS_NULL_POINTER);
-    failures += (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, 0,
-                              q_b2n_wxyz) != BS_NULL_POINTER);
-    failures += (ah_strapdown(&nav, &corrected_imu, &increments, lon_lat_height, v_n,
+    failures += (ah_strapdown(0, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
+                              got_q_b2n_wxyz) != BS_NULL_POINTER);
+    failures += (ah_strapdown(&nav, 0, &increments, got_lon_lat_height, got_v_n,
+                              got_q_b2n_wxyz) != BS_NULL_POINTER);
+    failures += (ah_strapdown(&nav, &corrected_imu, 0, got_lon_lat_height, got_v_n,
+                              got_q_b2n_wxyz) != BS_NULL_POINTER);
+    failures += (ah_strapdown(&nav, &corrected_imu, &increments, 0, got_v_n,
+                              got_q_b2n_wxyz) != BS_NULL_POINTER);
+    failures += (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, 0,
+                              got_q_b2n_wxyz) != BS_NULL_POINTER);
+    failures += (ah_strapdown(&nav, &corrected_imu, &increments, got_lon_lat_height, got_v_n,
                               0) != BS_NULL_POINTER);
     return failures;
 }

@@ -25,13 +25,13 @@ static const unsigned short at_H[3] = { 3, 19, 35 };
 int test_ah_zupt_H(void)
 {
     int failures = 0;
-    bs_real H[45];
+    bs_real got_H[45];
     for (int v = 0; v < N_VECTORS; ++v) {
-        if (ah_zupt_H(H) != BS_OK) {
+        if (ah_zupt_H(got_H) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("ah_zupt_H H", v, H, 45, out_H[v], tol_H[v], at_H, 3, 0);
+        failures += selftest_compare("ah_zupt_H H", v, got_H, 45, out_H[v], tol_H[v], at_H, 3, 0);
     }
     failures += (ah_zupt_H(0) != BS_NULL_POINTER);
     failures += (ah_zupt_H_nz(0) != BS_NULL_POINTER);

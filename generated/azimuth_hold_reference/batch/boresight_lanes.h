@@ -64,10 +64,11 @@ typedef struct {
     size_t stride;
     const double *gates;   /* that of a row, the joint one */
     const int *iterations;
+    const unsigned int *options;
     double *nu;
     double *S;
     double *nis;
-    unsigned char *used;
+    unsigned char *used; /* 1: taken; 3: with a larger R */
 } bs_taking;
 
 /* All from one epoch to the next: so many steps of the strapdown, the propagation, measurements,

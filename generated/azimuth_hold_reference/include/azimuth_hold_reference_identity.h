@@ -20,7 +20,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "6d75348c4d366c0503ee9d69d0da1c1204a0919c1b5daf48b95bf17897e2cd6c"
+#define AHR_MODEL_HASH "cc48ccf0c5e0d2139aa684ab3a008e7f4c9662964b5a6efd7b8aa61e66b08f8f"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1
@@ -72,7 +72,11 @@
 #define ahr_filter_correct BS_FORM(ahr_filter_correct)
 #define ahr_filter_covariance BS_FORM(ahr_filter_covariance)
 #define ahr_filter_digest BS_FORM(ahr_filter_digest)
+#define ahr_filter_disable BS_FORM(ahr_filter_disable)
+#define ahr_filter_disabled BS_FORM(ahr_filter_disabled)
+#define ahr_filter_enable BS_FORM(ahr_filter_enable)
 #define ahr_filter_health BS_FORM(ahr_filter_health)
+#define ahr_filter_inflate BS_FORM(ahr_filter_inflate)
 #define ahr_filter_init BS_FORM(ahr_filter_init)
 #define ahr_filter_init_blocks BS_FORM(ahr_filter_init_blocks)
 #define ahr_filter_init_sigmas BS_FORM(ahr_filter_init_sigmas)
@@ -81,6 +85,7 @@
 #define ahr_filter_measure_zupt BS_FORM(ahr_filter_measure_zupt)
 #define ahr_filter_propagate BS_FORM(ahr_filter_propagate)
 #define ahr_filter_restore BS_FORM(ahr_filter_restore)
+#define ahr_filter_set_block BS_FORM(ahr_filter_set_block)
 #define ahr_filter_set_nav BS_FORM(ahr_filter_set_nav)
 #define ahr_filter_sigmas BS_FORM(ahr_filter_sigmas)
 #define ahr_filter_size BS_FORM(ahr_filter_size)

@@ -25,13 +25,14 @@ static const unsigned short at_H[2] = { 8, 15 };
 int test_ahr_azimuth_H(void)
 {
     int failures = 0;
-    bs_real H[16];
+    bs_real got_H[16];
     for (int v = 0; v < N_VECTORS; ++v) {
-        if (ahr_azimuth_H(H) != BS_OK) {
+        if (ahr_azimuth_H(got_H) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("ahr_azimuth_H H", v, H, 16, out_H[v], tol_H[v], at_H, 2, 0);
+        failures += selftest_compare("ahr_azimuth_H H", v, got_H, 16, out_H[v], tol_H[v], at_H, 2,
+                                     0);
     }
     failures += (ahr_azimuth_H(0) != BS_NULL_POINTER);
     failures += (ahr_azimuth_H_nz(0) != BS_NULL_POINTER);

@@ -56,14 +56,15 @@ int test_ahr_azimuth_z(void)
     int failures = 0;
     ahr_nav nav = {0};
     ahr_reference reference = {0};
-    bs_real z[1];
+    bs_real got_z[1];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &reference);
-        if (ahr_azimuth_z(&nav, &reference, z) != BS_OK) {
+        if (ahr_azimuth_z(&nav, &reference, got_z) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("ahr_azimuth_z z", v, z, 1, out_z[v], tol_z[v], at_z, 1, 0);
+        failures += selftest_compare("ahr_azimuth_z z", v, got_z, 1, out_z[v], tol_z[v], at_z, 1,
+                                     0);
     }
     /* q_b2n_wxyz: each component in turn NaN, infinite, beyond either end of its box; and at the
      * ends. */
@@ -76,12 +77,12 @@ int test_ahr_azimuth_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 1);
-            if (ahr_azimuth_z(&nav, &reference, z) != expected) {
+            selftest_paint(got_z, 1);
+            if (ahr_azimuth_z(&nav, &reference, got_z) != expected) {
                 selftest_print("ahr_azimuth_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ahr_azimuth_z z", z, 1);
+            failures += selftest_painted("ahr_azimuth_z z", got_z, 1);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -91,7 +92,7 @@ int test_ahr_azimuth_z(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (ahr_azimuth_z(&nav, &reference, z) != BS_OK) {
+            if (ahr_azimuth_z(&nav, &reference, got_z) != BS_OK) {
                 selftest_print("ahr_azimuth_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -104,7 +105,7 @@ int test_ahr_azimuth_z(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (ahr_azimuth_z(&nav, &reference, z) != BS_OUT_OF_RANGE) {
+        if (ahr_azimuth_z(&nav, &reference, got_z) != BS_OUT_OF_RANGE) {
             selftest_print("ahr_azimuth_z: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -121,12 +122,12 @@ int test_ahr_azimuth_z(void)
             reference.q_ref_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 1);
-            if (ahr_azimuth_z(&nav, &reference, z) != expected) {
+            selftest_paint(got_z, 1);
+            if (ahr_azimuth_z(&nav, &reference, got_z) != expected) {
                 selftest_print("ahr_azimuth_z: q_ref_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ahr_azimuth_z z", z, 1);
+            failures += selftest_painted("ahr_azimuth_z z", got_z, 1);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -136,7 +137,7 @@ int test_ahr_azimuth_z(void)
             for (int j = 0; j < 4; ++j) {
                 reference.q_ref_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (ahr_azimuth_z(&nav, &reference, z) != BS_OK) {
+            if (ahr_azimuth_z(&nav, &reference, got_z) != BS_OK) {
                 selftest_print("ahr_azimuth_z: q_ref_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -149,7 +150,7 @@ int test_ahr_azimuth_z(void)
         for (int i = 0; i < 4; ++i) {
             reference.q_ref_wxyz[i] = (bs_real)beyond[end];
         }
-        if (ahr_azimuth_z(&nav, &reference, z) != BS_OUT_OF_RANGE) {
+        if (ahr_azimuth_z(&nav, &reference, got_z) != BS_OUT_OF_RANGE) {
             selftest_print("ahr_azimuth_z: q_ref_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -166,28 +167,28 @@ int test_ahr_azimuth_z(void)
             reference.reference_error = (bs_real)((bad == 0) ? selftest_nan()
                                                   : (bad == 1) ? selftest_infinity()
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 1);
-            if (ahr_azimuth_z(&nav, &reference, z) != expected) {
+            selftest_paint(got_z, 1);
+            if (ahr_azimuth_z(&nav, &reference, got_z) != expected) {
                 selftest_print("ahr_azimuth_z: reference_error[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("ahr_azimuth_z z", z, 1);
+            failures += selftest_painted("ahr_azimuth_z z", got_z, 1);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-0.5) };
             static const bs_real high[1] = { BS_REAL(0.5) };
             set_point(0, &nav, &reference);
             reference.reference_error = (end == 0) ? low[i] : high[i];
-            if (ahr_azimuth_z(&nav, &reference, z) != BS_OK) {
+            if (ahr_azimuth_z(&nav, &reference, got_z) != BS_OK) {
                 selftest_print("ahr_azimuth_z: reference_error[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &reference);
-    failures += (ahr_azimuth_z(0, &reference, z) != BS_NULL_POINTER);
-    failures += (ahr_azimuth_z(&nav, 0, z) != BS_NULL_POINTER);
+    failures += (ahr_azimuth_z(0, &reference, got_z) != BS_NULL_POINTER);
+    failures += (ahr_azimuth_z(&nav, 0, got_z) != BS_NULL_POINTER);
     failures += (ahr_azimuth_z(&nav, &reference, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -170,31 +170,31 @@ int test_ahr_feedback(void)
     bs_real x[AHR_N_STATES] = {0};
     ahr_nav nav = {0};
     ahr_reference reference = {0};
-    bs_real lon_lat_height[3];
-    bs_real v_n[3];
-    bs_real q_b2n_wxyz[4];
-    bs_real gyro_bias[3];
-    bs_real accel_bias[3];
-    bs_real reference_error[1];
+    bs_real got_lon_lat_height[3];
+    bs_real got_v_n[3];
+    bs_real got_q_b2n_wxyz[4];
+    bs_real got_gyro_bias[3];
+    bs_real got_accel_bias[3];
+    bs_real got_reference_error[1];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, x, &nav, &reference);
-        if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                         accel_bias, reference_error) != BS_OK) {
+        if (ahr_feedback(x, &nav, &reference, got_lon_lat_height, got_v_n, got_q_b2n_wxyz,
+                         got_gyro_bias, got_accel_bias, got_reference_error) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("ahr_feedback lon_lat_height", v, lon_lat_height, 3,
+        failures += selftest_compare("ahr_feedback lon_lat_height", v, got_lon_lat_height, 3,
                                      out_lon_lat_height[v], tol_lon_lat_height[v],
                                      at_lon_lat_height, 3, 0);
-        failures += selftest_compare("ahr_feedback v_n", v, v_n, 3, out_v_n[v], tol_v_n[v], at_v_n,
-                                     3, 0);
-        failures += selftest_compare("ahr_feedback q_b2n_wxyz", v, q_b2n_wxyz, 4, out_q_b2n_wxyz[v],
-                                     tol_q_b2n_wxyz[v], at_q_b2n_wxyz, 4, 0);
-        failures += selftest_compare("ahr_feedback gyro_bias", v, gyro_bias, 3, out_gyro_bias[v],
-                                     tol_gyro_bias[v], at_gyro_bias, 3, 0);
-        failures += selftest_compare("ahr_feedback accel_bias", v, accel_bias, 3, out_accel_bias[v],
-                                     tol_accel_bias[v], at_accel_bias, 3, 0);
-        failures += selftest_compare("ahr_feedback reference_error", v, reference_error, 1,
+        failures += selftest_compare("ahr_feedback v_n", v, got_v_n, 3, out_v_n[v], tol_v_n[v],
+                                     at_v_n, 3, 0);
+        failures += selftest_compare("ahr_feedback q_b2n_wxyz", v, got_q_b2n_wxyz, 4,
+                                     out_q_b2n_wxyz[v], tol_q_b2n_wxyz[v], at_q_b2n_wxyz, 4, 0);
+        failures += selftest_compare("ahr_feedback gyro_bias", v, got_gyro_bias, 3,
+                                     out_gyro_bias[v], tol_gyro_bias[v], at_gyro_bias, 3, 0);
+        failures += selftest_compare("ahr_feedback accel_bias", v, got_accel_bias, 3,
+                                     out_accel_bias[v], tol_accel_bias[v], at_accel_bias, 3, 0);
+        failures += selftest_compare("ahr_feedback reference_error", v, got_reference_error, 1,
                                      out_reference_error[v], tol_reference_error[v],
                                      at_reference_error, 1, 0);
     }
@@ -215,23 +215,23 @@ int test_ahr_feedback(void)
             set_point(0, x, &nav, &reference);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(reference_error, 1);
-            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                             accel_bias, reference_error) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_reference_error, 1);
+            if (ahr_feedback(x, &nav, &reference, got_lon_lat_height, got_v_n, got_q_b2n_wxyz,
+                             got_gyro_bias, got_accel_bias, got_reference_error) != expected) {
                 selftest_print("ahr_feedback: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ahr_feedback lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("ahr_feedback v_n", v_n, 3);
-            failures += selftest_painted("ahr_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("ahr_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("ahr_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("ahr_feedback reference_error", reference_error, 1);
+            failures += selftest_painted("ahr_feedback lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("ahr_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("ahr_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("ahr_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("ahr_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("ahr_feedback reference_error", got_reference_error, 1);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[16] = { BS_REAL(-0.008726646259971648),
@@ -252,8 +252,8 @@ int test_ahr_feedback(void)
                                               BS_REAL(1.0), BS_REAL(1.0), BS_REAL(0.5) };
             set_point(0, x, &nav, &reference);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                             accel_bias, reference_error) != BS_OK) {
+            if (ahr_feedback(x, &nav, &reference, got_lon_lat_height, got_v_n, got_q_b2n_wxyz,
+                             got_gyro_bias, got_accel_bias, got_reference_error) != BS_OK) {
                 selftest_print("ahr_feedback: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -270,24 +270,24 @@ int test_ahr_feedback(void)
             nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(reference_error, 1);
-            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                             accel_bias, reference_error) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_reference_error, 1);
+            if (ahr_feedback(x, &nav, &reference, got_lon_lat_height, got_v_n, got_q_b2n_wxyz,
+                             got_gyro_bias, got_accel_bias, got_reference_error) != expected) {
                 selftest_print("ahr_feedback: lon_lat_height[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("ahr_feedback lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("ahr_feedback v_n", v_n, 3);
-            failures += selftest_painted("ahr_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("ahr_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("ahr_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("ahr_feedback reference_error", reference_error, 1);
+            failures += selftest_painted("ahr_feedback lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("ahr_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("ahr_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("ahr_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("ahr_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("ahr_feedback reference_error", got_reference_error, 1);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-6.283185307179586),
@@ -296,8 +296,8 @@ int test_ahr_feedback(void)
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
             set_point(0, x, &nav, &reference);
             nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
-            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                             accel_bias, reference_error) != BS_OK) {
+            if (ahr_feedback(x, &nav, &reference, got_lon_lat_height, got_v_n, got_q_b2n_wxyz,
+                             got_gyro_bias, got_accel_bias, got_reference_error) != BS_OK) {
                 selftest_print("ahr_feedback: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -312,31 +312,31 @@ int test_ahr_feedback(void)
             set_point(0, x, &nav, &reference);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(reference_error, 1);
-            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                             accel_bias, reference_error) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_reference_error, 1);
+            if (ahr_feedback(x, &nav, &reference, got_lon_lat_height, got_v_n, got_q_b2n_wxyz,
+                             got_gyro_bias, got_accel_bias, got_reference_error) != expected) {
                 selftest_print("ahr_feedback: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ahr_feedback lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("ahr_feedback v_n", v_n, 3);
-            failures += selftest_painted("ahr_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("ahr_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("ahr_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("ahr_feedback reference_error", reference_error, 1);
+            failures += selftest_painted("ahr_feedback lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("ahr_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("ahr_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("ahr_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("ahr_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("ahr_feedback reference_error", got_reference_error, 1);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, x, &nav, &reference);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                             accel_bias, reference_error) != BS_OK) {
+            if (ahr_feedback(x, &nav, &reference, got_lon_lat_height, got_v_n, got_q_b2n_wxyz,
+                             got_gyro_bias, got_accel_bias, got_reference_error) != BS_OK) {
                 selftest_print("ahr_feedback: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -353,23 +353,23 @@ int test_ahr_feedback(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(reference_error, 1);
-            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                             accel_bias, reference_error) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_reference_error, 1);
+            if (ahr_feedback(x, &nav, &reference, got_lon_lat_height, got_v_n, got_q_b2n_wxyz,
+                             got_gyro_bias, got_accel_bias, got_reference_error) != expected) {
                 selftest_print("ahr_feedback: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ahr_feedback lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("ahr_feedback v_n", v_n, 3);
-            failures += selftest_painted("ahr_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("ahr_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("ahr_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("ahr_feedback reference_error", reference_error, 1);
+            failures += selftest_painted("ahr_feedback lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("ahr_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("ahr_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("ahr_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("ahr_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("ahr_feedback reference_error", got_reference_error, 1);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -379,8 +379,8 @@ int test_ahr_feedback(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                             accel_bias, reference_error) != BS_OK) {
+            if (ahr_feedback(x, &nav, &reference, got_lon_lat_height, got_v_n, got_q_b2n_wxyz,
+                             got_gyro_bias, got_accel_bias, got_reference_error) != BS_OK) {
                 selftest_print("ahr_feedback: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -393,8 +393,8 @@ int test_ahr_feedback(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                         accel_bias, reference_error) != BS_OUT_OF_RANGE) {
+        if (ahr_feedback(x, &nav, &reference, got_lon_lat_height, got_v_n, got_q_b2n_wxyz,
+                         got_gyro_bias, got_accel_bias, got_reference_error) != BS_OUT_OF_RANGE) {
             selftest_print("ahr_feedback: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -413,23 +413,23 @@ int test_ahr_feedback(void)
             nav.gyro_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(reference_error, 1);
-            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                             accel_bias, reference_error) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_reference_error, 1);
+            if (ahr_feedback(x, &nav, &reference, got_lon_lat_height, got_v_n, got_q_b2n_wxyz,
+                             got_gyro_bias, got_accel_bias, got_reference_error) != expected) {
                 selftest_print("ahr_feedback: gyro_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ahr_feedback lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("ahr_feedback v_n", v_n, 3);
-            failures += selftest_painted("ahr_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("ahr_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("ahr_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("ahr_feedback reference_error", reference_error, 1);
+            failures += selftest_painted("ahr_feedback lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("ahr_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("ahr_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("ahr_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("ahr_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("ahr_feedback reference_error", got_reference_error, 1);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.017453292519943295),
@@ -440,8 +440,8 @@ int test_ahr_feedback(void)
                                              BS_REAL(0.017453292519943295) };
             set_point(0, x, &nav, &reference);
             nav.gyro_bias[i] = (end == 0) ? low[i] : high[i];
-            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                             accel_bias, reference_error) != BS_OK) {
+            if (ahr_feedback(x, &nav, &reference, got_lon_lat_height, got_v_n, got_q_b2n_wxyz,
+                             got_gyro_bias, got_accel_bias, got_reference_error) != BS_OK) {
                 selftest_print("ahr_feedback: gyro_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -458,31 +458,31 @@ int test_ahr_feedback(void)
             nav.accel_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(reference_error, 1);
-            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                             accel_bias, reference_error) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_reference_error, 1);
+            if (ahr_feedback(x, &nav, &reference, got_lon_lat_height, got_v_n, got_q_b2n_wxyz,
+                             got_gyro_bias, got_accel_bias, got_reference_error) != expected) {
                 selftest_print("ahr_feedback: accel_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ahr_feedback lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("ahr_feedback v_n", v_n, 3);
-            failures += selftest_painted("ahr_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("ahr_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("ahr_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("ahr_feedback reference_error", reference_error, 1);
+            failures += selftest_painted("ahr_feedback lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("ahr_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("ahr_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("ahr_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("ahr_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("ahr_feedback reference_error", got_reference_error, 1);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
             set_point(0, x, &nav, &reference);
             nav.accel_bias[i] = (end == 0) ? low[i] : high[i];
-            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                             accel_bias, reference_error) != BS_OK) {
+            if (ahr_feedback(x, &nav, &reference, got_lon_lat_height, got_v_n, got_q_b2n_wxyz,
+                             got_gyro_bias, got_accel_bias, got_reference_error) != BS_OK) {
                 selftest_print("ahr_feedback: accel_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -499,55 +499,59 @@ int test_ahr_feedback(void)
             reference.reference_error = (bs_real)((bad == 0) ? selftest_nan()
                                                   : (bad == 1) ? selftest_infinity()
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(reference_error, 1);
-            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                             accel_bias, reference_error) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_reference_error, 1);
+            if (ahr_feedback(x, &nav, &reference, got_lon_lat_height, got_v_n, got_q_b2n_wxyz,
+                             got_gyro_bias, got_accel_bias, got_reference_error) != expected) {
                 selftest_print("ahr_feedback: reference_error[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("ahr_feedback lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("ahr_feedback v_n", v_n, 3);
-            failures += selftest_painted("ahr_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("ahr_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("ahr_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("ahr_feedback reference_error", reference_error, 1);
+            failures += selftest_painted("ahr_feedback lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("ahr_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("ahr_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("ahr_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("ahr_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("ahr_feedback reference_error", got_reference_error, 1);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-0.5) };
             static const bs_real high[1] = { BS_REAL(0.5) };
             set_point(0, x, &nav, &reference);
             reference.reference_error = (end == 0) ? low[i] : high[i];
-            if (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                             accel_bias, reference_error) != BS_OK) {
+            if (ahr_feedback(x, &nav, &reference, got_lon_lat_height, got_v_n, got_q_b2n_wxyz,
+                             got_gyro_bias, got_accel_bias, got_reference_error) != BS_OK) {
                 selftest_print("ahr_feedback: reference_error[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, x, &nav, &reference);
-    failures += (ahr_feedback(0, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                              accel_bias, reference_error) != BS_NULL_POINTER);
-    failures += (ahr_feedback(x, 0, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                              accel_bias, reference_error) != BS_NULL_POINTER);
-    failures += (ahr_feedback(x, &nav, 0, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                              reference_error) != BS_NULL_POINTER);
-    failures += (ahr_feedback(x, &nav, &reference, 0, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                              reference_error) != BS_NULL_POINTER);
-    failures += (ahr_feedback(x, &nav, &reference, lon_lat_height, 0, q_b2n_wxyz, gyro_bias,
-                              accel_bias, reference_error) != BS_NULL_POINTER);
-    failures += (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, 0, gyro_bias, accel_bias,
-                              reference_error) != BS_NULL_POINTER);
-    failures += (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, 0, accel_bias,
-                              reference_error) != BS_NULL_POINTER);
-    failures += (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias, 0,
-                              reference_error) != BS_NULL_POINTER);
-    failures += (ahr_feedback(x, &nav, &reference, lon_lat_height, v_n, q_b2n_wxyz, gyro_bias,
-                              accel_bias, 0) != BS_NULL_POINTER);
+    failures += (ahr_feedback(0, &nav, &reference, got_lon_lat_height, got_v_n, got_q_b2n_wxyz,
+                              got_gyro_bias, got_accel_bias,
+                              got_reference_error) != BS_NULL_POINTER);
+    failures += (ahr_feedback(x, 0, &reference, got_lon_lat_height, got_v_n, got_q_b2n_wxyz,
+                              got_gyro_bias, got_accel_bias,
+                              got_reference_error) != BS_NULL_POINTER);
+    failures += (ahr_feedback(x, &nav, 0, got_lon_lat_height, got_v_n, got_q_b2n_wxyz,
+                              got_gyro_bias, got_accel_bias,
+                              got_reference_error) != BS_NULL_POINTER);
+    failures += (ahr_feedback(x, &nav, &reference, 0, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                              got_accel_bias, got_reference_error) != BS_NULL_POINTER);
+    failures += (ahr_feedback(x, &nav, &reference, got_lon_lat_height, 0, got_q_b2n_wxyz,
+                              got_gyro_bias, got_accel_bias,
+                              got_reference_error) != BS_NULL_POINTER);
+    failures += (ahr_feedback(x, &nav, &reference, got_lon_lat_height, got_v_n, 0, got_gyro_bias,
+                              got_accel_bias, got_reference_error) != BS_NULL_POINTER);
+    failures += (ahr_feedback(x, &nav, &reference, got_lon_lat_height, got_v_n, got_q_b2n_wxyz, 0,
+                              got_accel_bias, got_reference_error) != BS_NULL_POINTER);
+    failures += (ahr_feedback(x, &nav, &reference, got_lon_lat_height, got_v_n, got_q_b2n_wxyz,
+                              got_gyro_bias, 0, got_reference_error) != BS_NULL_POINTER);
+    failures += (ahr_feedback(x, &nav, &reference, got_lon_lat_height, got_v_n, got_q_b2n_wxyz,
+                              got_gyro_bias, got_accel_bias, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -48,14 +48,14 @@ int test_ahr_zaru_H(void)
 {
     int failures = 0;
     ahr_nav nav = {0};
-    bs_real H[48];
+    bs_real got_H[48];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav);
-        if (ahr_zaru_H(&nav, H) != BS_OK) {
+        if (ahr_zaru_H(&nav, got_H) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("ahr_zaru_H H", v, H, 48, out_H[v], tol_H[v], at_H, 15, 0);
+        failures += selftest_compare("ahr_zaru_H H", v, got_H, 48, out_H[v], tol_H[v], at_H, 15, 0);
     }
     /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -68,12 +68,12 @@ int test_ahr_zaru_H(void)
             nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 48);
-            if (ahr_zaru_H(&nav, H) != expected) {
+            selftest_paint(got_H, 48);
+            if (ahr_zaru_H(&nav, got_H) != expected) {
                 selftest_print("ahr_zaru_H: lon_lat_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ahr_zaru_H H", H, 48);
+            failures += selftest_painted("ahr_zaru_H H", got_H, 48);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-6.283185307179586),
@@ -82,7 +82,7 @@ int test_ahr_zaru_H(void)
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
             set_point(0, &nav);
             nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
-            if (ahr_zaru_H(&nav, H) != BS_OK) {
+            if (ahr_zaru_H(&nav, got_H) != BS_OK) {
                 selftest_print("ahr_zaru_H: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -99,12 +99,12 @@ int test_ahr_zaru_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 48);
-            if (ahr_zaru_H(&nav, H) != expected) {
+            selftest_paint(got_H, 48);
+            if (ahr_zaru_H(&nav, got_H) != expected) {
                 selftest_print("ahr_zaru_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ahr_zaru_H H", H, 48);
+            failures += selftest_painted("ahr_zaru_H H", got_H, 48);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -114,7 +114,7 @@ int test_ahr_zaru_H(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (ahr_zaru_H(&nav, H) != BS_OK) {
+            if (ahr_zaru_H(&nav, got_H) != BS_OK) {
                 selftest_print("ahr_zaru_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -127,16 +127,16 @@ int test_ahr_zaru_H(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (ahr_zaru_H(&nav, H) != BS_OUT_OF_RANGE) {
+        if (ahr_zaru_H(&nav, got_H) != BS_OUT_OF_RANGE) {
             selftest_print("ahr_zaru_H: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
         }
     }
     set_point(0, &nav);
-    failures += (ahr_zaru_H(0, H) != BS_NULL_POINTER);
+    failures += (ahr_zaru_H(0, got_H) != BS_NULL_POINTER);
     failures += (ahr_zaru_H(&nav, 0) != BS_NULL_POINTER);
-    failures += (ahr_zaru_H_nz(0, H) != BS_NULL_POINTER);
+    failures += (ahr_zaru_H_nz(0, got_H) != BS_NULL_POINTER);
     failures += (ahr_zaru_H_nz(&nav, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -56,14 +56,14 @@ int test_ahr_zaru_z(void)
     int failures = 0;
     ahr_nav nav = {0};
     ahr_corrected_imu corrected_imu = {0};
-    bs_real z[3];
+    bs_real got_z[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu);
-        if (ahr_zaru_z(&nav, &corrected_imu, z) != BS_OK) {
+        if (ahr_zaru_z(&nav, &corrected_imu, got_z) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("ahr_zaru_z z", v, z, 3, out_z[v], tol_z[v], at_z, 3, 0);
+        failures += selftest_compare("ahr_zaru_z z", v, got_z, 3, out_z[v], tol_z[v], at_z, 3, 0);
     }
     /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -76,12 +76,12 @@ int test_ahr_zaru_z(void)
             nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (ahr_zaru_z(&nav, &corrected_imu, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (ahr_zaru_z(&nav, &corrected_imu, got_z) != expected) {
                 selftest_print("ahr_zaru_z: lon_lat_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ahr_zaru_z z", z, 3);
+            failures += selftest_painted("ahr_zaru_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-6.283185307179586),
@@ -90,7 +90,7 @@ int test_ahr_zaru_z(void)
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
             set_point(0, &nav, &corrected_imu);
             nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
-            if (ahr_zaru_z(&nav, &corrected_imu, z) != BS_OK) {
+            if (ahr_zaru_z(&nav, &corrected_imu, got_z) != BS_OK) {
                 selftest_print("ahr_zaru_z: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -107,12 +107,12 @@ int test_ahr_zaru_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (ahr_zaru_z(&nav, &corrected_imu, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (ahr_zaru_z(&nav, &corrected_imu, got_z) != expected) {
                 selftest_print("ahr_zaru_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ahr_zaru_z z", z, 3);
+            failures += selftest_painted("ahr_zaru_z z", got_z, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -122,7 +122,7 @@ int test_ahr_zaru_z(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (ahr_zaru_z(&nav, &corrected_imu, z) != BS_OK) {
+            if (ahr_zaru_z(&nav, &corrected_imu, got_z) != BS_OK) {
                 selftest_print("ahr_zaru_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -135,7 +135,7 @@ int test_ahr_zaru_z(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (ahr_zaru_z(&nav, &corrected_imu, z) != BS_OUT_OF_RANGE) {
+        if (ahr_zaru_z(&nav, &corrected_imu, got_z) != BS_OUT_OF_RANGE) {
             selftest_print("ahr_zaru_z: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -152,27 +152,27 @@ int test_ahr_zaru_z(void)
             corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (ahr_zaru_z(&nav, &corrected_imu, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (ahr_zaru_z(&nav, &corrected_imu, got_z) != expected) {
                 selftest_print("ahr_zaru_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ahr_zaru_z z", z, 3);
+            failures += selftest_painted("ahr_zaru_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
             set_point(0, &nav, &corrected_imu);
             corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (ahr_zaru_z(&nav, &corrected_imu, z) != BS_OK) {
+            if (ahr_zaru_z(&nav, &corrected_imu, got_z) != BS_OK) {
                 selftest_print("ahr_zaru_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &corrected_imu);
-    failures += (ahr_zaru_z(0, &corrected_imu, z) != BS_NULL_POINTER);
-    failures += (ahr_zaru_z(&nav, 0, z) != BS_NULL_POINTER);
+    failures += (ahr_zaru_z(0, &corrected_imu, got_z) != BS_NULL_POINTER);
+    failures += (ahr_zaru_z(&nav, 0, got_z) != BS_NULL_POINTER);
     failures += (ahr_zaru_z(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
     return failures;
 }

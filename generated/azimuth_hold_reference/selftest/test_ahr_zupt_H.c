@@ -25,13 +25,13 @@ static const unsigned short at_H[3] = { 3, 20, 37 };
 int test_ahr_zupt_H(void)
 {
     int failures = 0;
-    bs_real H[48];
+    bs_real got_H[48];
     for (int v = 0; v < N_VECTORS; ++v) {
-        if (ahr_zupt_H(H) != BS_OK) {
+        if (ahr_zupt_H(got_H) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("ahr_zupt_H H", v, H, 48, out_H[v], tol_H[v], at_H, 3, 0);
+        failures += selftest_compare("ahr_zupt_H H", v, got_H, 48, out_H[v], tol_H[v], at_H, 3, 0);
     }
     failures += (ahr_zupt_H(0) != BS_NULL_POINTER);
     failures += (ahr_zupt_H_nz(0) != BS_NULL_POINTER);

@@ -41,14 +41,14 @@ int test_ahr_zupt_z(void)
 {
     int failures = 0;
     ahr_nav nav = {0};
-    bs_real z[3];
+    bs_real got_z[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav);
-        if (ahr_zupt_z(&nav, z) != BS_OK) {
+        if (ahr_zupt_z(&nav, got_z) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("ahr_zupt_z z", v, z, 3, out_z[v], tol_z[v], at_z, 3, 0);
+        failures += selftest_compare("ahr_zupt_z z", v, got_z, 3, out_z[v], tol_z[v], at_z, 3, 0);
     }
     /* v_n: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
     for (int i = 0; i < 3; ++i) {
@@ -59,26 +59,26 @@ int test_ahr_zupt_z(void)
             set_point(0, &nav);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (ahr_zupt_z(&nav, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (ahr_zupt_z(&nav, got_z) != expected) {
                 selftest_print("ahr_zupt_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("ahr_zupt_z z", z, 3);
+            failures += selftest_painted("ahr_zupt_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (ahr_zupt_z(&nav, z) != BS_OK) {
+            if (ahr_zupt_z(&nav, got_z) != BS_OK) {
                 selftest_print("ahr_zupt_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav);
-    failures += (ahr_zupt_z(0, z) != BS_NULL_POINTER);
+    failures += (ahr_zupt_z(0, got_z) != BS_NULL_POINTER);
     failures += (ahr_zupt_z(&nav, 0) != BS_NULL_POINTER);
     return failures;
 }

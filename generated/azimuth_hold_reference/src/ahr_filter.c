@@ -34,6 +34,10 @@ BS_EXACT_BEGIN
 #define DENSE ahr_joseph_dense
 #endif
 
+/* Of a state, in filter->considered; and of any state, in filter->considering. */
+#define CONSIDERED 1U
+#define DISABLED 2U
+
 /* What stands in filter->work: of a start the factors of P, and behind them P dense; of a
  * measurement the non-zeros of H, dense where R is not diagonal, and behind them the gain of each
  * row where states are considered; of a step what ahr_discretize and the prediction state. */
@@ -323,6 +327,13 @@ static bs_status check_step(const bs_real *x, bs_real *P)
     return good ? BS_OK : limit_step(x, P, value, ceiling);
 }
 
+static void count_ceiling(ahr_filter *filter, bs_status status)
+{
+    if ((status == BS_AT_CEILING) && (filter->ceilings < 65535U)) {
+        filter->ceilings += 1U;
+    }
+}
+
 /* One measurement: where the non-zeros of H stand, and what its rows are. */
 typedef struct {
     const unsigned short *start; /* row i of H has its non-zeros from start[i] on, */
@@ -335,7 +346,9 @@ typedef struct {
     bs_real x[AHR_N_STATES]; /* as it was before; P as it was is in filter->Q */
     unsigned int requested;      /* rows to take, by the caller, */
     unsigned int rows;           /* and of these, by the gates */
-    bs_real gate;
+    unsigned int inflated;       /* rows whose R has been raised */
+    unsigned int options;
+    bs_real gate; /* negative where R is to be raised */
     bs_real joint;
     int remaining; /* linearisations to come */
 } attempt;
@@ -346,8 +359,8 @@ static void roll_back(ahr_filter *filter, const attempt *trial)
     copy(filter->P, filter->Q, AHR_N_PACKED);
 }
 
-/* Copies x and P for a roll-back, and checks what does not depend on the model's functions: the
- * variances of the rows, R[0], R[step] ..., and the gates. */
+/* Copies x and P for a roll-back; and checks what does not depend on the model's functions: the
+ * variances of the rows, R[0], R[step] ..., the gates and the options. */
 static bs_status begin_trial(attempt *trial,
                              ahr_filter *filter,
                              const bs_gates *gates,
@@ -362,11 +375,14 @@ static bs_status begin_trial(attempt *trial,
     trial->gate = BS_REAL(0.0);
     trial->joint = BS_REAL(0.0);
     trial->remaining = 1;
+    trial->options = 0U;
+    trial->inflated = 0U;
     if (gates != NULL) {
         trial->requested = gates->rows;
         trial->gate = gates->gate;
         trial->joint = gates->joint;
         trial->remaining = (gates->iterations == 0) ? 1 : gates->iterations;
+        trial->options = gates->options;
     }
     trial->requested &= BS_ALL_ROWS >> (32U - (unsigned int)m);
     trial->rows = trial->requested;
@@ -381,15 +397,16 @@ static bs_status begin_trial(attempt *trial,
         status = bs_check_each(&trial->joint, BS_REAL(0.0), BS_REAL(1e+30), 1);
     }
     if (status == BS_OK) {
-        status = ((trial->remaining < 0) ||
-                  (trial->remaining > BS_MOST_ITERATIONS)) ? BS_OUT_OF_RANGE : BS_OK;
+        status = ((trial->remaining < 0) || (trial->remaining > BS_MOST_ITERATIONS) ||
+                  (trial->options > (BS_INFLATE | BS_RELINEARIZE))) ? BS_OUT_OF_RANGE : BS_OK;
     }
+    trial->gate = ((trial->options & BS_INFLATE) != 0U) ? -trial->gate : trial->gate;
     return status;
 }
 
 /* Ends a measurement: with x, P and the innovation that it made, or with all as they were. */
 static bs_status end_trial(ahr_filter *filter,
-                           const attempt *trial,
+                           attempt *trial,
                            const measurement *layout,
                            bs_status status,
                            ahr_innovation *found,
@@ -404,15 +421,15 @@ static bs_status end_trial(ahr_filter *filter,
         if ((trial->joint > BS_REAL(0.0)) && (!(found->nis <= trial->joint))) {
             roll_back(filter, trial);
             found->used = 0U;
+            trial->inflated = 0U;
         }
         end = check_step(filter->x, filter->P);
-        if ((end == BS_AT_CEILING) && (filter->ceilings < 65535U)) {
-            filter->ceilings += 1U;
-        }
+        count_ceiling(filter, end);
     }
     if (!bs_good(end)) {
         roll_back(filter, trial);
     } else {
+        found->inflated = trial->inflated;
         *innovation = *found;
         if (found->used != trial->requested) {
             *count = (*count < 65535U) ? (unsigned short)(*count + 1U) : *count;
@@ -453,7 +470,7 @@ static void keep_considered(ahr_filter *filter,
 
 /* The rows of one measurement, one after another.  H stands in filter->work. */
 static bs_status update_rows(ahr_filter *filter,
-                             const attempt *trial,
+                             attempt *trial,
                              const measurement *layout,
                              const bs_real *z,
                              const bs_real *R,
@@ -468,27 +485,52 @@ static bs_status update_rows(ahr_filter *filter,
     innovation->nis = BS_REAL(0.0);
     for (int i = 0; (i < layout->m) && (status == BS_OK); ++i) {
         const int start = (int)layout->start[i];
+        const unsigned int bit = 1U << (unsigned int)i;
         bs_row row = { &H[start], &layout->columns[start], (int)layout->start[i + 1] - start, z[i],
                        R[i], gate, z[i], R[i], 0, NULL };
-        if (filter->considering != 0U) {
+        if ((filter->considering & CONSIDERED) != 0U) {
             row.gain = &gain[i * AHR_N_STATES];
         }
-        if (((rows >> (unsigned int)i) & 1U) != 0U) {
+        if ((rows & bit) != 0U) {
             row.used = 1;
         }
         status = UPDATE(filter->P, filter->x, &row);
         innovation->nu[i] = row.nu;
         innovation->S[i] = row.S;
         if (row.used != 0) {
-            innovation->used |= 1U << (unsigned int)i;
+            innovation->used |= bit;
             innovation->nis += (row.nu * row.nu) / row.S;
         }
+        if (row.R > R[i]) {
+            trial->inflated |= bit;
+        }
     }
-    if ((filter->considering != 0U) && (status == BS_OK)) {
+    if (((filter->considering & CONSIDERED) != 0U) && (status == BS_OK)) {
         keep_considered(filter, trial->x, gain, layout->m, innovation);
     }
     return status;
 }
+/* A dense matrix of zeros, at WORK_DENSE of filter->work. */
+static bs_real *zero_dense(ahr_filter *filter)
+{
+    bs_real *const dense = &filter->work[WORK_DENSE];
+    for (int i = 0; i < (AHR_N_STATES * AHR_N_STATES); ++i) {
+        dense[i] = BS_REAL(0.0);
+    }
+    return dense;
+}
+
+/* A dense P as the filter has it, into filter->Q; with x it is judged as after a step, but that no
+ * variance may lie above its ceiling. */
+static bs_status form_P(ahr_filter *filter, const bs_real *x, const bs_real *dense)
+{
+    bs_status status = INIT(dense, filter->Q, filter->work);
+    if (status == BS_OK) {
+        status = check_step(x, filter->Q);
+    }
+    return (status == BS_AT_CEILING) ? BS_OUT_OF_RANGE : status;
+}
+
 /* Begins from a dense P, which may stand at WORK_DENSE of filter->work. */
 static bs_status start(ahr_filter *filter,
                        const ahr_nav *nav,
@@ -508,16 +550,10 @@ static bs_status start(ahr_filter *filter,
         status = check_reference(&first_reference, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = INIT(dense, filter->Q, filter->work);
-    }
-    if (status == BS_OK) {
         for (int i = 0; i < AHR_N_STATES; ++i) {
             first[i] = BS_REAL(0.0);
         }
-        status = check_step(first, filter->Q);
-    }
-    if (status == BS_AT_CEILING) {
-        status = BS_OUT_OF_RANGE;
+        status = form_P(filter, first, dense);
     }
     if (status == BS_OK) {
         filter->nav = first_nav;
@@ -559,10 +595,7 @@ bs_status ahr_filter_init_blocks(ahr_filter *filter,
     if ((filter == NULL) || (nav == NULL) || (reference == NULL) || (blocks == NULL)) {
         return BS_NULL_POINTER;
     }
-    dense = &filter->work[WORK_DENSE];
-    for (int i = 0; i < (AHR_N_STATES * AHR_N_STATES); ++i) {
-        dense[i] = BS_REAL(0.0);
-    }
+    dense = zero_dense(filter);
     for (int b = 0; b < 6; ++b) {
         const int n = (int)size[b];
         for (int i = 0; i < n; ++i) {
@@ -583,11 +616,10 @@ bs_status ahr_filter_init_sigmas(ahr_filter *filter,
     if ((filter == NULL) || (nav == NULL) || (reference == NULL) || (sigma == NULL)) {
         return BS_NULL_POINTER;
     }
-    dense = &filter->work[WORK_DENSE];
-    for (int i = 0; i < (AHR_N_STATES * AHR_N_STATES); ++i) {
-        const bs_real own = sigma[i % AHR_N_STATES];
+    dense = zero_dense(filter);
+    for (int i = 0; i < AHR_N_STATES; ++i) {
         /* a negative one is refused */
-        dense[i] = ((i % (AHR_N_STATES + 1)) == 0) ? (own * BS_FABS(own)) : BS_REAL(0.0);
+        dense[i * (AHR_N_STATES + 1)] = sigma[i] * BS_FABS(sigma[i]);
     }
     return start(filter, nav, reference, dense);
 }
@@ -677,19 +709,48 @@ static void predict_x(const bs_real *Phi, bs_real *x)
     }
 }
 
+/* State b has no variance and no covariance any more; the others keep theirs. */
+static void drop(bs_real *P, int b)
+{
+#if BORESIGHT_UD
+    const bs_real d = P[diagonal(b)];
+    bs_real v[AHR_N_STATES]; /* what the others have of its column */
+#endif
+    for (int i = 0; i < AHR_N_STATES; ++i) {
+        const int column = (i < b) ? b : i;
+        bs_real *const p = &P[(diagonal(column) - column) + ((i < b) ? i : b)];
+#if BORESIGHT_UD
+        v[i] = (i < b) ? *p : BS_REAL(0.0);
+#endif
+        *p = BS_REAL(0.0);
+    }
+#if BORESIGHT_UD
+    ADD(P, d, v);
+#endif
+}
+
+/* A step gives no variance to a state that is disabled. */
+static void drop_disabled(const ahr_filter *filter, bs_real *P)
+{
+    for (int i = 0; (i < AHR_N_STATES) && (filter->considering >= DISABLED); ++i) {
+        if ((filter->considered[i] & DISABLED) != 0U) {
+            drop(P, i);
+        }
+    }
+}
+
 /* P over a step, with x as it is after it. */
 static bs_status predict_P(ahr_filter *filter, const bs_real *x)
 {
     bs_status status;
     PREDICT(filter->P, filter->Phi, filter->Q, filter->Q, filter->work);
+    drop_disabled(filter, filter->Q);
     status = check_step(x, filter->Q);
     if (bs_good(status)) {
         copy(filter->x, x, AHR_N_STATES);
         copy(filter->P, filter->Q, AHR_N_PACKED);
     }
-    if ((status == BS_AT_CEILING) && (filter->ceilings < 65535U)) {
-        filter->ceilings += 1U;
-    }
+    count_ceiling(filter, status);
     return status;
 }
 
@@ -898,15 +959,12 @@ static bs_status check_filter(const ahr_filter *filter)
     return status;
 }
 
-static void set_considered(ahr_filter *filter, const unsigned char *considered)
+/* Whether any state is considered, and any disabled. */
+static void note_considered(ahr_filter *filter)
 {
     filter->considering = 0U;
     for (int i = 0; i < AHR_N_STATES; ++i) {
-        filter->considered[i] = 0U;
-        if (considered[i] != 0U) {
-            filter->considered[i] = 1U;
-            filter->considering = 1U;
-        }
+        filter->considering |= filter->considered[i];
     }
 }
 
@@ -918,9 +976,153 @@ bs_status ahr_filter_consider(ahr_filter *filter, const unsigned char considered
     }
     status = check_filter(filter);
     if (status == BS_OK) {
-        set_considered(filter, considered);
+        for (int i = 0; i < AHR_N_STATES; ++i) {
+            const unsigned int wanted = (considered[i] != 0U) ? CONSIDERED : 0U;
+            filter->considered[i] = (unsigned char)((filter->considered[i] & DISABLED) | wanted);
+        }
+        note_considered(filter);
     }
     return status;
+}
+
+/* Whether there are these states, none of them in the state `barred`, and what the filter holds is
+ * sound. */
+static bs_status check_states(const ahr_filter *filter, int first, int count, unsigned int barred)
+{
+    bs_status status = ((first < 0) || (count < 1) ||
+                        (count > (AHR_N_STATES - first))) ? BS_OUT_OF_RANGE : check_filter(filter);
+    for (int i = 0; (i < count) && (status == BS_OK); ++i) {
+        status = ((filter->considered[first + i] & barred) == 0U) ? BS_OK : BS_OUT_OF_RANGE;
+    }
+    return status;
+}
+
+/* Ends a change of P, which stands as it was in filter->Q: as a step, or with all as it was. */
+static bs_status end_change(ahr_filter *filter)
+{
+    const bs_status status = check_step(filter->x, filter->P);
+    if (!bs_good(status)) {
+        copy(filter->P, filter->Q, AHR_N_PACKED);
+    }
+    count_ceiling(filter, status);
+    return status;
+}
+
+static void drop_states(ahr_filter *filter, int first, int count)
+{
+    copy(filter->Q, filter->P, AHR_N_PACKED);
+    for (int i = 0; i < count; ++i) {
+        drop(filter->P, first + i);
+    }
+}
+
+/* These states become independent of the others, with `block` as their covariance: its form, of a P
+ * that has no other, stands in filter->work meanwhile. */
+static bs_status replace(ahr_filter *filter, int first, int count, const bs_real *block)
+{
+    bs_real *const dense = zero_dense(filter);
+    bs_status status;
+    for (int i = 0; i < count; ++i) {
+        copy(&dense[((first + i) * AHR_N_STATES) + first], &block[i * count], count);
+    }
+    status = form_P(filter, filter->x, dense);
+    if (status == BS_OK) {
+        copy(filter->work, filter->Q, AHR_N_PACKED);
+        drop_states(filter, first, count);
+        for (int j = first; j < (first + count); ++j) {
+            const int from = (diagonal(j) - j) + first;
+            copy(&filter->P[from], &filter->work[from], (j - first) + 1);
+        }
+        status = end_change(filter);
+    }
+    return status;
+}
+
+bs_status ahr_filter_set_block(ahr_filter *filter, int first, int count, const bs_real *block)
+{
+    bs_status status;
+    if ((filter == NULL) || (block == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    status = check_states(filter, first, count, DISABLED);
+    return (status == BS_OK) ? replace(filter, first, count, block) : status;
+}
+
+bs_status ahr_filter_inflate(ahr_filter *filter, int first, int count, const bs_real *variance)
+{
+    bs_status status;
+    if ((filter == NULL) || (variance == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    status = check_states(filter, first, count, DISABLED);
+    if (status == BS_OK) {
+        status = bs_check_finite(variance, count);
+    }
+    for (int i = 0; (i < count) && (status == BS_OK); ++i) {
+        status = (variance[i] < BS_REAL(0.0)) ? BS_NOT_POSITIVE : BS_OK;
+    }
+    if (status == BS_OK) {
+        copy(filter->Q, filter->P, AHR_N_PACKED);
+        for (int i = 0; i < count; ++i) {
+            bs_real v[AHR_N_STATES];
+            for (int j = 0; j < AHR_N_STATES; ++j) {
+                v[j] = (j == (first + i)) ? BS_REAL(1.0) : BS_REAL(0.0);
+            }
+            ADD(filter->P, variance[i], v);
+        }
+        status = end_change(filter);
+    }
+    return status;
+}
+
+bs_status ahr_filter_disable(ahr_filter *filter, int first, int count)
+{
+    bs_status status;
+    if (filter == NULL) {
+        return BS_NULL_POINTER;
+    }
+    status = check_states(filter, first, count, 0U);
+    if (status == BS_OK) {
+        drop_states(filter, first, count);
+        status = end_change(filter);
+    }
+    if (bs_good(status)) {
+        for (int i = first; i < (first + count); ++i) {
+            filter->considered[i] = (unsigned char)(filter->considered[i] | DISABLED);
+        }
+        note_considered(filter);
+    }
+    return status;
+}
+
+bs_status ahr_filter_enable(ahr_filter *filter, int first, int count, const bs_real *block)
+{
+    bs_status status;
+    if ((filter == NULL) || (block == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    status = check_states(filter, first, count, 0U);
+    if (status == BS_OK) {
+        status = replace(filter, first, count, block);
+    }
+    if (bs_good(status)) {
+        for (int i = first; i < (first + count); ++i) {
+            filter->considered[i] = (unsigned char)(filter->considered[i] & CONSIDERED);
+        }
+        note_considered(filter);
+    }
+    return status;
+}
+
+bs_status ahr_filter_disabled(const ahr_filter *filter, unsigned char disabled[AHR_N_STATES])
+{
+    if ((filter == NULL) || (disabled == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    for (int i = 0; i < AHR_N_STATES; ++i) {
+        disabled[i] = ((filter->considered[i] & DISABLED) != 0U) ? 1U : 0U;
+    }
+    return BS_OK;
 }
 
 /* The variances of the states, where x and P are sound. */
@@ -1113,7 +1315,6 @@ bs_status ahr_filter_restore(ahr_filter *filter, const unsigned char bytes[AHR_S
         status = BS_OUT_OF_RANGE;
     }
     if (status == BS_OK) {
-        unsigned char considered[AHR_N_STATES];
         filter->nav = next_nav;
         filter->reference = next_reference;
         copy(filter->x, x, AHR_N_STATES);
@@ -1122,8 +1323,8 @@ bs_status ahr_filter_restore(ahr_filter *filter, const unsigned char bytes[AHR_S
                              sizeof(filter->rejected));
         offset += copy_bytes((unsigned char *)&filter->ceilings, &bytes[offset],
                              sizeof(filter->ceilings));
-        (void)copy_bytes(considered, &bytes[offset], sizeof(considered));
-        set_considered(filter, considered);
+        (void)copy_bytes(filter->considered, &bytes[offset], sizeof(filter->considered));
+        note_considered(filter);
     }
     return status;
 }

@@ -500,7 +500,7 @@ static void propagate_lanes(block *b, const chosen *runs, const bs_given *given,
     static const unsigned short start[2] = { 0, 3 };
     static const unsigned short at[3] = { 0, 1, 2 };
     scratch *const s = runs->s;
-    bs_bits good = *rare;
+    bs_bits good = *rare & (b->considering < 2.0); /* none disabled */
     bs_lanes x[6];
     bs_lanes in[7];
     bs_read(&in[0], &given[0], 3, 3, runs->first, runs->n);
@@ -770,7 +770,11 @@ static void measure_euler_lanes(block *b,
             return; /* the scalar function says what is wrong */
         }
     }
-    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS)) {
+    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS) ||
+        (*taking->options > (BS_INFLATE | BS_RELINEARIZE))) {
+        return;
+    }
+    if (((*taking->options & BS_RELINEARIZE) != 0U) && (*taking->iterations > 1)) {
         return;
     }
     bs_read(R, &given[1], 0, 3, runs->first, runs->n);
@@ -896,8 +900,9 @@ static __attribute__((noinline)) void measure_euler_alone(block *b,
                      unsigned char *status)
 {
     em_filter filter;
-    em_innovation innovation = { {0}, {0}, 0.0, 0U };
-    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations };
+    em_innovation innovation = { {0}, {0}, 0.0, 0U, 0U };
+    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations,
+                     *taking->options };
     bs_status said;
     for (unsigned int k = 0U; k < 3U; ++k) {
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
@@ -910,7 +915,8 @@ static __attribute__((noinline)) void measure_euler_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        taking->used[(run * 3U) +
+                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -942,8 +948,9 @@ static __attribute__((noinline)) void measure_euler_exact_alone(block *b,
                      unsigned char *status)
 {
     em_filter filter;
-    em_innovation innovation = { {0}, {0}, 0.0, 0U };
-    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations };
+    em_innovation innovation = { {0}, {0}, 0.0, 0U, 0U };
+    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations,
+                     *taking->options };
     bs_status said;
     for (unsigned int k = 0U; k < 3U; ++k) {
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
@@ -956,7 +963,8 @@ static __attribute__((noinline)) void measure_euler_exact_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        taking->used[(run * 3U) +
+                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }

@@ -55,8 +55,9 @@ typedef struct {
                              * measurement */
     bs_real P[EM_N_PACKED]; /* its covariance, in the form of the precision, see
                              * euler_matching_covariance.h */
-    unsigned char considered[EM_N_STATES]; /* by em_filter_consider, as is the next */
-    unsigned char considering; /* whether there is any */
+    unsigned char considered[EM_N_STATES]; /* bit 0 by em_filter_consider, bit 1 by
+                                            * em_filter_disable */
+    unsigned char considering; /* the bits of all states */
     unsigned short rejected[EM_N_MEASUREMENTS]; /* see em_health */
     unsigned short ceilings;
     /* scratch memory: holds nothing from one call to the next */
@@ -76,6 +77,8 @@ typedef struct {
     bs_real nis;             /* sum of nu^2 / S of the rows used, or left out by the joint gate
                               * alone: chi-square with as many degrees of freedom */
     unsigned int used;       /* bit i: row i was taken, neither masked nor gated */
+    unsigned int inflated;   /* bit i: it was taken with a larger R, see BS_INFLATE, and S has it in
+                              * it */
 } em_innovation;
 
 /* What the filter has met since it began; the counts stay at 65535. */
@@ -129,6 +132,28 @@ bs_status em_filter_propagate(em_filter *filter, const em_step *step, const em_n
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE, BS_NOT_POSITIVE: what the
  * filter holds is wrong */
 bs_status em_filter_consider(em_filter *filter, const unsigned char considered[EM_N_STATES]);
+
+/* States first to first + count - 1 lose their covariance with all others and get `block` as their
+ * own, count x count, row-major; what the others have among themselves stays, and so does x.  For a
+ * reset: a heading that is set, a wind that has changed.
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE; BS_OUT_OF_RANGE: there are no such states, one
+ * is disabled, or a variance lies above its ceiling; BS_NOT_POSITIVE: block is not symmetric, or
+ * not positive semidefinite */
+bs_status em_filter_set_block(em_filter *filter, int first, int count, const bs_real *block);
+
+/* The variances of as many states rise by these; nothing else changes.
+ * returns as em_filter_set_block, and BS_AT_CEILING; BS_NOT_POSITIVE: one of them is negative */
+bs_status em_filter_inflate(em_filter *filter, int first, int count, const bs_real *variance);
+
+/* As many states take no part from now on: no variance, no covariance, no gain, and no noise or
+ * other state gives them any.  Their x stays, but for what a step makes of it, and counts as known.
+ * None after em_filter_init.
+ * enable lets them take part, independent of the others, with `block` as of em_filter_set_block;
+ * those that are not disabled too.  disabled says which are: 1, else 0.
+ * returns as em_filter_set_block */
+bs_status em_filter_disable(em_filter *filter, int first, int count);
+bs_status em_filter_enable(em_filter *filter, int first, int count, const bs_real *block);
+bs_status em_filter_disabled(const em_filter *filter, unsigned char disabled[EM_N_STATES]);
 
 /* Euler angles of the master, to first order in the misalignment: z = computed - measured; rows
  * roll, pitch, yaw (rad).

@@ -20,7 +20,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "863f66c34af56319079f37e63f50293d2f9deb68c27ce04494b35935a0cf7750"
+#define EM_MODEL_HASH "34e1e564c8506c2fdfcb616b942a59c16a2af71c87e342183369b9e07befa9e2"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1
@@ -71,7 +71,11 @@
 #define em_filter_correct BS_FORM(em_filter_correct)
 #define em_filter_covariance BS_FORM(em_filter_covariance)
 #define em_filter_digest BS_FORM(em_filter_digest)
+#define em_filter_disable BS_FORM(em_filter_disable)
+#define em_filter_disabled BS_FORM(em_filter_disabled)
+#define em_filter_enable BS_FORM(em_filter_enable)
 #define em_filter_health BS_FORM(em_filter_health)
+#define em_filter_inflate BS_FORM(em_filter_inflate)
 #define em_filter_init BS_FORM(em_filter_init)
 #define em_filter_init_blocks BS_FORM(em_filter_init_blocks)
 #define em_filter_init_sigmas BS_FORM(em_filter_init_sigmas)
@@ -79,6 +83,7 @@
 #define em_filter_measure_euler_exact BS_FORM(em_filter_measure_euler_exact)
 #define em_filter_propagate BS_FORM(em_filter_propagate)
 #define em_filter_restore BS_FORM(em_filter_restore)
+#define em_filter_set_block BS_FORM(em_filter_set_block)
 #define em_filter_set_nav BS_FORM(em_filter_set_nav)
 #define em_filter_sigmas BS_FORM(em_filter_sigmas)
 #define em_filter_size BS_FORM(em_filter_size)

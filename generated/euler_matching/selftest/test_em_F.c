@@ -41,14 +41,14 @@ int test_em_F(void)
 {
     int failures = 0;
     em_step step = {0};
-    bs_real F[36];
+    bs_real got_F[36];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &step);
-        if (em_F(&step, F) != BS_OK) {
+        if (em_F(&step, got_F) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("em_F F", v, F, 36, out_F[v], tol_F[v], at_F, 6, 0);
+        failures += selftest_compare("em_F F", v, got_F, 36, out_F[v], tol_F[v], at_F, 6, 0);
     }
     /* omega_in_n: each component in turn NaN, infinite, beyond either end of its box; and at the
      * ends. */
@@ -61,28 +61,28 @@ int test_em_F(void)
             step.omega_in_n[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 36);
-            if (em_F(&step, F) != expected) {
+            selftest_paint(got_F, 36);
+            if (em_F(&step, got_F) != expected) {
                 selftest_print("em_F: omega_in_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_F F", F, 36);
+            failures += selftest_painted("em_F F", got_F, 36);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.01), BS_REAL(-0.01), BS_REAL(-0.01) };
             static const bs_real high[3] = { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) };
             set_point(0, &step);
             step.omega_in_n[i] = (end == 0) ? low[i] : high[i];
-            if (em_F(&step, F) != BS_OK) {
+            if (em_F(&step, got_F) != BS_OK) {
                 selftest_print("em_F: omega_in_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &step);
-    failures += (em_F(0, F) != BS_NULL_POINTER);
+    failures += (em_F(0, got_F) != BS_NULL_POINTER);
     failures += (em_F(&step, 0) != BS_NULL_POINTER);
-    failures += (em_F_nz(0, F) != BS_NULL_POINTER);
+    failures += (em_F_nz(0, got_F) != BS_NULL_POINTER);
     failures += (em_F_nz(&step, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -48,15 +48,15 @@ int test_em_Phi(void)
 {
     int failures = 0;
     em_step step = {0};
-    bs_real Phi[36];
+    bs_real got_Phi[36];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &step);
-        if (em_Phi(&step, Phi) != BS_OK) {
+        if (em_Phi(&step, got_Phi) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("em_Phi Phi", v, Phi, 36, out_Phi[v], tol_Phi[v], at_Phi, 12,
-                                     0);
+        failures += selftest_compare("em_Phi Phi", v, got_Phi, 36, out_Phi[v], tol_Phi[v], at_Phi,
+                                     12, 0);
     }
     /* omega_in_n: each component in turn NaN, infinite, beyond either end of its box; and at the
      * ends. */
@@ -69,19 +69,19 @@ int test_em_Phi(void)
             step.omega_in_n[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 36);
-            if (em_Phi(&step, Phi) != expected) {
+            selftest_paint(got_Phi, 36);
+            if (em_Phi(&step, got_Phi) != expected) {
                 selftest_print("em_Phi: omega_in_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_Phi Phi", Phi, 36);
+            failures += selftest_painted("em_Phi Phi", got_Phi, 36);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.01), BS_REAL(-0.01), BS_REAL(-0.01) };
             static const bs_real high[3] = { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) };
             set_point(0, &step);
             step.omega_in_n[i] = (end == 0) ? low[i] : high[i];
-            if (em_Phi(&step, Phi) != BS_OK) {
+            if (em_Phi(&step, got_Phi) != BS_OK) {
                 selftest_print("em_Phi: omega_in_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -96,28 +96,28 @@ int test_em_Phi(void)
             set_point(0, &step);
             step.dt = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 36);
-            if (em_Phi(&step, Phi) != expected) {
+            selftest_paint(got_Phi, 36);
+            if (em_Phi(&step, got_Phi) != expected) {
                 selftest_print("em_Phi: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_Phi Phi", Phi, 36);
+            failures += selftest_painted("em_Phi Phi", got_Phi, 36);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
             set_point(0, &step);
             step.dt = (end == 0) ? low[i] : high[i];
-            if (em_Phi(&step, Phi) != BS_OK) {
+            if (em_Phi(&step, got_Phi) != BS_OK) {
                 selftest_print("em_Phi: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &step);
-    failures += (em_Phi(0, Phi) != BS_NULL_POINTER);
+    failures += (em_Phi(0, got_Phi) != BS_NULL_POINTER);
     failures += (em_Phi(&step, 0) != BS_NULL_POINTER);
-    failures += (em_Phi_nz(0, Phi) != BS_NULL_POINTER);
+    failures += (em_Phi_nz(0, got_Phi) != BS_NULL_POINTER);
     failures += (em_Phi_nz(&step, 0) != BS_NULL_POINTER);
     return failures;
 }

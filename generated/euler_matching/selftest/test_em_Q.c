@@ -64,14 +64,14 @@ int test_em_Q(void)
     em_nav nav = {0};
     em_step step = {0};
     em_noise noise = {0};
-    bs_real Q[36];
+    bs_real got_Q[36];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &step, &noise);
-        if (em_Q(&nav, &step, &noise, Q) != BS_OK) {
+        if (em_Q(&nav, &step, &noise, got_Q) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("em_Q Q", v, Q, 36, out_Q[v], tol_Q[v], at_Q, 9, 0);
+        failures += selftest_compare("em_Q Q", v, got_Q, 36, out_Q[v], tol_Q[v], at_Q, 9, 0);
     }
     /* q_b2n_wxyz: each component in turn NaN, infinite, beyond either end of its box; and at the
      * ends. */
@@ -84,12 +84,12 @@ int test_em_Q(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 36);
-            if (em_Q(&nav, &step, &noise, Q) != expected) {
+            selftest_paint(got_Q, 36);
+            if (em_Q(&nav, &step, &noise, got_Q) != expected) {
                 selftest_print("em_Q: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_Q Q", Q, 36);
+            failures += selftest_painted("em_Q Q", got_Q, 36);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -99,7 +99,7 @@ int test_em_Q(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (em_Q(&nav, &step, &noise, Q) != BS_OK) {
+            if (em_Q(&nav, &step, &noise, got_Q) != BS_OK) {
                 selftest_print("em_Q: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -112,7 +112,7 @@ int test_em_Q(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (em_Q(&nav, &step, &noise, Q) != BS_OUT_OF_RANGE) {
+        if (em_Q(&nav, &step, &noise, got_Q) != BS_OUT_OF_RANGE) {
             selftest_print("em_Q: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -128,19 +128,19 @@ int test_em_Q(void)
             step.omega_in_n[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 36);
-            if (em_Q(&nav, &step, &noise, Q) != expected) {
+            selftest_paint(got_Q, 36);
+            if (em_Q(&nav, &step, &noise, got_Q) != expected) {
                 selftest_print("em_Q: omega_in_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_Q Q", Q, 36);
+            failures += selftest_painted("em_Q Q", got_Q, 36);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.01), BS_REAL(-0.01), BS_REAL(-0.01) };
             static const bs_real high[3] = { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) };
             set_point(0, &nav, &step, &noise);
             step.omega_in_n[i] = (end == 0) ? low[i] : high[i];
-            if (em_Q(&nav, &step, &noise, Q) != BS_OK) {
+            if (em_Q(&nav, &step, &noise, got_Q) != BS_OK) {
                 selftest_print("em_Q: omega_in_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -155,19 +155,19 @@ int test_em_Q(void)
             set_point(0, &nav, &step, &noise);
             step.dt = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 36);
-            if (em_Q(&nav, &step, &noise, Q) != expected) {
+            selftest_paint(got_Q, 36);
+            if (em_Q(&nav, &step, &noise, got_Q) != expected) {
                 selftest_print("em_Q: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_Q Q", Q, 36);
+            failures += selftest_painted("em_Q Q", got_Q, 36);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
             set_point(0, &nav, &step, &noise);
             step.dt = (end == 0) ? low[i] : high[i];
-            if (em_Q(&nav, &step, &noise, Q) != BS_OK) {
+            if (em_Q(&nav, &step, &noise, got_Q) != BS_OK) {
                 selftest_print("em_Q: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -184,32 +184,32 @@ int test_em_Q(void)
             noise.gyro_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 36);
-            if (em_Q(&nav, &step, &noise, Q) != expected) {
+            selftest_paint(got_Q, 36);
+            if (em_Q(&nav, &step, &noise, got_Q) != expected) {
                 selftest_print("em_Q: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_Q Q", Q, 36);
+            failures += selftest_painted("em_Q Q", got_Q, 36);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &step, &noise);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
-            if (em_Q(&nav, &step, &noise, Q) != BS_OK) {
+            if (em_Q(&nav, &step, &noise, got_Q) != BS_OK) {
                 selftest_print("em_Q: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &step, &noise);
-    failures += (em_Q(0, &step, &noise, Q) != BS_NULL_POINTER);
-    failures += (em_Q(&nav, 0, &noise, Q) != BS_NULL_POINTER);
-    failures += (em_Q(&nav, &step, 0, Q) != BS_NULL_POINTER);
+    failures += (em_Q(0, &step, &noise, got_Q) != BS_NULL_POINTER);
+    failures += (em_Q(&nav, 0, &noise, got_Q) != BS_NULL_POINTER);
+    failures += (em_Q(&nav, &step, 0, got_Q) != BS_NULL_POINTER);
     failures += (em_Q(&nav, &step, &noise, 0) != BS_NULL_POINTER);
-    failures += (em_Q_nz(0, &step, &noise, Q) != BS_NULL_POINTER);
-    failures += (em_Q_nz(&nav, 0, &noise, Q) != BS_NULL_POINTER);
-    failures += (em_Q_nz(&nav, &step, 0, Q) != BS_NULL_POINTER);
+    failures += (em_Q_nz(0, &step, &noise, got_Q) != BS_NULL_POINTER);
+    failures += (em_Q_nz(&nav, 0, &noise, got_Q) != BS_NULL_POINTER);
+    failures += (em_Q_nz(&nav, &step, 0, got_Q) != BS_NULL_POINTER);
     failures += (em_Q_nz(&nav, &step, &noise, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -48,14 +48,14 @@ int test_em_euler_H(void)
 {
     int failures = 0;
     em_angles angles = {0};
-    bs_real H[18];
+    bs_real got_H[18];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &angles);
-        if (em_euler_H(&angles, H) != BS_OK) {
+        if (em_euler_H(&angles, got_H) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("em_euler_H H", v, H, 18, out_H[v], tol_H[v], at_H, 14, 0);
+        failures += selftest_compare("em_euler_H H", v, got_H, 18, out_H[v], tol_H[v], at_H, 14, 0);
     }
     /* euler_b: each component in turn NaN, infinite, beyond either end of its box; and at the
      * ends. */
@@ -70,12 +70,12 @@ int test_em_euler_H(void)
             angles.euler_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 18);
-            if (em_euler_H(&angles, H) != expected) {
+            selftest_paint(got_H, 18);
+            if (em_euler_H(&angles, got_H) != expected) {
                 selftest_print("em_euler_H: euler_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_euler_H H", H, 18);
+            failures += selftest_painted("em_euler_H H", got_H, 18);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-3.141592653589793),
@@ -86,7 +86,7 @@ int test_em_euler_H(void)
                                              BS_REAL(3.141592653589793) };
             set_point(0, &angles);
             angles.euler_b[i] = (end == 0) ? low[i] : high[i];
-            if (em_euler_H(&angles, H) != BS_OK) {
+            if (em_euler_H(&angles, got_H) != BS_OK) {
                 selftest_print("em_euler_H: euler_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -105,12 +105,12 @@ int test_em_euler_H(void)
             angles.euler_m[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 18);
-            if (em_euler_H(&angles, H) != expected) {
+            selftest_paint(got_H, 18);
+            if (em_euler_H(&angles, got_H) != expected) {
                 selftest_print("em_euler_H: euler_m[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_euler_H H", H, 18);
+            failures += selftest_painted("em_euler_H H", got_H, 18);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-3.141592653589793),
@@ -121,16 +121,16 @@ int test_em_euler_H(void)
                                              BS_REAL(3.141592653589793) };
             set_point(0, &angles);
             angles.euler_m[i] = (end == 0) ? low[i] : high[i];
-            if (em_euler_H(&angles, H) != BS_OK) {
+            if (em_euler_H(&angles, got_H) != BS_OK) {
                 selftest_print("em_euler_H: euler_m[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &angles);
-    failures += (em_euler_H(0, H) != BS_NULL_POINTER);
+    failures += (em_euler_H(0, got_H) != BS_NULL_POINTER);
     failures += (em_euler_H(&angles, 0) != BS_NULL_POINTER);
-    failures += (em_euler_H_nz(0, H) != BS_NULL_POINTER);
+    failures += (em_euler_H_nz(0, got_H) != BS_NULL_POINTER);
     failures += (em_euler_H_nz(&angles, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -50,26 +50,26 @@ int test_em_euler_angles(void)
 {
     int failures = 0;
     em_nav nav = {0};
-    bs_real euler_b[3];
+    bs_real got_euler_b[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav);
-        if (em_euler_angles(&nav, euler_b) != BS_OK) {
+        if (em_euler_angles(&nav, got_euler_b) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("em_euler_angles euler_b", v, euler_b, 3, out_euler_b[v],
+        failures += selftest_compare("em_euler_angles euler_b", v, got_euler_b, 3, out_euler_b[v],
                                      tol_euler_b[v], at_euler_b, 3, 0);
     }
     for (int v = 0; v < N_EDGES; ++v) {
         static const unsigned char outside[N_EDGES] = { 0, 0, 0, 1, 0, 1, 0, 0 };
         set_point(N_VECTORS + v, &nav);
-        selftest_paint(euler_b, 3);
-        if (em_euler_angles(&nav, euler_b) != ((outside[v] != 0U) ? BS_OUT_OF_RANGE : BS_OK)) {
+        selftest_paint(got_euler_b, 3);
+        if (em_euler_angles(&nav, got_euler_b) != ((outside[v] != 0U) ? BS_OUT_OF_RANGE : BS_OK)) {
             selftest_print("em_euler_angles: result %d at the edge of its box\n", v);
             ++failures;
         }
         if (outside[v] != 0U) {
-            failures += selftest_painted("em_euler_angles euler_b", euler_b, 3);
+            failures += selftest_painted("em_euler_angles euler_b", got_euler_b, 3);
         }
     }
     /* q_b2n_wxyz: each component in turn NaN, infinite, beyond either end of its box; and at the
@@ -83,13 +83,13 @@ int test_em_euler_angles(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(euler_b, 3);
-            if (em_euler_angles(&nav, euler_b) != expected) {
+            selftest_paint(got_euler_b, 3);
+            if (em_euler_angles(&nav, got_euler_b) != expected) {
                 selftest_print("em_euler_angles: q_b2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("em_euler_angles euler_b", euler_b, 3);
+            failures += selftest_painted("em_euler_angles euler_b", got_euler_b, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -105,7 +105,7 @@ int test_em_euler_angles(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (em_euler_angles(&nav, euler_b) != BS_OK) {
+            if (em_euler_angles(&nav, got_euler_b) != BS_OK) {
                 selftest_print("em_euler_angles: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -118,14 +118,14 @@ int test_em_euler_angles(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (em_euler_angles(&nav, euler_b) != BS_OUT_OF_RANGE) {
+        if (em_euler_angles(&nav, got_euler_b) != BS_OUT_OF_RANGE) {
             selftest_print("em_euler_angles: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
         }
     }
     set_point(0, &nav);
-    failures += (em_euler_angles(0, euler_b) != BS_NULL_POINTER);
+    failures += (em_euler_angles(0, got_euler_b) != BS_NULL_POINTER);
     failures += (em_euler_angles(&nav, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -59,15 +59,15 @@ int test_em_euler_exact_H(void)
     bs_real x[EM_N_STATES] = {0};
     em_nav nav = {0};
     em_angles angles = {0};
-    bs_real H[18];
+    bs_real got_H[18];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, x, &nav, &angles);
-        if (em_euler_exact_H(x, &nav, &angles, H) != BS_OK) {
+        if (em_euler_exact_H(x, &nav, &angles, got_H) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("em_euler_exact_H H", v, H, 18, out_H[v], tol_H[v], at_H, 18,
-                                     0);
+        failures += selftest_compare("em_euler_exact_H H", v, got_H, 18, out_H[v], tol_H[v], at_H,
+                                     18, 0);
     }
     /* x: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
     for (int i = 0; i < 6; ++i) {
@@ -80,12 +80,12 @@ int test_em_euler_exact_H(void)
             set_point(0, x, &nav, &angles);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 18);
-            if (em_euler_exact_H(x, &nav, &angles, H) != expected) {
+            selftest_paint(got_H, 18);
+            if (em_euler_exact_H(x, &nav, &angles, got_H) != expected) {
                 selftest_print("em_euler_exact_H: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_euler_exact_H H", H, 18);
+            failures += selftest_painted("em_euler_exact_H H", got_H, 18);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[6] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5),
@@ -94,7 +94,7 @@ int test_em_euler_exact_H(void)
                                              BS_REAL(0.5), BS_REAL(0.5) };
             set_point(0, x, &nav, &angles);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (em_euler_exact_H(x, &nav, &angles, H) != BS_OK) {
+            if (em_euler_exact_H(x, &nav, &angles, got_H) != BS_OK) {
                 selftest_print("em_euler_exact_H: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -109,19 +109,19 @@ int test_em_euler_exact_H(void)
             set_point(0, x, &nav, &angles);
             nav.mu[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 18);
-            if (em_euler_exact_H(x, &nav, &angles, H) != expected) {
+            selftest_paint(got_H, 18);
+            if (em_euler_exact_H(x, &nav, &angles, got_H) != expected) {
                 selftest_print("em_euler_exact_H: mu[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_euler_exact_H H", H, 18);
+            failures += selftest_painted("em_euler_exact_H H", got_H, 18);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
             set_point(0, x, &nav, &angles);
             nav.mu[i] = (end == 0) ? low[i] : high[i];
-            if (em_euler_exact_H(x, &nav, &angles, H) != BS_OK) {
+            if (em_euler_exact_H(x, &nav, &angles, got_H) != BS_OK) {
                 selftest_print("em_euler_exact_H: mu[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -140,12 +140,12 @@ int test_em_euler_exact_H(void)
             angles.euler_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 18);
-            if (em_euler_exact_H(x, &nav, &angles, H) != expected) {
+            selftest_paint(got_H, 18);
+            if (em_euler_exact_H(x, &nav, &angles, got_H) != expected) {
                 selftest_print("em_euler_exact_H: euler_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_euler_exact_H H", H, 18);
+            failures += selftest_painted("em_euler_exact_H H", got_H, 18);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-3.141592653589793),
@@ -156,16 +156,16 @@ int test_em_euler_exact_H(void)
                                              BS_REAL(3.141592653589793) };
             set_point(0, x, &nav, &angles);
             angles.euler_b[i] = (end == 0) ? low[i] : high[i];
-            if (em_euler_exact_H(x, &nav, &angles, H) != BS_OK) {
+            if (em_euler_exact_H(x, &nav, &angles, got_H) != BS_OK) {
                 selftest_print("em_euler_exact_H: euler_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, x, &nav, &angles);
-    failures += (em_euler_exact_H(0, &nav, &angles, H) != BS_NULL_POINTER);
-    failures += (em_euler_exact_H(x, 0, &angles, H) != BS_NULL_POINTER);
-    failures += (em_euler_exact_H(x, &nav, 0, H) != BS_NULL_POINTER);
+    failures += (em_euler_exact_H(0, &nav, &angles, got_H) != BS_NULL_POINTER);
+    failures += (em_euler_exact_H(x, 0, &angles, got_H) != BS_NULL_POINTER);
+    failures += (em_euler_exact_H(x, &nav, 0, got_H) != BS_NULL_POINTER);
     failures += (em_euler_exact_H(x, &nav, &angles, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -58,14 +58,14 @@ int test_em_euler_exact_h(void)
     bs_real x[EM_N_STATES] = {0};
     em_nav nav = {0};
     em_angles angles = {0};
-    bs_real h[3];
+    bs_real got_h[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, x, &nav, &angles);
-        if (em_euler_exact_h(x, &nav, &angles, h) != BS_OK) {
+        if (em_euler_exact_h(x, &nav, &angles, got_h) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("em_euler_exact_h h", v, h, 3, out_h[v], tol_h[v], at_h, 3,
+        failures += selftest_compare("em_euler_exact_h h", v, got_h, 3, out_h[v], tol_h[v], at_h, 3,
                                      7U);
     }
     /* x: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
@@ -79,12 +79,12 @@ int test_em_euler_exact_h(void)
             set_point(0, x, &nav, &angles);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
-            if (em_euler_exact_h(x, &nav, &angles, h) != expected) {
+            selftest_paint(got_h, 3);
+            if (em_euler_exact_h(x, &nav, &angles, got_h) != expected) {
                 selftest_print("em_euler_exact_h: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_euler_exact_h h", h, 3);
+            failures += selftest_painted("em_euler_exact_h h", got_h, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[6] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5),
@@ -93,7 +93,7 @@ int test_em_euler_exact_h(void)
                                              BS_REAL(0.5), BS_REAL(0.5) };
             set_point(0, x, &nav, &angles);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (em_euler_exact_h(x, &nav, &angles, h) != BS_OK) {
+            if (em_euler_exact_h(x, &nav, &angles, got_h) != BS_OK) {
                 selftest_print("em_euler_exact_h: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -108,19 +108,19 @@ int test_em_euler_exact_h(void)
             set_point(0, x, &nav, &angles);
             nav.mu[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
-            if (em_euler_exact_h(x, &nav, &angles, h) != expected) {
+            selftest_paint(got_h, 3);
+            if (em_euler_exact_h(x, &nav, &angles, got_h) != expected) {
                 selftest_print("em_euler_exact_h: mu[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_euler_exact_h h", h, 3);
+            failures += selftest_painted("em_euler_exact_h h", got_h, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
             set_point(0, x, &nav, &angles);
             nav.mu[i] = (end == 0) ? low[i] : high[i];
-            if (em_euler_exact_h(x, &nav, &angles, h) != BS_OK) {
+            if (em_euler_exact_h(x, &nav, &angles, got_h) != BS_OK) {
                 selftest_print("em_euler_exact_h: mu[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -139,12 +139,12 @@ int test_em_euler_exact_h(void)
             angles.euler_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
-            if (em_euler_exact_h(x, &nav, &angles, h) != expected) {
+            selftest_paint(got_h, 3);
+            if (em_euler_exact_h(x, &nav, &angles, got_h) != expected) {
                 selftest_print("em_euler_exact_h: euler_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_euler_exact_h h", h, 3);
+            failures += selftest_painted("em_euler_exact_h h", got_h, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-3.141592653589793),
@@ -155,16 +155,16 @@ int test_em_euler_exact_h(void)
                                              BS_REAL(3.141592653589793) };
             set_point(0, x, &nav, &angles);
             angles.euler_b[i] = (end == 0) ? low[i] : high[i];
-            if (em_euler_exact_h(x, &nav, &angles, h) != BS_OK) {
+            if (em_euler_exact_h(x, &nav, &angles, got_h) != BS_OK) {
                 selftest_print("em_euler_exact_h: euler_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, x, &nav, &angles);
-    failures += (em_euler_exact_h(0, &nav, &angles, h) != BS_NULL_POINTER);
-    failures += (em_euler_exact_h(x, 0, &angles, h) != BS_NULL_POINTER);
-    failures += (em_euler_exact_h(x, &nav, 0, h) != BS_NULL_POINTER);
+    failures += (em_euler_exact_h(0, &nav, &angles, got_h) != BS_NULL_POINTER);
+    failures += (em_euler_exact_h(x, 0, &angles, got_h) != BS_NULL_POINTER);
+    failures += (em_euler_exact_h(x, &nav, 0, got_h) != BS_NULL_POINTER);
     failures += (em_euler_exact_h(x, &nav, &angles, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -56,14 +56,14 @@ int test_em_euler_z(void)
     int failures = 0;
     em_nav nav = {0};
     em_angles angles = {0};
-    bs_real z[3];
+    bs_real got_z[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &angles);
-        if (em_euler_z(&nav, &angles, z) != BS_OK) {
+        if (em_euler_z(&nav, &angles, got_z) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("em_euler_z z", v, z, 3, out_z[v], tol_z[v], at_z, 3, 7U);
+        failures += selftest_compare("em_euler_z z", v, got_z, 3, out_z[v], tol_z[v], at_z, 3, 7U);
     }
     /* mu: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
     for (int i = 0; i < 3; ++i) {
@@ -74,19 +74,19 @@ int test_em_euler_z(void)
             set_point(0, &nav, &angles);
             nav.mu[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (em_euler_z(&nav, &angles, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (em_euler_z(&nav, &angles, got_z) != expected) {
                 selftest_print("em_euler_z: mu[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_euler_z z", z, 3);
+            failures += selftest_painted("em_euler_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
             set_point(0, &nav, &angles);
             nav.mu[i] = (end == 0) ? low[i] : high[i];
-            if (em_euler_z(&nav, &angles, z) != BS_OK) {
+            if (em_euler_z(&nav, &angles, got_z) != BS_OK) {
                 selftest_print("em_euler_z: mu[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -105,12 +105,12 @@ int test_em_euler_z(void)
             angles.euler_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (em_euler_z(&nav, &angles, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (em_euler_z(&nav, &angles, got_z) != expected) {
                 selftest_print("em_euler_z: euler_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_euler_z z", z, 3);
+            failures += selftest_painted("em_euler_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-3.141592653589793),
@@ -121,7 +121,7 @@ int test_em_euler_z(void)
                                              BS_REAL(3.141592653589793) };
             set_point(0, &nav, &angles);
             angles.euler_b[i] = (end == 0) ? low[i] : high[i];
-            if (em_euler_z(&nav, &angles, z) != BS_OK) {
+            if (em_euler_z(&nav, &angles, got_z) != BS_OK) {
                 selftest_print("em_euler_z: euler_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -140,12 +140,12 @@ int test_em_euler_z(void)
             angles.euler_m[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (em_euler_z(&nav, &angles, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (em_euler_z(&nav, &angles, got_z) != expected) {
                 selftest_print("em_euler_z: euler_m[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_euler_z z", z, 3);
+            failures += selftest_painted("em_euler_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-3.141592653589793),
@@ -156,15 +156,15 @@ int test_em_euler_z(void)
                                              BS_REAL(3.141592653589793) };
             set_point(0, &nav, &angles);
             angles.euler_m[i] = (end == 0) ? low[i] : high[i];
-            if (em_euler_z(&nav, &angles, z) != BS_OK) {
+            if (em_euler_z(&nav, &angles, got_z) != BS_OK) {
                 selftest_print("em_euler_z: euler_m[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &angles);
-    failures += (em_euler_z(0, &angles, z) != BS_NULL_POINTER);
-    failures += (em_euler_z(&nav, 0, z) != BS_NULL_POINTER);
+    failures += (em_euler_z(0, &angles, got_z) != BS_NULL_POINTER);
+    failures += (em_euler_z(&nav, 0, got_z) != BS_NULL_POINTER);
     failures += (em_euler_z(&nav, &angles, 0) != BS_NULL_POINTER);
     return failures;
 }

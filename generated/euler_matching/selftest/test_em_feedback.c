@@ -73,17 +73,18 @@ int test_em_feedback(void)
     int failures = 0;
     bs_real x[EM_N_STATES] = {0};
     em_nav nav = {0};
-    bs_real q_b2n_wxyz[4];
-    bs_real mu[3];
+    bs_real got_q_b2n_wxyz[4];
+    bs_real got_mu[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, x, &nav);
-        if (em_feedback(x, &nav, q_b2n_wxyz, mu) != BS_OK) {
+        if (em_feedback(x, &nav, got_q_b2n_wxyz, got_mu) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("em_feedback q_b2n_wxyz", v, q_b2n_wxyz, 4, out_q_b2n_wxyz[v],
-                                     tol_q_b2n_wxyz[v], at_q_b2n_wxyz, 4, 0);
-        failures += selftest_compare("em_feedback mu", v, mu, 3, out_mu[v], tol_mu[v], at_mu, 3, 0);
+        failures += selftest_compare("em_feedback q_b2n_wxyz", v, got_q_b2n_wxyz, 4,
+                                     out_q_b2n_wxyz[v], tol_q_b2n_wxyz[v], at_q_b2n_wxyz, 4, 0);
+        failures += selftest_compare("em_feedback mu", v, got_mu, 3, out_mu[v], tol_mu[v], at_mu, 3,
+                                     0);
     }
     /* x: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
     for (int i = 0; i < 6; ++i) {
@@ -96,14 +97,14 @@ int test_em_feedback(void)
             set_point(0, x, &nav);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(mu, 3);
-            if (em_feedback(x, &nav, q_b2n_wxyz, mu) != expected) {
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_mu, 3);
+            if (em_feedback(x, &nav, got_q_b2n_wxyz, got_mu) != expected) {
                 selftest_print("em_feedback: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("em_feedback mu", mu, 3);
+            failures += selftest_painted("em_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("em_feedback mu", got_mu, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[6] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5),
@@ -112,7 +113,7 @@ int test_em_feedback(void)
                                              BS_REAL(0.5), BS_REAL(0.5) };
             set_point(0, x, &nav);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (em_feedback(x, &nav, q_b2n_wxyz, mu) != BS_OK) {
+            if (em_feedback(x, &nav, got_q_b2n_wxyz, got_mu) != BS_OK) {
                 selftest_print("em_feedback: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -129,14 +130,14 @@ int test_em_feedback(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(mu, 3);
-            if (em_feedback(x, &nav, q_b2n_wxyz, mu) != expected) {
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_mu, 3);
+            if (em_feedback(x, &nav, got_q_b2n_wxyz, got_mu) != expected) {
                 selftest_print("em_feedback: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("em_feedback mu", mu, 3);
+            failures += selftest_painted("em_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("em_feedback mu", got_mu, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -146,7 +147,7 @@ int test_em_feedback(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (em_feedback(x, &nav, q_b2n_wxyz, mu) != BS_OK) {
+            if (em_feedback(x, &nav, got_q_b2n_wxyz, got_mu) != BS_OK) {
                 selftest_print("em_feedback: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -159,7 +160,7 @@ int test_em_feedback(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (em_feedback(x, &nav, q_b2n_wxyz, mu) != BS_OUT_OF_RANGE) {
+        if (em_feedback(x, &nav, got_q_b2n_wxyz, got_mu) != BS_OUT_OF_RANGE) {
             selftest_print("em_feedback: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -174,30 +175,30 @@ int test_em_feedback(void)
             set_point(0, x, &nav);
             nav.mu[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(mu, 3);
-            if (em_feedback(x, &nav, q_b2n_wxyz, mu) != expected) {
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_mu, 3);
+            if (em_feedback(x, &nav, got_q_b2n_wxyz, got_mu) != expected) {
                 selftest_print("em_feedback: mu[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("em_feedback mu", mu, 3);
+            failures += selftest_painted("em_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("em_feedback mu", got_mu, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
             set_point(0, x, &nav);
             nav.mu[i] = (end == 0) ? low[i] : high[i];
-            if (em_feedback(x, &nav, q_b2n_wxyz, mu) != BS_OK) {
+            if (em_feedback(x, &nav, got_q_b2n_wxyz, got_mu) != BS_OK) {
                 selftest_print("em_feedback: mu[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, x, &nav);
-    failures += (em_feedback(0, &nav, q_b2n_wxyz, mu) != BS_NULL_POINTER);
-    failures += (em_feedback(x, 0, q_b2n_wxyz, mu) != BS_NULL_POINTER);
-    failures += (em_feedback(x, &nav, 0, mu) != BS_NULL_POINTER);
-    failures += (em_feedback(x, &nav, q_b2n_wxyz, 0) != BS_NULL_POINTER);
+    failures += (em_feedback(0, &nav, got_q_b2n_wxyz, got_mu) != BS_NULL_POINTER);
+    failures += (em_feedback(x, 0, got_q_b2n_wxyz, got_mu) != BS_NULL_POINTER);
+    failures += (em_feedback(x, &nav, 0, got_mu) != BS_NULL_POINTER);
+    failures += (em_feedback(x, &nav, got_q_b2n_wxyz, 0) != BS_NULL_POINTER);
     return failures;
 }

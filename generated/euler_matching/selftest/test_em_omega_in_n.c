@@ -55,14 +55,14 @@ int test_em_omega_in_n(void)
 {
     int failures = 0;
     em_place place = {0};
-    bs_real omega_in_n[3];
+    bs_real got_omega_in_n[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &place);
-        if (em_omega_in_n(&place, omega_in_n) != BS_OK) {
+        if (em_omega_in_n(&place, got_omega_in_n) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("em_omega_in_n omega_in_n", v, omega_in_n, 3,
+        failures += selftest_compare("em_omega_in_n omega_in_n", v, got_omega_in_n, 3,
                                      out_omega_in_n[v], tol_omega_in_n[v], at_omega_in_n, 3, 0);
     }
     /* lat: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
@@ -74,19 +74,19 @@ int test_em_omega_in_n(void)
             set_point(0, &place);
             place.lat = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(omega_in_n, 3);
-            if (em_omega_in_n(&place, omega_in_n) != expected) {
+            selftest_paint(got_omega_in_n, 3);
+            if (em_omega_in_n(&place, got_omega_in_n) != expected) {
                 selftest_print("em_omega_in_n: lat[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_omega_in_n omega_in_n", omega_in_n, 3);
+            failures += selftest_painted("em_omega_in_n omega_in_n", got_omega_in_n, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.4835298641951802) };
             static const bs_real high[1] = { BS_REAL(1.4835298641951802) };
             set_point(0, &place);
             place.lat = (end == 0) ? low[i] : high[i];
-            if (em_omega_in_n(&place, omega_in_n) != BS_OK) {
+            if (em_omega_in_n(&place, got_omega_in_n) != BS_OK) {
                 selftest_print("em_omega_in_n: lat[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -102,19 +102,19 @@ int test_em_omega_in_n(void)
             set_point(0, &place);
             place.height = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                      : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(omega_in_n, 3);
-            if (em_omega_in_n(&place, omega_in_n) != expected) {
+            selftest_paint(got_omega_in_n, 3);
+            if (em_omega_in_n(&place, got_omega_in_n) != expected) {
                 selftest_print("em_omega_in_n: height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_omega_in_n omega_in_n", omega_in_n, 3);
+            failures += selftest_painted("em_omega_in_n omega_in_n", got_omega_in_n, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-500.0) };
             static const bs_real high[1] = { BS_REAL(30000.0) };
             set_point(0, &place);
             place.height = (end == 0) ? low[i] : high[i];
-            if (em_omega_in_n(&place, omega_in_n) != BS_OK) {
+            if (em_omega_in_n(&place, got_omega_in_n) != BS_OK) {
                 selftest_print("em_omega_in_n: height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -129,26 +129,26 @@ int test_em_omega_in_n(void)
             set_point(0, &place);
             place.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                      : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(omega_in_n, 3);
-            if (em_omega_in_n(&place, omega_in_n) != expected) {
+            selftest_paint(got_omega_in_n, 3);
+            if (em_omega_in_n(&place, got_omega_in_n) != expected) {
                 selftest_print("em_omega_in_n: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_omega_in_n omega_in_n", omega_in_n, 3);
+            failures += selftest_painted("em_omega_in_n omega_in_n", got_omega_in_n, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &place);
             place.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (em_omega_in_n(&place, omega_in_n) != BS_OK) {
+            if (em_omega_in_n(&place, got_omega_in_n) != BS_OK) {
                 selftest_print("em_omega_in_n: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &place);
-    failures += (em_omega_in_n(0, omega_in_n) != BS_NULL_POINTER);
+    failures += (em_omega_in_n(0, got_omega_in_n) != BS_NULL_POINTER);
     failures += (em_omega_in_n(&place, 0) != BS_NULL_POINTER);
     return failures;
 }

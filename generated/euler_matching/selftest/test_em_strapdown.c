@@ -63,15 +63,15 @@ int test_em_strapdown(void)
     int failures = 0;
     em_nav nav = {0};
     em_step step = {0};
-    bs_real q_b2n_wxyz[4];
+    bs_real got_q_b2n_wxyz[4];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &step);
-        if (em_strapdown(&nav, &step, q_b2n_wxyz) != BS_OK) {
+        if (em_strapdown(&nav, &step, got_q_b2n_wxyz) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("em_strapdown q_b2n_wxyz", v, q_b2n_wxyz, 4, out_q_b2n_wxyz[v],
-                                     tol_q_b2n_wxyz[v], at_q_b2n_wxyz, 4, 0);
+        failures += selftest_compare("em_strapdown q_b2n_wxyz", v, got_q_b2n_wxyz, 4,
+                                     out_q_b2n_wxyz[v], tol_q_b2n_wxyz[v], at_q_b2n_wxyz, 4, 0);
     }
     /* q_b2n_wxyz: each component in turn NaN, infinite, beyond either end of its box; and at the
      * ends. */
@@ -84,12 +84,12 @@ int test_em_strapdown(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(q_b2n_wxyz, 4);
-            if (em_strapdown(&nav, &step, q_b2n_wxyz) != expected) {
+            selftest_paint(got_q_b2n_wxyz, 4);
+            if (em_strapdown(&nav, &step, got_q_b2n_wxyz) != expected) {
                 selftest_print("em_strapdown: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
+            failures += selftest_painted("em_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -99,7 +99,7 @@ int test_em_strapdown(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (em_strapdown(&nav, &step, q_b2n_wxyz) != BS_OK) {
+            if (em_strapdown(&nav, &step, got_q_b2n_wxyz) != BS_OK) {
                 selftest_print("em_strapdown: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -112,7 +112,7 @@ int test_em_strapdown(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (em_strapdown(&nav, &step, q_b2n_wxyz) != BS_OUT_OF_RANGE) {
+        if (em_strapdown(&nav, &step, got_q_b2n_wxyz) != BS_OUT_OF_RANGE) {
             selftest_print("em_strapdown: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -129,19 +129,19 @@ int test_em_strapdown(void)
             step.dtheta_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(q_b2n_wxyz, 4);
-            if (em_strapdown(&nav, &step, q_b2n_wxyz) != expected) {
+            selftest_paint(got_q_b2n_wxyz, 4);
+            if (em_strapdown(&nav, &step, got_q_b2n_wxyz) != expected) {
                 selftest_print("em_strapdown: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
+            failures += selftest_painted("em_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
             set_point(0, &nav, &step);
             step.dtheta_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (em_strapdown(&nav, &step, q_b2n_wxyz) != BS_OK) {
+            if (em_strapdown(&nav, &step, got_q_b2n_wxyz) != BS_OK) {
                 selftest_print("em_strapdown: dtheta_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -158,19 +158,19 @@ int test_em_strapdown(void)
             step.omega_in_n[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(q_b2n_wxyz, 4);
-            if (em_strapdown(&nav, &step, q_b2n_wxyz) != expected) {
+            selftest_paint(got_q_b2n_wxyz, 4);
+            if (em_strapdown(&nav, &step, got_q_b2n_wxyz) != expected) {
                 selftest_print("em_strapdown: omega_in_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
+            failures += selftest_painted("em_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.01), BS_REAL(-0.01), BS_REAL(-0.01) };
             static const bs_real high[3] = { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) };
             set_point(0, &nav, &step);
             step.omega_in_n[i] = (end == 0) ? low[i] : high[i];
-            if (em_strapdown(&nav, &step, q_b2n_wxyz) != BS_OK) {
+            if (em_strapdown(&nav, &step, got_q_b2n_wxyz) != BS_OK) {
                 selftest_print("em_strapdown: omega_in_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -185,27 +185,27 @@ int test_em_strapdown(void)
             set_point(0, &nav, &step);
             step.dt = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(q_b2n_wxyz, 4);
-            if (em_strapdown(&nav, &step, q_b2n_wxyz) != expected) {
+            selftest_paint(got_q_b2n_wxyz, 4);
+            if (em_strapdown(&nav, &step, got_q_b2n_wxyz) != expected) {
                 selftest_print("em_strapdown: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("em_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
+            failures += selftest_painted("em_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
             set_point(0, &nav, &step);
             step.dt = (end == 0) ? low[i] : high[i];
-            if (em_strapdown(&nav, &step, q_b2n_wxyz) != BS_OK) {
+            if (em_strapdown(&nav, &step, got_q_b2n_wxyz) != BS_OK) {
                 selftest_print("em_strapdown: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &step);
-    failures += (em_strapdown(0, &step, q_b2n_wxyz) != BS_NULL_POINTER);
-    failures += (em_strapdown(&nav, 0, q_b2n_wxyz) != BS_NULL_POINTER);
+    failures += (em_strapdown(0, &step, got_q_b2n_wxyz) != BS_NULL_POINTER);
+    failures += (em_strapdown(&nav, 0, got_q_b2n_wxyz) != BS_NULL_POINTER);
     failures += (em_strapdown(&nav, &step, 0) != BS_NULL_POINTER);
     return failures;
 }

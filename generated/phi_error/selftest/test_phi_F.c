@@ -58,14 +58,14 @@ int test_phi_F(void)
     int failures = 0;
     phi_nav nav = {0};
     phi_step step = {0};
-    bs_real F[81];
+    bs_real got_F[81];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &step);
-        if (phi_F(&nav, &step, F) != BS_OK) {
+        if (phi_F(&nav, &step, got_F) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("phi_F F", v, F, 81, out_F[v], tol_F[v], at_F, 42, 0);
+        failures += selftest_compare("phi_F F", v, got_F, 81, out_F[v], tol_F[v], at_F, 42, 0);
     }
     /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -78,12 +78,12 @@ int test_phi_F(void)
             nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 81);
-            if (phi_F(&nav, &step, F) != expected) {
+            selftest_paint(got_F, 81);
+            if (phi_F(&nav, &step, got_F) != expected) {
                 selftest_print("phi_F: lon_lat_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("phi_F F", F, 81);
+            failures += selftest_painted("phi_F F", got_F, 81);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-6.283185307179586),
@@ -92,7 +92,7 @@ int test_phi_F(void)
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
             set_point(0, &nav, &step);
             nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
-            if (phi_F(&nav, &step, F) != BS_OK) {
+            if (phi_F(&nav, &step, got_F) != BS_OK) {
                 selftest_print("phi_F: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -107,19 +107,19 @@ int test_phi_F(void)
             set_point(0, &nav, &step);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 81);
-            if (phi_F(&nav, &step, F) != expected) {
+            selftest_paint(got_F, 81);
+            if (phi_F(&nav, &step, got_F) != expected) {
                 selftest_print("phi_F: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("phi_F F", F, 81);
+            failures += selftest_painted("phi_F F", got_F, 81);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &step);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (phi_F(&nav, &step, F) != BS_OK) {
+            if (phi_F(&nav, &step, got_F) != BS_OK) {
                 selftest_print("phi_F: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -134,30 +134,30 @@ int test_phi_F(void)
             set_point(0, &nav, &step);
             step.f_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 81);
-            if (phi_F(&nav, &step, F) != expected) {
+            selftest_paint(got_F, 81);
+            if (phi_F(&nav, &step, got_F) != expected) {
                 selftest_print("phi_F: f_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("phi_F F", F, 81);
+            failures += selftest_painted("phi_F F", got_F, 81);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
             set_point(0, &nav, &step);
             step.f_n[i] = (end == 0) ? low[i] : high[i];
-            if (phi_F(&nav, &step, F) != BS_OK) {
+            if (phi_F(&nav, &step, got_F) != BS_OK) {
                 selftest_print("phi_F: f_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &step);
-    failures += (phi_F(0, &step, F) != BS_NULL_POINTER);
-    failures += (phi_F(&nav, 0, F) != BS_NULL_POINTER);
+    failures += (phi_F(0, &step, got_F) != BS_NULL_POINTER);
+    failures += (phi_F(&nav, 0, got_F) != BS_NULL_POINTER);
     failures += (phi_F(&nav, &step, 0) != BS_NULL_POINTER);
-    failures += (phi_F_nz(0, &step, F) != BS_NULL_POINTER);
-    failures += (phi_F_nz(&nav, 0, F) != BS_NULL_POINTER);
+    failures += (phi_F_nz(0, &step, got_F) != BS_NULL_POINTER);
+    failures += (phi_F_nz(&nav, 0, got_F) != BS_NULL_POINTER);
     failures += (phi_F_nz(&nav, &step, 0) != BS_NULL_POINTER);
     return failures;
 }

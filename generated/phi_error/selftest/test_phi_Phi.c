@@ -67,15 +67,15 @@ int test_phi_Phi(void)
     int failures = 0;
     phi_nav nav = {0};
     phi_step step = {0};
-    bs_real Phi[81];
+    bs_real got_Phi[81];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &step);
-        if (phi_Phi(&nav, &step, Phi) != BS_OK) {
+        if (phi_Phi(&nav, &step, got_Phi) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("phi_Phi Phi", v, Phi, 81, out_Phi[v], tol_Phi[v], at_Phi, 70,
-                                     0);
+        failures += selftest_compare("phi_Phi Phi", v, got_Phi, 81, out_Phi[v], tol_Phi[v], at_Phi,
+                                     70, 0);
     }
     /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -88,12 +88,12 @@ int test_phi_Phi(void)
             nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 81);
-            if (phi_Phi(&nav, &step, Phi) != expected) {
+            selftest_paint(got_Phi, 81);
+            if (phi_Phi(&nav, &step, got_Phi) != expected) {
                 selftest_print("phi_Phi: lon_lat_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("phi_Phi Phi", Phi, 81);
+            failures += selftest_painted("phi_Phi Phi", got_Phi, 81);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-6.283185307179586),
@@ -102,7 +102,7 @@ int test_phi_Phi(void)
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
             set_point(0, &nav, &step);
             nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
-            if (phi_Phi(&nav, &step, Phi) != BS_OK) {
+            if (phi_Phi(&nav, &step, got_Phi) != BS_OK) {
                 selftest_print("phi_Phi: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -117,19 +117,19 @@ int test_phi_Phi(void)
             set_point(0, &nav, &step);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 81);
-            if (phi_Phi(&nav, &step, Phi) != expected) {
+            selftest_paint(got_Phi, 81);
+            if (phi_Phi(&nav, &step, got_Phi) != expected) {
                 selftest_print("phi_Phi: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("phi_Phi Phi", Phi, 81);
+            failures += selftest_painted("phi_Phi Phi", got_Phi, 81);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &step);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (phi_Phi(&nav, &step, Phi) != BS_OK) {
+            if (phi_Phi(&nav, &step, got_Phi) != BS_OK) {
                 selftest_print("phi_Phi: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -144,19 +144,19 @@ int test_phi_Phi(void)
             set_point(0, &nav, &step);
             step.f_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 81);
-            if (phi_Phi(&nav, &step, Phi) != expected) {
+            selftest_paint(got_Phi, 81);
+            if (phi_Phi(&nav, &step, got_Phi) != expected) {
                 selftest_print("phi_Phi: f_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("phi_Phi Phi", Phi, 81);
+            failures += selftest_painted("phi_Phi Phi", got_Phi, 81);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
             set_point(0, &nav, &step);
             step.f_n[i] = (end == 0) ? low[i] : high[i];
-            if (phi_Phi(&nav, &step, Phi) != BS_OK) {
+            if (phi_Phi(&nav, &step, got_Phi) != BS_OK) {
                 selftest_print("phi_Phi: f_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -171,30 +171,30 @@ int test_phi_Phi(void)
             set_point(0, &nav, &step);
             step.dt = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 81);
-            if (phi_Phi(&nav, &step, Phi) != expected) {
+            selftest_paint(got_Phi, 81);
+            if (phi_Phi(&nav, &step, got_Phi) != expected) {
                 selftest_print("phi_Phi: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("phi_Phi Phi", Phi, 81);
+            failures += selftest_painted("phi_Phi Phi", got_Phi, 81);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
             set_point(0, &nav, &step);
             step.dt = (end == 0) ? low[i] : high[i];
-            if (phi_Phi(&nav, &step, Phi) != BS_OK) {
+            if (phi_Phi(&nav, &step, got_Phi) != BS_OK) {
                 selftest_print("phi_Phi: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &step);
-    failures += (phi_Phi(0, &step, Phi) != BS_NULL_POINTER);
-    failures += (phi_Phi(&nav, 0, Phi) != BS_NULL_POINTER);
+    failures += (phi_Phi(0, &step, got_Phi) != BS_NULL_POINTER);
+    failures += (phi_Phi(&nav, 0, got_Phi) != BS_NULL_POINTER);
     failures += (phi_Phi(&nav, &step, 0) != BS_NULL_POINTER);
-    failures += (phi_Phi_nz(0, &step, Phi) != BS_NULL_POINTER);
-    failures += (phi_Phi_nz(&nav, 0, Phi) != BS_NULL_POINTER);
+    failures += (phi_Phi_nz(0, &step, got_Phi) != BS_NULL_POINTER);
+    failures += (phi_Phi_nz(&nav, 0, got_Phi) != BS_NULL_POINTER);
     failures += (phi_Phi_nz(&nav, &step, 0) != BS_NULL_POINTER);
     return failures;
 }

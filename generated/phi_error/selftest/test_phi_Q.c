@@ -100,14 +100,14 @@ int test_phi_Q(void)
     phi_nav nav = {0};
     phi_step step = {0};
     phi_noise noise = {0};
-    bs_real Q[81];
+    bs_real got_Q[81];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &step, &noise);
-        if (phi_Q(&nav, &step, &noise, Q) != BS_OK) {
+        if (phi_Q(&nav, &step, &noise, got_Q) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("phi_Q Q", v, Q, 81, out_Q[v], tol_Q[v], at_Q, 81, 0);
+        failures += selftest_compare("phi_Q Q", v, got_Q, 81, out_Q[v], tol_Q[v], at_Q, 81, 0);
     }
     /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -120,12 +120,12 @@ int test_phi_Q(void)
             nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 81);
-            if (phi_Q(&nav, &step, &noise, Q) != expected) {
+            selftest_paint(got_Q, 81);
+            if (phi_Q(&nav, &step, &noise, got_Q) != expected) {
                 selftest_print("phi_Q: lon_lat_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("phi_Q Q", Q, 81);
+            failures += selftest_painted("phi_Q Q", got_Q, 81);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-6.283185307179586),
@@ -134,7 +134,7 @@ int test_phi_Q(void)
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
             set_point(0, &nav, &step, &noise);
             nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
-            if (phi_Q(&nav, &step, &noise, Q) != BS_OK) {
+            if (phi_Q(&nav, &step, &noise, got_Q) != BS_OK) {
                 selftest_print("phi_Q: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -149,19 +149,19 @@ int test_phi_Q(void)
             set_point(0, &nav, &step, &noise);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 81);
-            if (phi_Q(&nav, &step, &noise, Q) != expected) {
+            selftest_paint(got_Q, 81);
+            if (phi_Q(&nav, &step, &noise, got_Q) != expected) {
                 selftest_print("phi_Q: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("phi_Q Q", Q, 81);
+            failures += selftest_painted("phi_Q Q", got_Q, 81);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &step, &noise);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (phi_Q(&nav, &step, &noise, Q) != BS_OK) {
+            if (phi_Q(&nav, &step, &noise, got_Q) != BS_OK) {
                 selftest_print("phi_Q: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -178,12 +178,12 @@ int test_phi_Q(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 81);
-            if (phi_Q(&nav, &step, &noise, Q) != expected) {
+            selftest_paint(got_Q, 81);
+            if (phi_Q(&nav, &step, &noise, got_Q) != expected) {
                 selftest_print("phi_Q: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("phi_Q Q", Q, 81);
+            failures += selftest_painted("phi_Q Q", got_Q, 81);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -193,7 +193,7 @@ int test_phi_Q(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (phi_Q(&nav, &step, &noise, Q) != BS_OK) {
+            if (phi_Q(&nav, &step, &noise, got_Q) != BS_OK) {
                 selftest_print("phi_Q: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -206,7 +206,7 @@ int test_phi_Q(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (phi_Q(&nav, &step, &noise, Q) != BS_OUT_OF_RANGE) {
+        if (phi_Q(&nav, &step, &noise, got_Q) != BS_OUT_OF_RANGE) {
             selftest_print("phi_Q: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -220,19 +220,19 @@ int test_phi_Q(void)
             set_point(0, &nav, &step, &noise);
             step.f_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 81);
-            if (phi_Q(&nav, &step, &noise, Q) != expected) {
+            selftest_paint(got_Q, 81);
+            if (phi_Q(&nav, &step, &noise, got_Q) != expected) {
                 selftest_print("phi_Q: f_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("phi_Q Q", Q, 81);
+            failures += selftest_painted("phi_Q Q", got_Q, 81);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
             set_point(0, &nav, &step, &noise);
             step.f_n[i] = (end == 0) ? low[i] : high[i];
-            if (phi_Q(&nav, &step, &noise, Q) != BS_OK) {
+            if (phi_Q(&nav, &step, &noise, got_Q) != BS_OK) {
                 selftest_print("phi_Q: f_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -247,19 +247,19 @@ int test_phi_Q(void)
             set_point(0, &nav, &step, &noise);
             step.dt = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 81);
-            if (phi_Q(&nav, &step, &noise, Q) != expected) {
+            selftest_paint(got_Q, 81);
+            if (phi_Q(&nav, &step, &noise, got_Q) != expected) {
                 selftest_print("phi_Q: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("phi_Q Q", Q, 81);
+            failures += selftest_painted("phi_Q Q", got_Q, 81);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
             set_point(0, &nav, &step, &noise);
             step.dt = (end == 0) ? low[i] : high[i];
-            if (phi_Q(&nav, &step, &noise, Q) != BS_OK) {
+            if (phi_Q(&nav, &step, &noise, got_Q) != BS_OK) {
                 selftest_print("phi_Q: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -276,19 +276,19 @@ int test_phi_Q(void)
             noise.gyro_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 81);
-            if (phi_Q(&nav, &step, &noise, Q) != expected) {
+            selftest_paint(got_Q, 81);
+            if (phi_Q(&nav, &step, &noise, got_Q) != expected) {
                 selftest_print("phi_Q: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("phi_Q Q", Q, 81);
+            failures += selftest_painted("phi_Q Q", got_Q, 81);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &step, &noise);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
-            if (phi_Q(&nav, &step, &noise, Q) != BS_OK) {
+            if (phi_Q(&nav, &step, &noise, got_Q) != BS_OK) {
                 selftest_print("phi_Q: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -305,28 +305,28 @@ int test_phi_Q(void)
             noise.accel_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 81);
-            if (phi_Q(&nav, &step, &noise, Q) != expected) {
+            selftest_paint(got_Q, 81);
+            if (phi_Q(&nav, &step, &noise, got_Q) != expected) {
                 selftest_print("phi_Q: accel_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("phi_Q Q", Q, 81);
+            failures += selftest_painted("phi_Q Q", got_Q, 81);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
             set_point(0, &nav, &step, &noise);
             noise.accel_noise[i] = (end == 0) ? low[i] : high[i];
-            if (phi_Q(&nav, &step, &noise, Q) != BS_OK) {
+            if (phi_Q(&nav, &step, &noise, got_Q) != BS_OK) {
                 selftest_print("phi_Q: accel_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &step, &noise);
-    failures += (phi_Q(0, &step, &noise, Q) != BS_NULL_POINTER);
-    failures += (phi_Q(&nav, 0, &noise, Q) != BS_NULL_POINTER);
-    failures += (phi_Q(&nav, &step, 0, Q) != BS_NULL_POINTER);
+    failures += (phi_Q(0, &step, &noise, got_Q) != BS_NULL_POINTER);
+    failures += (phi_Q(&nav, 0, &noise, got_Q) != BS_NULL_POINTER);
+    failures += (phi_Q(&nav, &step, 0, got_Q) != BS_NULL_POINTER);
     failures += (phi_Q(&nav, &step, &noise, 0) != BS_NULL_POINTER);
     return failures;
 }

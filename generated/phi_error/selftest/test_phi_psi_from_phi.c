@@ -50,15 +50,15 @@ int test_phi_psi_from_phi(void)
 {
     int failures = 0;
     phi_nav nav = {0};
-    bs_real T[81];
+    bs_real got_T[81];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav);
-        if (phi_psi_from_phi(&nav, T) != BS_OK) {
+        if (phi_psi_from_phi(&nav, got_T) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("phi_psi_from_phi T", v, T, 81, out_T[v], tol_T[v], at_T, 17,
-                                     0);
+        failures += selftest_compare("phi_psi_from_phi T", v, got_T, 81, out_T[v], tol_T[v], at_T,
+                                     17, 0);
     }
     /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -71,13 +71,13 @@ int test_phi_psi_from_phi(void)
             nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(T, 81);
-            if (phi_psi_from_phi(&nav, T) != expected) {
+            selftest_paint(got_T, 81);
+            if (phi_psi_from_phi(&nav, got_T) != expected) {
                 selftest_print("phi_psi_from_phi: lon_lat_height[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("phi_psi_from_phi T", T, 81);
+            failures += selftest_painted("phi_psi_from_phi T", got_T, 81);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-6.283185307179586),
@@ -86,7 +86,7 @@ int test_phi_psi_from_phi(void)
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
             set_point(0, &nav);
             nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
-            if (phi_psi_from_phi(&nav, T) != BS_OK) {
+            if (phi_psi_from_phi(&nav, got_T) != BS_OK) {
                 selftest_print("phi_psi_from_phi: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -101,28 +101,28 @@ int test_phi_psi_from_phi(void)
             set_point(0, &nav);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(T, 81);
-            if (phi_psi_from_phi(&nav, T) != expected) {
+            selftest_paint(got_T, 81);
+            if (phi_psi_from_phi(&nav, got_T) != expected) {
                 selftest_print("phi_psi_from_phi: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("phi_psi_from_phi T", T, 81);
+            failures += selftest_painted("phi_psi_from_phi T", got_T, 81);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (phi_psi_from_phi(&nav, T) != BS_OK) {
+            if (phi_psi_from_phi(&nav, got_T) != BS_OK) {
                 selftest_print("phi_psi_from_phi: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav);
-    failures += (phi_psi_from_phi(0, T) != BS_NULL_POINTER);
+    failures += (phi_psi_from_phi(0, got_T) != BS_NULL_POINTER);
     failures += (phi_psi_from_phi(&nav, 0) != BS_NULL_POINTER);
-    failures += (phi_psi_from_phi_nz(0, T) != BS_NULL_POINTER);
+    failures += (phi_psi_from_phi_nz(0, got_T) != BS_NULL_POINTER);
     failures += (phi_psi_from_phi_nz(&nav, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -108,18 +108,18 @@ int test_sd_compensated(void)
     int failures = 0;
     sd_imu imu = {0};
     sd_earlier earlier = {0};
-    bs_real dtheta_ib_b[3];
-    bs_real dv_b[3];
+    bs_real got_dtheta_ib_b[3];
+    bs_real got_dv_b[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &imu, &earlier);
-        if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != BS_OK) {
+        if (sd_compensated(&imu, &earlier, got_dtheta_ib_b, got_dv_b) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("sd_compensated dtheta_ib_b", v, dtheta_ib_b, 3,
+        failures += selftest_compare("sd_compensated dtheta_ib_b", v, got_dtheta_ib_b, 3,
                                      out_dtheta_ib_b[v], tol_dtheta_ib_b[v], at_dtheta_ib_b, 3, 0);
-        failures += selftest_compare("sd_compensated dv_b", v, dv_b, 3, out_dv_b[v], tol_dv_b[v],
-                                     at_dv_b, 3, 0);
+        failures += selftest_compare("sd_compensated dv_b", v, got_dv_b, 3, out_dv_b[v],
+                                     tol_dv_b[v], at_dv_b, 3, 0);
     }
     /* dtheta_ib_b: each component in turn NaN, infinite, beyond either end of its box; and at the
      * ends. */
@@ -132,22 +132,22 @@ int test_sd_compensated(void)
             imu.dtheta_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(dtheta_ib_b, 3);
-            selftest_paint(dv_b, 3);
-            if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != expected) {
+            selftest_paint(got_dtheta_ib_b, 3);
+            selftest_paint(got_dv_b, 3);
+            if (sd_compensated(&imu, &earlier, got_dtheta_ib_b, got_dv_b) != expected) {
                 selftest_print("sd_compensated: dtheta_ib_b[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_compensated dtheta_ib_b", dtheta_ib_b, 3);
-            failures += selftest_painted("sd_compensated dv_b", dv_b, 3);
+            failures += selftest_painted("sd_compensated dtheta_ib_b", got_dtheta_ib_b, 3);
+            failures += selftest_painted("sd_compensated dv_b", got_dv_b, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
             set_point(0, &imu, &earlier);
             imu.dtheta_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != BS_OK) {
+            if (sd_compensated(&imu, &earlier, got_dtheta_ib_b, got_dv_b) != BS_OK) {
                 selftest_print("sd_compensated: dtheta_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -162,21 +162,21 @@ int test_sd_compensated(void)
             set_point(0, &imu, &earlier);
             imu.dv_b[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(dtheta_ib_b, 3);
-            selftest_paint(dv_b, 3);
-            if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != expected) {
+            selftest_paint(got_dtheta_ib_b, 3);
+            selftest_paint(got_dv_b, 3);
+            if (sd_compensated(&imu, &earlier, got_dtheta_ib_b, got_dv_b) != expected) {
                 selftest_print("sd_compensated: dv_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_compensated dtheta_ib_b", dtheta_ib_b, 3);
-            failures += selftest_painted("sd_compensated dv_b", dv_b, 3);
+            failures += selftest_painted("sd_compensated dtheta_ib_b", got_dtheta_ib_b, 3);
+            failures += selftest_painted("sd_compensated dv_b", got_dv_b, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
             set_point(0, &imu, &earlier);
             imu.dv_b[i] = (end == 0) ? low[i] : high[i];
-            if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != BS_OK) {
+            if (sd_compensated(&imu, &earlier, got_dtheta_ib_b, got_dv_b) != BS_OK) {
                 selftest_print("sd_compensated: dv_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -193,22 +193,22 @@ int test_sd_compensated(void)
             imu.dtheta_before[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(dtheta_ib_b, 3);
-            selftest_paint(dv_b, 3);
-            if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != expected) {
+            selftest_paint(got_dtheta_ib_b, 3);
+            selftest_paint(got_dv_b, 3);
+            if (sd_compensated(&imu, &earlier, got_dtheta_ib_b, got_dv_b) != expected) {
                 selftest_print("sd_compensated: dtheta_before[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_compensated dtheta_ib_b", dtheta_ib_b, 3);
-            failures += selftest_painted("sd_compensated dv_b", dv_b, 3);
+            failures += selftest_painted("sd_compensated dtheta_ib_b", got_dtheta_ib_b, 3);
+            failures += selftest_painted("sd_compensated dv_b", got_dv_b, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
             set_point(0, &imu, &earlier);
             imu.dtheta_before[i] = (end == 0) ? low[i] : high[i];
-            if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != BS_OK) {
+            if (sd_compensated(&imu, &earlier, got_dtheta_ib_b, got_dv_b) != BS_OK) {
                 selftest_print("sd_compensated: dtheta_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -225,21 +225,21 @@ int test_sd_compensated(void)
             imu.dv_before[i] = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(dtheta_ib_b, 3);
-            selftest_paint(dv_b, 3);
-            if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != expected) {
+            selftest_paint(got_dtheta_ib_b, 3);
+            selftest_paint(got_dv_b, 3);
+            if (sd_compensated(&imu, &earlier, got_dtheta_ib_b, got_dv_b) != expected) {
                 selftest_print("sd_compensated: dv_before[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_compensated dtheta_ib_b", dtheta_ib_b, 3);
-            failures += selftest_painted("sd_compensated dv_b", dv_b, 3);
+            failures += selftest_painted("sd_compensated dtheta_ib_b", got_dtheta_ib_b, 3);
+            failures += selftest_painted("sd_compensated dv_b", got_dv_b, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
             set_point(0, &imu, &earlier);
             imu.dv_before[i] = (end == 0) ? low[i] : high[i];
-            if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != BS_OK) {
+            if (sd_compensated(&imu, &earlier, got_dtheta_ib_b, got_dv_b) != BS_OK) {
                 selftest_print("sd_compensated: dv_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -256,22 +256,22 @@ int test_sd_compensated(void)
             earlier.dtheta_second[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(dtheta_ib_b, 3);
-            selftest_paint(dv_b, 3);
-            if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != expected) {
+            selftest_paint(got_dtheta_ib_b, 3);
+            selftest_paint(got_dv_b, 3);
+            if (sd_compensated(&imu, &earlier, got_dtheta_ib_b, got_dv_b) != expected) {
                 selftest_print("sd_compensated: dtheta_second[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_compensated dtheta_ib_b", dtheta_ib_b, 3);
-            failures += selftest_painted("sd_compensated dv_b", dv_b, 3);
+            failures += selftest_painted("sd_compensated dtheta_ib_b", got_dtheta_ib_b, 3);
+            failures += selftest_painted("sd_compensated dv_b", got_dv_b, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
             set_point(0, &imu, &earlier);
             earlier.dtheta_second[i] = (end == 0) ? low[i] : high[i];
-            if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != BS_OK) {
+            if (sd_compensated(&imu, &earlier, got_dtheta_ib_b, got_dv_b) != BS_OK) {
                 selftest_print("sd_compensated: dtheta_second[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -288,21 +288,21 @@ int test_sd_compensated(void)
             earlier.dv_second[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(dtheta_ib_b, 3);
-            selftest_paint(dv_b, 3);
-            if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != expected) {
+            selftest_paint(got_dtheta_ib_b, 3);
+            selftest_paint(got_dv_b, 3);
+            if (sd_compensated(&imu, &earlier, got_dtheta_ib_b, got_dv_b) != expected) {
                 selftest_print("sd_compensated: dv_second[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_compensated dtheta_ib_b", dtheta_ib_b, 3);
-            failures += selftest_painted("sd_compensated dv_b", dv_b, 3);
+            failures += selftest_painted("sd_compensated dtheta_ib_b", got_dtheta_ib_b, 3);
+            failures += selftest_painted("sd_compensated dv_b", got_dv_b, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
             set_point(0, &imu, &earlier);
             earlier.dv_second[i] = (end == 0) ? low[i] : high[i];
-            if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != BS_OK) {
+            if (sd_compensated(&imu, &earlier, got_dtheta_ib_b, got_dv_b) != BS_OK) {
                 selftest_print("sd_compensated: dv_second[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -319,22 +319,22 @@ int test_sd_compensated(void)
             earlier.dtheta_third[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(dtheta_ib_b, 3);
-            selftest_paint(dv_b, 3);
-            if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != expected) {
+            selftest_paint(got_dtheta_ib_b, 3);
+            selftest_paint(got_dv_b, 3);
+            if (sd_compensated(&imu, &earlier, got_dtheta_ib_b, got_dv_b) != expected) {
                 selftest_print("sd_compensated: dtheta_third[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_compensated dtheta_ib_b", dtheta_ib_b, 3);
-            failures += selftest_painted("sd_compensated dv_b", dv_b, 3);
+            failures += selftest_painted("sd_compensated dtheta_ib_b", got_dtheta_ib_b, 3);
+            failures += selftest_painted("sd_compensated dv_b", got_dv_b, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
             set_point(0, &imu, &earlier);
             earlier.dtheta_third[i] = (end == 0) ? low[i] : high[i];
-            if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != BS_OK) {
+            if (sd_compensated(&imu, &earlier, got_dtheta_ib_b, got_dv_b) != BS_OK) {
                 selftest_print("sd_compensated: dtheta_third[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -351,30 +351,30 @@ int test_sd_compensated(void)
             earlier.dv_third[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(dtheta_ib_b, 3);
-            selftest_paint(dv_b, 3);
-            if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != expected) {
+            selftest_paint(got_dtheta_ib_b, 3);
+            selftest_paint(got_dv_b, 3);
+            if (sd_compensated(&imu, &earlier, got_dtheta_ib_b, got_dv_b) != expected) {
                 selftest_print("sd_compensated: dv_third[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_compensated dtheta_ib_b", dtheta_ib_b, 3);
-            failures += selftest_painted("sd_compensated dv_b", dv_b, 3);
+            failures += selftest_painted("sd_compensated dtheta_ib_b", got_dtheta_ib_b, 3);
+            failures += selftest_painted("sd_compensated dv_b", got_dv_b, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
             set_point(0, &imu, &earlier);
             earlier.dv_third[i] = (end == 0) ? low[i] : high[i];
-            if (sd_compensated(&imu, &earlier, dtheta_ib_b, dv_b) != BS_OK) {
+            if (sd_compensated(&imu, &earlier, got_dtheta_ib_b, got_dv_b) != BS_OK) {
                 selftest_print("sd_compensated: dv_third[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &imu, &earlier);
-    failures += (sd_compensated(0, &earlier, dtheta_ib_b, dv_b) != BS_NULL_POINTER);
-    failures += (sd_compensated(&imu, 0, dtheta_ib_b, dv_b) != BS_NULL_POINTER);
-    failures += (sd_compensated(&imu, &earlier, 0, dv_b) != BS_NULL_POINTER);
-    failures += (sd_compensated(&imu, &earlier, dtheta_ib_b, 0) != BS_NULL_POINTER);
+    failures += (sd_compensated(0, &earlier, got_dtheta_ib_b, got_dv_b) != BS_NULL_POINTER);
+    failures += (sd_compensated(&imu, 0, got_dtheta_ib_b, got_dv_b) != BS_NULL_POINTER);
+    failures += (sd_compensated(&imu, &earlier, 0, got_dv_b) != BS_NULL_POINTER);
+    failures += (sd_compensated(&imu, &earlier, got_dtheta_ib_b, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -82,20 +82,20 @@ int test_sd_earth(void)
 {
     int failures = 0;
     sd_nav nav = {0};
-    bs_real omega_ie_n[3];
-    bs_real omega_en_n[3];
-    bs_real gravity_n[3];
+    bs_real got_omega_ie_n[3];
+    bs_real got_omega_en_n[3];
+    bs_real got_gravity_n[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav);
-        if (sd_earth(&nav, omega_ie_n, omega_en_n, gravity_n) != BS_OK) {
+        if (sd_earth(&nav, got_omega_ie_n, got_omega_en_n, got_gravity_n) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("sd_earth omega_ie_n", v, omega_ie_n, 3, out_omega_ie_n[v],
+        failures += selftest_compare("sd_earth omega_ie_n", v, got_omega_ie_n, 3, out_omega_ie_n[v],
                                      tol_omega_ie_n[v], at_omega_ie_n, 2, 0);
-        failures += selftest_compare("sd_earth omega_en_n", v, omega_en_n, 3, out_omega_en_n[v],
+        failures += selftest_compare("sd_earth omega_en_n", v, got_omega_en_n, 3, out_omega_en_n[v],
                                      tol_omega_en_n[v], at_omega_en_n, 3, 0);
-        failures += selftest_compare("sd_earth gravity_n", v, gravity_n, 3, out_gravity_n[v],
+        failures += selftest_compare("sd_earth gravity_n", v, got_gravity_n, 3, out_gravity_n[v],
                                      tol_gravity_n[v], at_gravity_n, 1, 0);
     }
     /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
@@ -109,16 +109,16 @@ int test_sd_earth(void)
             nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(omega_ie_n, 3);
-            selftest_paint(omega_en_n, 3);
-            selftest_paint(gravity_n, 3);
-            if (sd_earth(&nav, omega_ie_n, omega_en_n, gravity_n) != expected) {
+            selftest_paint(got_omega_ie_n, 3);
+            selftest_paint(got_omega_en_n, 3);
+            selftest_paint(got_gravity_n, 3);
+            if (sd_earth(&nav, got_omega_ie_n, got_omega_en_n, got_gravity_n) != expected) {
                 selftest_print("sd_earth: lon_lat_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_earth omega_ie_n", omega_ie_n, 3);
-            failures += selftest_painted("sd_earth omega_en_n", omega_en_n, 3);
-            failures += selftest_painted("sd_earth gravity_n", gravity_n, 3);
+            failures += selftest_painted("sd_earth omega_ie_n", got_omega_ie_n, 3);
+            failures += selftest_painted("sd_earth omega_en_n", got_omega_en_n, 3);
+            failures += selftest_painted("sd_earth gravity_n", got_gravity_n, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-6.283185307179586),
@@ -127,7 +127,7 @@ int test_sd_earth(void)
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
             set_point(0, &nav);
             nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
-            if (sd_earth(&nav, omega_ie_n, omega_en_n, gravity_n) != BS_OK) {
+            if (sd_earth(&nav, got_omega_ie_n, got_omega_en_n, got_gravity_n) != BS_OK) {
                 selftest_print("sd_earth: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -142,36 +142,36 @@ int test_sd_earth(void)
             set_point(0, &nav);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(omega_ie_n, 3);
-            selftest_paint(omega_en_n, 3);
-            selftest_paint(gravity_n, 3);
-            if (sd_earth(&nav, omega_ie_n, omega_en_n, gravity_n) != expected) {
+            selftest_paint(got_omega_ie_n, 3);
+            selftest_paint(got_omega_en_n, 3);
+            selftest_paint(got_gravity_n, 3);
+            if (sd_earth(&nav, got_omega_ie_n, got_omega_en_n, got_gravity_n) != expected) {
                 selftest_print("sd_earth: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_earth omega_ie_n", omega_ie_n, 3);
-            failures += selftest_painted("sd_earth omega_en_n", omega_en_n, 3);
-            failures += selftest_painted("sd_earth gravity_n", gravity_n, 3);
+            failures += selftest_painted("sd_earth omega_ie_n", got_omega_ie_n, 3);
+            failures += selftest_painted("sd_earth omega_en_n", got_omega_en_n, 3);
+            failures += selftest_painted("sd_earth gravity_n", got_gravity_n, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (sd_earth(&nav, omega_ie_n, omega_en_n, gravity_n) != BS_OK) {
+            if (sd_earth(&nav, got_omega_ie_n, got_omega_en_n, got_gravity_n) != BS_OK) {
                 selftest_print("sd_earth: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav);
-    failures += (sd_earth(0, omega_ie_n, omega_en_n, gravity_n) != BS_NULL_POINTER);
-    failures += (sd_earth(&nav, 0, omega_en_n, gravity_n) != BS_NULL_POINTER);
-    failures += (sd_earth(&nav, omega_ie_n, 0, gravity_n) != BS_NULL_POINTER);
-    failures += (sd_earth(&nav, omega_ie_n, omega_en_n, 0) != BS_NULL_POINTER);
-    failures += (sd_earth_nz(0, omega_ie_n, omega_en_n, gravity_n) != BS_NULL_POINTER);
-    failures += (sd_earth_nz(&nav, 0, omega_en_n, gravity_n) != BS_NULL_POINTER);
-    failures += (sd_earth_nz(&nav, omega_ie_n, 0, gravity_n) != BS_NULL_POINTER);
-    failures += (sd_earth_nz(&nav, omega_ie_n, omega_en_n, 0) != BS_NULL_POINTER);
+    failures += (sd_earth(0, got_omega_ie_n, got_omega_en_n, got_gravity_n) != BS_NULL_POINTER);
+    failures += (sd_earth(&nav, 0, got_omega_en_n, got_gravity_n) != BS_NULL_POINTER);
+    failures += (sd_earth(&nav, got_omega_ie_n, 0, got_gravity_n) != BS_NULL_POINTER);
+    failures += (sd_earth(&nav, got_omega_ie_n, got_omega_en_n, 0) != BS_NULL_POINTER);
+    failures += (sd_earth_nz(0, got_omega_ie_n, got_omega_en_n, got_gravity_n) != BS_NULL_POINTER);
+    failures += (sd_earth_nz(&nav, 0, got_omega_en_n, got_gravity_n) != BS_NULL_POINTER);
+    failures += (sd_earth_nz(&nav, got_omega_ie_n, 0, got_gravity_n) != BS_NULL_POINTER);
+    failures += (sd_earth_nz(&nav, got_omega_ie_n, got_omega_en_n, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -104,21 +104,21 @@ int test_sd_rates(void)
     int failures = 0;
     sd_nav nav = {0};
     sd_motion motion = {0};
-    bs_real position_rate[3];
-    bs_real v_n_rate[3];
-    bs_real q_b2n_rate[4];
+    bs_real got_position_rate[3];
+    bs_real got_v_n_rate[3];
+    bs_real got_q_b2n_rate[4];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &motion);
-        if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != BS_OK) {
+        if (sd_rates(&nav, &motion, got_position_rate, got_v_n_rate, got_q_b2n_rate) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("sd_rates position_rate", v, position_rate, 3,
+        failures += selftest_compare("sd_rates position_rate", v, got_position_rate, 3,
                                      out_position_rate[v], tol_position_rate[v], at_position_rate,
                                      3, 0);
-        failures += selftest_compare("sd_rates v_n_rate", v, v_n_rate, 3, out_v_n_rate[v],
+        failures += selftest_compare("sd_rates v_n_rate", v, got_v_n_rate, 3, out_v_n_rate[v],
                                      tol_v_n_rate[v], at_v_n_rate, 3, 0);
-        failures += selftest_compare("sd_rates q_b2n_rate", v, q_b2n_rate, 4, out_q_b2n_rate[v],
+        failures += selftest_compare("sd_rates q_b2n_rate", v, got_q_b2n_rate, 4, out_q_b2n_rate[v],
                                      tol_q_b2n_rate[v], at_q_b2n_rate, 4, 0);
     }
     /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
@@ -132,16 +132,17 @@ int test_sd_rates(void)
             nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position_rate, 3);
-            selftest_paint(v_n_rate, 3);
-            selftest_paint(q_b2n_rate, 4);
-            if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != expected) {
+            selftest_paint(got_position_rate, 3);
+            selftest_paint(got_v_n_rate, 3);
+            selftest_paint(got_q_b2n_rate, 4);
+            if (sd_rates(&nav, &motion, got_position_rate, got_v_n_rate,
+                         got_q_b2n_rate) != expected) {
                 selftest_print("sd_rates: lon_lat_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_rates position_rate", position_rate, 3);
-            failures += selftest_painted("sd_rates v_n_rate", v_n_rate, 3);
-            failures += selftest_painted("sd_rates q_b2n_rate", q_b2n_rate, 4);
+            failures += selftest_painted("sd_rates position_rate", got_position_rate, 3);
+            failures += selftest_painted("sd_rates v_n_rate", got_v_n_rate, 3);
+            failures += selftest_painted("sd_rates q_b2n_rate", got_q_b2n_rate, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-6.283185307179586),
@@ -150,7 +151,7 @@ int test_sd_rates(void)
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
             set_point(0, &nav, &motion);
             nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
-            if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != BS_OK) {
+            if (sd_rates(&nav, &motion, got_position_rate, got_v_n_rate, got_q_b2n_rate) != BS_OK) {
                 selftest_print("sd_rates: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -165,23 +166,24 @@ int test_sd_rates(void)
             set_point(0, &nav, &motion);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position_rate, 3);
-            selftest_paint(v_n_rate, 3);
-            selftest_paint(q_b2n_rate, 4);
-            if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != expected) {
+            selftest_paint(got_position_rate, 3);
+            selftest_paint(got_v_n_rate, 3);
+            selftest_paint(got_q_b2n_rate, 4);
+            if (sd_rates(&nav, &motion, got_position_rate, got_v_n_rate,
+                         got_q_b2n_rate) != expected) {
                 selftest_print("sd_rates: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_rates position_rate", position_rate, 3);
-            failures += selftest_painted("sd_rates v_n_rate", v_n_rate, 3);
-            failures += selftest_painted("sd_rates q_b2n_rate", q_b2n_rate, 4);
+            failures += selftest_painted("sd_rates position_rate", got_position_rate, 3);
+            failures += selftest_painted("sd_rates v_n_rate", got_v_n_rate, 3);
+            failures += selftest_painted("sd_rates q_b2n_rate", got_q_b2n_rate, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &motion);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != BS_OK) {
+            if (sd_rates(&nav, &motion, got_position_rate, got_v_n_rate, got_q_b2n_rate) != BS_OK) {
                 selftest_print("sd_rates: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -198,16 +200,17 @@ int test_sd_rates(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position_rate, 3);
-            selftest_paint(v_n_rate, 3);
-            selftest_paint(q_b2n_rate, 4);
-            if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != expected) {
+            selftest_paint(got_position_rate, 3);
+            selftest_paint(got_v_n_rate, 3);
+            selftest_paint(got_q_b2n_rate, 4);
+            if (sd_rates(&nav, &motion, got_position_rate, got_v_n_rate,
+                         got_q_b2n_rate) != expected) {
                 selftest_print("sd_rates: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_rates position_rate", position_rate, 3);
-            failures += selftest_painted("sd_rates v_n_rate", v_n_rate, 3);
-            failures += selftest_painted("sd_rates q_b2n_rate", q_b2n_rate, 4);
+            failures += selftest_painted("sd_rates position_rate", got_position_rate, 3);
+            failures += selftest_painted("sd_rates v_n_rate", got_v_n_rate, 3);
+            failures += selftest_painted("sd_rates q_b2n_rate", got_q_b2n_rate, 4);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -217,7 +220,7 @@ int test_sd_rates(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != BS_OK) {
+            if (sd_rates(&nav, &motion, got_position_rate, got_v_n_rate, got_q_b2n_rate) != BS_OK) {
                 selftest_print("sd_rates: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -230,7 +233,8 @@ int test_sd_rates(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != BS_OUT_OF_RANGE) {
+        if (sd_rates(&nav, &motion, got_position_rate, got_v_n_rate,
+                     got_q_b2n_rate) != BS_OUT_OF_RANGE) {
             selftest_print("sd_rates: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -244,23 +248,24 @@ int test_sd_rates(void)
             set_point(0, &nav, &motion);
             motion.f_b[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                       : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position_rate, 3);
-            selftest_paint(v_n_rate, 3);
-            selftest_paint(q_b2n_rate, 4);
-            if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != expected) {
+            selftest_paint(got_position_rate, 3);
+            selftest_paint(got_v_n_rate, 3);
+            selftest_paint(got_q_b2n_rate, 4);
+            if (sd_rates(&nav, &motion, got_position_rate, got_v_n_rate,
+                         got_q_b2n_rate) != expected) {
                 selftest_print("sd_rates: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_rates position_rate", position_rate, 3);
-            failures += selftest_painted("sd_rates v_n_rate", v_n_rate, 3);
-            failures += selftest_painted("sd_rates q_b2n_rate", q_b2n_rate, 4);
+            failures += selftest_painted("sd_rates position_rate", got_position_rate, 3);
+            failures += selftest_painted("sd_rates v_n_rate", got_v_n_rate, 3);
+            failures += selftest_painted("sd_rates q_b2n_rate", got_q_b2n_rate, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
             set_point(0, &nav, &motion);
             motion.f_b[i] = (end == 0) ? low[i] : high[i];
-            if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != BS_OK) {
+            if (sd_rates(&nav, &motion, got_position_rate, got_v_n_rate, got_q_b2n_rate) != BS_OK) {
                 selftest_print("sd_rates: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -277,33 +282,36 @@ int test_sd_rates(void)
             motion.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(position_rate, 3);
-            selftest_paint(v_n_rate, 3);
-            selftest_paint(q_b2n_rate, 4);
-            if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != expected) {
+            selftest_paint(got_position_rate, 3);
+            selftest_paint(got_v_n_rate, 3);
+            selftest_paint(got_q_b2n_rate, 4);
+            if (sd_rates(&nav, &motion, got_position_rate, got_v_n_rate,
+                         got_q_b2n_rate) != expected) {
                 selftest_print("sd_rates: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_rates position_rate", position_rate, 3);
-            failures += selftest_painted("sd_rates v_n_rate", v_n_rate, 3);
-            failures += selftest_painted("sd_rates q_b2n_rate", q_b2n_rate, 4);
+            failures += selftest_painted("sd_rates position_rate", got_position_rate, 3);
+            failures += selftest_painted("sd_rates v_n_rate", got_v_n_rate, 3);
+            failures += selftest_painted("sd_rates q_b2n_rate", got_q_b2n_rate, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
             set_point(0, &nav, &motion);
             motion.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (sd_rates(&nav, &motion, position_rate, v_n_rate, q_b2n_rate) != BS_OK) {
+            if (sd_rates(&nav, &motion, got_position_rate, got_v_n_rate, got_q_b2n_rate) != BS_OK) {
                 selftest_print("sd_rates: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &motion);
-    failures += (sd_rates(0, &motion, position_rate, v_n_rate, q_b2n_rate) != BS_NULL_POINTER);
-    failures += (sd_rates(&nav, 0, position_rate, v_n_rate, q_b2n_rate) != BS_NULL_POINTER);
-    failures += (sd_rates(&nav, &motion, 0, v_n_rate, q_b2n_rate) != BS_NULL_POINTER);
-    failures += (sd_rates(&nav, &motion, position_rate, 0, q_b2n_rate) != BS_NULL_POINTER);
-    failures += (sd_rates(&nav, &motion, position_rate, v_n_rate, 0) != BS_NULL_POINTER);
+    failures += (sd_rates(0, &motion, got_position_rate, got_v_n_rate,
+                          got_q_b2n_rate) != BS_NULL_POINTER);
+    failures += (sd_rates(&nav, 0, got_position_rate, got_v_n_rate,
+                          got_q_b2n_rate) != BS_NULL_POINTER);
+    failures += (sd_rates(&nav, &motion, 0, got_v_n_rate, got_q_b2n_rate) != BS_NULL_POINTER);
+    failures += (sd_rates(&nav, &motion, got_position_rate, 0, got_q_b2n_rate) != BS_NULL_POINTER);
+    failures += (sd_rates(&nav, &motion, got_position_rate, got_v_n_rate, 0) != BS_NULL_POINTER);
     return failures;
 }

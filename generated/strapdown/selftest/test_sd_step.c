@@ -142,21 +142,21 @@ int test_sd_step(void)
     int failures = 0;
     sd_nav nav = {0};
     sd_imu imu = {0};
-    bs_real lon_lat_height[3];
-    bs_real v_n[3];
-    bs_real q_b2n_wxyz[4];
+    bs_real got_lon_lat_height[3];
+    bs_real got_v_n[3];
+    bs_real got_q_b2n_wxyz[4];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &imu);
-        if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != BS_OK) {
+        if (sd_step(&nav, &imu, got_lon_lat_height, got_v_n, got_q_b2n_wxyz) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("sd_step lon_lat_height", v, lon_lat_height, 3,
+        failures += selftest_compare("sd_step lon_lat_height", v, got_lon_lat_height, 3,
                                      out_lon_lat_height[v], tol_lon_lat_height[v],
                                      at_lon_lat_height, 3, 0);
-        failures += selftest_compare("sd_step v_n", v, v_n, 3, out_v_n[v], tol_v_n[v], at_v_n, 3,
-                                     0);
-        failures += selftest_compare("sd_step q_b2n_wxyz", v, q_b2n_wxyz, 4, out_q_b2n_wxyz[v],
+        failures += selftest_compare("sd_step v_n", v, got_v_n, 3, out_v_n[v], tol_v_n[v], at_v_n,
+                                     3, 0);
+        failures += selftest_compare("sd_step q_b2n_wxyz", v, got_q_b2n_wxyz, 4, out_q_b2n_wxyz[v],
                                      tol_q_b2n_wxyz[v], at_q_b2n_wxyz, 4, 0);
     }
     /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
@@ -170,16 +170,16 @@ int test_sd_step(void)
             nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            if (sd_step(&nav, &imu, got_lon_lat_height, got_v_n, got_q_b2n_wxyz) != expected) {
                 selftest_print("sd_step: lon_lat_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_step lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("sd_step v_n", v_n, 3);
-            failures += selftest_painted("sd_step q_b2n_wxyz", q_b2n_wxyz, 4);
+            failures += selftest_painted("sd_step lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("sd_step v_n", got_v_n, 3);
+            failures += selftest_painted("sd_step q_b2n_wxyz", got_q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-6.283185307179586),
@@ -188,7 +188,7 @@ int test_sd_step(void)
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
             set_point(0, &nav, &imu);
             nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
-            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != BS_OK) {
+            if (sd_step(&nav, &imu, got_lon_lat_height, got_v_n, got_q_b2n_wxyz) != BS_OK) {
                 selftest_print("sd_step: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -203,23 +203,23 @@ int test_sd_step(void)
             set_point(0, &nav, &imu);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            if (sd_step(&nav, &imu, got_lon_lat_height, got_v_n, got_q_b2n_wxyz) != expected) {
                 selftest_print("sd_step: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_step lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("sd_step v_n", v_n, 3);
-            failures += selftest_painted("sd_step q_b2n_wxyz", q_b2n_wxyz, 4);
+            failures += selftest_painted("sd_step lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("sd_step v_n", got_v_n, 3);
+            failures += selftest_painted("sd_step q_b2n_wxyz", got_q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != BS_OK) {
+            if (sd_step(&nav, &imu, got_lon_lat_height, got_v_n, got_q_b2n_wxyz) != BS_OK) {
                 selftest_print("sd_step: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -236,16 +236,16 @@ int test_sd_step(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            if (sd_step(&nav, &imu, got_lon_lat_height, got_v_n, got_q_b2n_wxyz) != expected) {
                 selftest_print("sd_step: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_step lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("sd_step v_n", v_n, 3);
-            failures += selftest_painted("sd_step q_b2n_wxyz", q_b2n_wxyz, 4);
+            failures += selftest_painted("sd_step lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("sd_step v_n", got_v_n, 3);
+            failures += selftest_painted("sd_step q_b2n_wxyz", got_q_b2n_wxyz, 4);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -255,7 +255,7 @@ int test_sd_step(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != BS_OK) {
+            if (sd_step(&nav, &imu, got_lon_lat_height, got_v_n, got_q_b2n_wxyz) != BS_OK) {
                 selftest_print("sd_step: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -268,7 +268,7 @@ int test_sd_step(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != BS_OUT_OF_RANGE) {
+        if (sd_step(&nav, &imu, got_lon_lat_height, got_v_n, got_q_b2n_wxyz) != BS_OUT_OF_RANGE) {
             selftest_print("sd_step: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -284,23 +284,23 @@ int test_sd_step(void)
             imu.dtheta_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            if (sd_step(&nav, &imu, got_lon_lat_height, got_v_n, got_q_b2n_wxyz) != expected) {
                 selftest_print("sd_step: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_step lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("sd_step v_n", v_n, 3);
-            failures += selftest_painted("sd_step q_b2n_wxyz", q_b2n_wxyz, 4);
+            failures += selftest_painted("sd_step lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("sd_step v_n", got_v_n, 3);
+            failures += selftest_painted("sd_step q_b2n_wxyz", got_q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
             set_point(0, &nav, &imu);
             imu.dtheta_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != BS_OK) {
+            if (sd_step(&nav, &imu, got_lon_lat_height, got_v_n, got_q_b2n_wxyz) != BS_OK) {
                 selftest_print("sd_step: dtheta_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -315,23 +315,23 @@ int test_sd_step(void)
             set_point(0, &nav, &imu);
             imu.dv_b[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            if (sd_step(&nav, &imu, got_lon_lat_height, got_v_n, got_q_b2n_wxyz) != expected) {
                 selftest_print("sd_step: dv_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_step lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("sd_step v_n", v_n, 3);
-            failures += selftest_painted("sd_step q_b2n_wxyz", q_b2n_wxyz, 4);
+            failures += selftest_painted("sd_step lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("sd_step v_n", got_v_n, 3);
+            failures += selftest_painted("sd_step q_b2n_wxyz", got_q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
             set_point(0, &nav, &imu);
             imu.dv_b[i] = (end == 0) ? low[i] : high[i];
-            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != BS_OK) {
+            if (sd_step(&nav, &imu, got_lon_lat_height, got_v_n, got_q_b2n_wxyz) != BS_OK) {
                 selftest_print("sd_step: dv_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -348,23 +348,23 @@ int test_sd_step(void)
             imu.dtheta_before[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            if (sd_step(&nav, &imu, got_lon_lat_height, got_v_n, got_q_b2n_wxyz) != expected) {
                 selftest_print("sd_step: dtheta_before[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_step lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("sd_step v_n", v_n, 3);
-            failures += selftest_painted("sd_step q_b2n_wxyz", q_b2n_wxyz, 4);
+            failures += selftest_painted("sd_step lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("sd_step v_n", got_v_n, 3);
+            failures += selftest_painted("sd_step q_b2n_wxyz", got_q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
             set_point(0, &nav, &imu);
             imu.dtheta_before[i] = (end == 0) ? low[i] : high[i];
-            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != BS_OK) {
+            if (sd_step(&nav, &imu, got_lon_lat_height, got_v_n, got_q_b2n_wxyz) != BS_OK) {
                 selftest_print("sd_step: dtheta_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -381,23 +381,23 @@ int test_sd_step(void)
             imu.dv_before[i] = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            if (sd_step(&nav, &imu, got_lon_lat_height, got_v_n, got_q_b2n_wxyz) != expected) {
                 selftest_print("sd_step: dv_before[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_step lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("sd_step v_n", v_n, 3);
-            failures += selftest_painted("sd_step q_b2n_wxyz", q_b2n_wxyz, 4);
+            failures += selftest_painted("sd_step lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("sd_step v_n", got_v_n, 3);
+            failures += selftest_painted("sd_step q_b2n_wxyz", got_q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
             set_point(0, &nav, &imu);
             imu.dv_before[i] = (end == 0) ? low[i] : high[i];
-            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != BS_OK) {
+            if (sd_step(&nav, &imu, got_lon_lat_height, got_v_n, got_q_b2n_wxyz) != BS_OK) {
                 selftest_print("sd_step: dv_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -412,33 +412,33 @@ int test_sd_step(void)
             set_point(0, &nav, &imu);
             imu.dt = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lon_lat_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != expected) {
+            selftest_paint(got_lon_lat_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            if (sd_step(&nav, &imu, got_lon_lat_height, got_v_n, got_q_b2n_wxyz) != expected) {
                 selftest_print("sd_step: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("sd_step lon_lat_height", lon_lat_height, 3);
-            failures += selftest_painted("sd_step v_n", v_n, 3);
-            failures += selftest_painted("sd_step q_b2n_wxyz", q_b2n_wxyz, 4);
+            failures += selftest_painted("sd_step lon_lat_height", got_lon_lat_height, 3);
+            failures += selftest_painted("sd_step v_n", got_v_n, 3);
+            failures += selftest_painted("sd_step q_b2n_wxyz", got_q_b2n_wxyz, 4);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
             set_point(0, &nav, &imu);
             imu.dt = (end == 0) ? low[i] : high[i];
-            if (sd_step(&nav, &imu, lon_lat_height, v_n, q_b2n_wxyz) != BS_OK) {
+            if (sd_step(&nav, &imu, got_lon_lat_height, got_v_n, got_q_b2n_wxyz) != BS_OK) {
                 selftest_print("sd_step: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &imu);
-    failures += (sd_step(0, &imu, lon_lat_height, v_n, q_b2n_wxyz) != BS_NULL_POINTER);
-    failures += (sd_step(&nav, 0, lon_lat_height, v_n, q_b2n_wxyz) != BS_NULL_POINTER);
-    failures += (sd_step(&nav, &imu, 0, v_n, q_b2n_wxyz) != BS_NULL_POINTER);
-    failures += (sd_step(&nav, &imu, lon_lat_height, 0, q_b2n_wxyz) != BS_NULL_POINTER);
-    failures += (sd_step(&nav, &imu, lon_lat_height, v_n, 0) != BS_NULL_POINTER);
+    failures += (sd_step(0, &imu, got_lon_lat_height, got_v_n, got_q_b2n_wxyz) != BS_NULL_POINTER);
+    failures += (sd_step(&nav, 0, got_lon_lat_height, got_v_n, got_q_b2n_wxyz) != BS_NULL_POINTER);
+    failures += (sd_step(&nav, &imu, 0, got_v_n, got_q_b2n_wxyz) != BS_NULL_POINTER);
+    failures += (sd_step(&nav, &imu, got_lon_lat_height, 0, got_q_b2n_wxyz) != BS_NULL_POINTER);
+    failures += (sd_step(&nav, &imu, got_lon_lat_height, got_v_n, 0) != BS_NULL_POINTER);
     return failures;
 }

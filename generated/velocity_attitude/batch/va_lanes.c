@@ -1045,7 +1045,7 @@ static void propagate_lanes(block *b, const chosen *runs, const bs_given *given,
     static const unsigned short at[24] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4, 5,
                                            6, 7, 8, 9, 10, 11 };
     scratch *const s = runs->s;
-    bs_bits good = *rare;
+    bs_bits good = *rare & (b->considering < 2.0); /* none disabled */
     bs_lanes x[16];
     bs_lanes in[20];
     bs_read(&in[0], &given[0], 0, 3, runs->first, runs->n);
@@ -1332,7 +1332,11 @@ static void measure_velocity_lanes(block *b,
             return; /* the scalar function says what is wrong */
         }
     }
-    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS)) {
+    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS) ||
+        (*taking->options > (BS_INFLATE | BS_RELINEARIZE))) {
+        return;
+    }
+    if (((*taking->options & BS_RELINEARIZE) != 0U) && (*taking->iterations > 1)) {
         return;
     }
     bs_read(R, &given[3], 0, 3, runs->first, runs->n);
@@ -1385,7 +1389,11 @@ static void measure_dcm_lanes(block *b,
             return; /* the scalar function says what is wrong */
         }
     }
-    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS)) {
+    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS) ||
+        (*taking->options > (BS_INFLATE | BS_RELINEARIZE))) {
+        return;
+    }
+    if (((*taking->options & BS_RELINEARIZE) != 0U) && (*taking->iterations > 1)) {
         return;
     }
     bs_read(R, &given[2], 0, 3, runs->first, runs->n);
@@ -1439,7 +1447,11 @@ static void measure_euler_lanes(block *b,
             return; /* the scalar function says what is wrong */
         }
     }
-    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS)) {
+    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS) ||
+        (*taking->options > (BS_INFLATE | BS_RELINEARIZE))) {
+        return;
+    }
+    if (((*taking->options & BS_RELINEARIZE) != 0U) && (*taking->iterations > 1)) {
         return;
     }
     bs_read(R, &given[2], 0, 3, runs->first, runs->n);
@@ -1566,8 +1578,9 @@ static __attribute__((noinline)) void measure_velocity_alone(block *b,
                      unsigned char *status)
 {
     va_filter filter;
-    va_innovation innovation = { {0}, {0}, 0.0, 0U };
-    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations };
+    va_innovation innovation = { {0}, {0}, 0.0, 0U, 0U };
+    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations,
+                     *taking->options };
     bs_status said;
     for (unsigned int k = 0U; k < 3U; ++k) {
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
@@ -1581,7 +1594,8 @@ static __attribute__((noinline)) void measure_velocity_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        taking->used[(run * 3U) +
+                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -1613,8 +1627,9 @@ static __attribute__((noinline)) void measure_dcm_alone(block *b,
                      unsigned char *status)
 {
     va_filter filter;
-    va_innovation innovation = { {0}, {0}, 0.0, 0U };
-    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations };
+    va_innovation innovation = { {0}, {0}, 0.0, 0U, 0U };
+    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations,
+                     *taking->options };
     bs_status said;
     for (unsigned int k = 0U; k < 3U; ++k) {
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
@@ -1627,7 +1642,8 @@ static __attribute__((noinline)) void measure_dcm_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        taking->used[(run * 3U) +
+                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -1659,8 +1675,9 @@ static __attribute__((noinline)) void measure_quaternion_alone(block *b,
                      unsigned char *status)
 {
     va_filter filter;
-    va_innovation innovation = { {0}, {0}, 0.0, 0U };
-    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations };
+    va_innovation innovation = { {0}, {0}, 0.0, 0U, 0U };
+    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations,
+                     *taking->options };
     bs_status said;
     for (unsigned int k = 0U; k < 3U; ++k) {
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
@@ -1673,7 +1690,8 @@ static __attribute__((noinline)) void measure_quaternion_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        taking->used[(run * 3U) +
+                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -1702,8 +1720,9 @@ static __attribute__((noinline)) void measure_euler_alone(block *b,
                      unsigned char *status)
 {
     va_filter filter;
-    va_innovation innovation = { {0}, {0}, 0.0, 0U };
-    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations };
+    va_innovation innovation = { {0}, {0}, 0.0, 0U, 0U };
+    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations,
+                     *taking->options };
     bs_status said;
     for (unsigned int k = 0U; k < 3U; ++k) {
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
@@ -1716,7 +1735,8 @@ static __attribute__((noinline)) void measure_euler_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        taking->used[(run * 3U) +
+                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }

@@ -20,7 +20,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "4e843c91bfd3e49540f79df915cbcc8b49cc0c73dd4292e1ba602d9440c4729b"
+#define VA_MODEL_HASH "dad04069875a44cbcb47d351a801deec392dca041759529ea2ebf7bf882be7cc"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1
@@ -77,7 +77,11 @@
 #define va_filter_correct BS_FORM(va_filter_correct)
 #define va_filter_covariance BS_FORM(va_filter_covariance)
 #define va_filter_digest BS_FORM(va_filter_digest)
+#define va_filter_disable BS_FORM(va_filter_disable)
+#define va_filter_disabled BS_FORM(va_filter_disabled)
+#define va_filter_enable BS_FORM(va_filter_enable)
 #define va_filter_health BS_FORM(va_filter_health)
+#define va_filter_inflate BS_FORM(va_filter_inflate)
 #define va_filter_init BS_FORM(va_filter_init)
 #define va_filter_init_blocks BS_FORM(va_filter_init_blocks)
 #define va_filter_init_sigmas BS_FORM(va_filter_init_sigmas)
@@ -87,6 +91,7 @@
 #define va_filter_measure_velocity BS_FORM(va_filter_measure_velocity)
 #define va_filter_propagate BS_FORM(va_filter_propagate)
 #define va_filter_restore BS_FORM(va_filter_restore)
+#define va_filter_set_block BS_FORM(va_filter_set_block)
 #define va_filter_set_nav BS_FORM(va_filter_set_nav)
 #define va_filter_sigmas BS_FORM(va_filter_sigmas)
 #define va_filter_size BS_FORM(va_filter_size)

@@ -65,14 +65,14 @@ int test_va_F(void)
     int failures = 0;
     va_nav nav = {0};
     va_corrected_imu corrected_imu = {0};
-    bs_real F[256];
+    bs_real got_F[256];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu);
-        if (va_F(&nav, &corrected_imu, F) != BS_OK) {
+        if (va_F(&nav, &corrected_imu, got_F) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("va_F F", v, F, 256, out_F[v], tol_F[v], at_F, 41, 0);
+        failures += selftest_compare("va_F F", v, got_F, 256, out_F[v], tol_F[v], at_F, 41, 0);
     }
     /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -85,12 +85,12 @@ int test_va_F(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 256);
-            if (va_F(&nav, &corrected_imu, F) != expected) {
+            selftest_paint(got_F, 256);
+            if (va_F(&nav, &corrected_imu, got_F) != expected) {
                 selftest_print("va_F: lat_lon_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_F F", F, 256);
+            failures += selftest_painted("va_F F", got_F, 256);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -99,7 +99,7 @@ int test_va_F(void)
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
             set_point(0, &nav, &corrected_imu);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
-            if (va_F(&nav, &corrected_imu, F) != BS_OK) {
+            if (va_F(&nav, &corrected_imu, got_F) != BS_OK) {
                 selftest_print("va_F: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -114,19 +114,19 @@ int test_va_F(void)
             set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 256);
-            if (va_F(&nav, &corrected_imu, F) != expected) {
+            selftest_paint(got_F, 256);
+            if (va_F(&nav, &corrected_imu, got_F) != expected) {
                 selftest_print("va_F: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_F F", F, 256);
+            failures += selftest_painted("va_F F", got_F, 256);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (va_F(&nav, &corrected_imu, F) != BS_OK) {
+            if (va_F(&nav, &corrected_imu, got_F) != BS_OK) {
                 selftest_print("va_F: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -143,12 +143,12 @@ int test_va_F(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 256);
-            if (va_F(&nav, &corrected_imu, F) != expected) {
+            selftest_paint(got_F, 256);
+            if (va_F(&nav, &corrected_imu, got_F) != expected) {
                 selftest_print("va_F: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_F F", F, 256);
+            failures += selftest_painted("va_F F", got_F, 256);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -158,7 +158,7 @@ int test_va_F(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_F(&nav, &corrected_imu, F) != BS_OK) {
+            if (va_F(&nav, &corrected_imu, got_F) != BS_OK) {
                 selftest_print("va_F: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -171,7 +171,7 @@ int test_va_F(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_F(&nav, &corrected_imu, F) != BS_OUT_OF_RANGE) {
+        if (va_F(&nav, &corrected_imu, got_F) != BS_OUT_OF_RANGE) {
             selftest_print("va_F: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -186,30 +186,30 @@ int test_va_F(void)
             corrected_imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 256);
-            if (va_F(&nav, &corrected_imu, F) != expected) {
+            selftest_paint(got_F, 256);
+            if (va_F(&nav, &corrected_imu, got_F) != expected) {
                 selftest_print("va_F: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_F F", F, 256);
+            failures += selftest_painted("va_F F", got_F, 256);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
             set_point(0, &nav, &corrected_imu);
             corrected_imu.f_b[i] = (end == 0) ? low[i] : high[i];
-            if (va_F(&nav, &corrected_imu, F) != BS_OK) {
+            if (va_F(&nav, &corrected_imu, got_F) != BS_OK) {
                 selftest_print("va_F: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &corrected_imu);
-    failures += (va_F(0, &corrected_imu, F) != BS_NULL_POINTER);
-    failures += (va_F(&nav, 0, F) != BS_NULL_POINTER);
+    failures += (va_F(0, &corrected_imu, got_F) != BS_NULL_POINTER);
+    failures += (va_F(&nav, 0, got_F) != BS_NULL_POINTER);
     failures += (va_F(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
-    failures += (va_F_nz(0, &corrected_imu, F) != BS_NULL_POINTER);
-    failures += (va_F_nz(&nav, 0, F) != BS_NULL_POINTER);
+    failures += (va_F_nz(0, &corrected_imu, got_F) != BS_NULL_POINTER);
+    failures += (va_F_nz(&nav, 0, got_F) != BS_NULL_POINTER);
     failures += (va_F_nz(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
     return failures;
 }

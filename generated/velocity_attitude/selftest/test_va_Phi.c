@@ -75,15 +75,15 @@ int test_va_Phi(void)
     int failures = 0;
     va_nav nav = {0};
     va_corrected_imu corrected_imu = {0};
-    bs_real Phi[256];
+    bs_real got_Phi[256];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu);
-        if (va_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
+        if (va_Phi(&nav, &corrected_imu, got_Phi) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("va_Phi Phi", v, Phi, 256, out_Phi[v], tol_Phi[v], at_Phi, 82,
-                                     0);
+        failures += selftest_compare("va_Phi Phi", v, got_Phi, 256, out_Phi[v], tol_Phi[v], at_Phi,
+                                     82, 0);
     }
     /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -96,12 +96,12 @@ int test_va_Phi(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 256);
-            if (va_Phi(&nav, &corrected_imu, Phi) != expected) {
+            selftest_paint(got_Phi, 256);
+            if (va_Phi(&nav, &corrected_imu, got_Phi) != expected) {
                 selftest_print("va_Phi: lat_lon_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_Phi Phi", Phi, 256);
+            failures += selftest_painted("va_Phi Phi", got_Phi, 256);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -110,7 +110,7 @@ int test_va_Phi(void)
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
             set_point(0, &nav, &corrected_imu);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
-            if (va_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
+            if (va_Phi(&nav, &corrected_imu, got_Phi) != BS_OK) {
                 selftest_print("va_Phi: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -125,19 +125,19 @@ int test_va_Phi(void)
             set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 256);
-            if (va_Phi(&nav, &corrected_imu, Phi) != expected) {
+            selftest_paint(got_Phi, 256);
+            if (va_Phi(&nav, &corrected_imu, got_Phi) != expected) {
                 selftest_print("va_Phi: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_Phi Phi", Phi, 256);
+            failures += selftest_painted("va_Phi Phi", got_Phi, 256);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (va_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
+            if (va_Phi(&nav, &corrected_imu, got_Phi) != BS_OK) {
                 selftest_print("va_Phi: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -154,12 +154,12 @@ int test_va_Phi(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 256);
-            if (va_Phi(&nav, &corrected_imu, Phi) != expected) {
+            selftest_paint(got_Phi, 256);
+            if (va_Phi(&nav, &corrected_imu, got_Phi) != expected) {
                 selftest_print("va_Phi: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_Phi Phi", Phi, 256);
+            failures += selftest_painted("va_Phi Phi", got_Phi, 256);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -169,7 +169,7 @@ int test_va_Phi(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
+            if (va_Phi(&nav, &corrected_imu, got_Phi) != BS_OK) {
                 selftest_print("va_Phi: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -182,7 +182,7 @@ int test_va_Phi(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_Phi(&nav, &corrected_imu, Phi) != BS_OUT_OF_RANGE) {
+        if (va_Phi(&nav, &corrected_imu, got_Phi) != BS_OUT_OF_RANGE) {
             selftest_print("va_Phi: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -197,19 +197,19 @@ int test_va_Phi(void)
             corrected_imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 256);
-            if (va_Phi(&nav, &corrected_imu, Phi) != expected) {
+            selftest_paint(got_Phi, 256);
+            if (va_Phi(&nav, &corrected_imu, got_Phi) != expected) {
                 selftest_print("va_Phi: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_Phi Phi", Phi, 256);
+            failures += selftest_painted("va_Phi Phi", got_Phi, 256);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
             set_point(0, &nav, &corrected_imu);
             corrected_imu.f_b[i] = (end == 0) ? low[i] : high[i];
-            if (va_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
+            if (va_Phi(&nav, &corrected_imu, got_Phi) != BS_OK) {
                 selftest_print("va_Phi: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -225,30 +225,30 @@ int test_va_Phi(void)
             corrected_imu.dt = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 256);
-            if (va_Phi(&nav, &corrected_imu, Phi) != expected) {
+            selftest_paint(got_Phi, 256);
+            if (va_Phi(&nav, &corrected_imu, got_Phi) != expected) {
                 selftest_print("va_Phi: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_Phi Phi", Phi, 256);
+            failures += selftest_painted("va_Phi Phi", got_Phi, 256);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu);
             corrected_imu.dt = (end == 0) ? low[i] : high[i];
-            if (va_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
+            if (va_Phi(&nav, &corrected_imu, got_Phi) != BS_OK) {
                 selftest_print("va_Phi: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &corrected_imu);
-    failures += (va_Phi(0, &corrected_imu, Phi) != BS_NULL_POINTER);
-    failures += (va_Phi(&nav, 0, Phi) != BS_NULL_POINTER);
+    failures += (va_Phi(0, &corrected_imu, got_Phi) != BS_NULL_POINTER);
+    failures += (va_Phi(&nav, 0, got_Phi) != BS_NULL_POINTER);
     failures += (va_Phi(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
-    failures += (va_Phi_nz(0, &corrected_imu, Phi) != BS_NULL_POINTER);
-    failures += (va_Phi_nz(&nav, 0, Phi) != BS_NULL_POINTER);
+    failures += (va_Phi_nz(0, &corrected_imu, got_Phi) != BS_NULL_POINTER);
+    failures += (va_Phi_nz(&nav, 0, got_Phi) != BS_NULL_POINTER);
     failures += (va_Phi_nz(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -121,14 +121,14 @@ int test_va_Q(void)
     va_nav nav = {0};
     va_corrected_imu corrected_imu = {0};
     va_noise noise = {0};
-    bs_real Q[256];
+    bs_real got_Q[256];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &noise);
-        if (va_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+        if (va_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("va_Q Q", v, Q, 256, out_Q[v], tol_Q[v], at_Q, 118, 0);
+        failures += selftest_compare("va_Q Q", v, got_Q, 256, out_Q[v], tol_Q[v], at_Q, 118, 0);
     }
     /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -141,12 +141,12 @@ int test_va_Q(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 256);
-            if (va_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 256);
+            if (va_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("va_Q: lat_lon_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_Q Q", Q, 256);
+            failures += selftest_painted("va_Q Q", got_Q, 256);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -155,7 +155,7 @@ int test_va_Q(void)
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
             set_point(0, &nav, &corrected_imu, &noise);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
-            if (va_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (va_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("va_Q: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -170,19 +170,19 @@ int test_va_Q(void)
             set_point(0, &nav, &corrected_imu, &noise);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 256);
-            if (va_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 256);
+            if (va_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("va_Q: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_Q Q", Q, 256);
+            failures += selftest_painted("va_Q Q", got_Q, 256);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu, &noise);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (va_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (va_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("va_Q: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -199,12 +199,12 @@ int test_va_Q(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 256);
-            if (va_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 256);
+            if (va_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("va_Q: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_Q Q", Q, 256);
+            failures += selftest_painted("va_Q Q", got_Q, 256);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -214,7 +214,7 @@ int test_va_Q(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (va_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("va_Q: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -227,7 +227,7 @@ int test_va_Q(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_Q(&nav, &corrected_imu, &noise, Q) != BS_OUT_OF_RANGE) {
+        if (va_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OUT_OF_RANGE) {
             selftest_print("va_Q: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -242,19 +242,19 @@ int test_va_Q(void)
             corrected_imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 256);
-            if (va_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 256);
+            if (va_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("va_Q: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_Q Q", Q, 256);
+            failures += selftest_painted("va_Q Q", got_Q, 256);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
             set_point(0, &nav, &corrected_imu, &noise);
             corrected_imu.f_b[i] = (end == 0) ? low[i] : high[i];
-            if (va_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (va_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("va_Q: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -270,19 +270,19 @@ int test_va_Q(void)
             corrected_imu.dt = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 256);
-            if (va_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 256);
+            if (va_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("va_Q: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_Q Q", Q, 256);
+            failures += selftest_painted("va_Q Q", got_Q, 256);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu, &noise);
             corrected_imu.dt = (end == 0) ? low[i] : high[i];
-            if (va_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (va_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("va_Q: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -299,19 +299,19 @@ int test_va_Q(void)
             noise.gyro_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 256);
-            if (va_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 256);
+            if (va_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("va_Q: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_Q Q", Q, 256);
+            failures += selftest_painted("va_Q Q", got_Q, 256);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &noise);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
-            if (va_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (va_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("va_Q: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -328,19 +328,19 @@ int test_va_Q(void)
             noise.accel_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 256);
-            if (va_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 256);
+            if (va_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("va_Q: accel_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_Q Q", Q, 256);
+            failures += selftest_painted("va_Q Q", got_Q, 256);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu, &noise);
             noise.accel_noise[i] = (end == 0) ? low[i] : high[i];
-            if (va_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (va_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("va_Q: accel_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -357,19 +357,19 @@ int test_va_Q(void)
             noise.gyro_bias_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 256);
-            if (va_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 256);
+            if (va_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("va_Q: gyro_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_Q Q", Q, 256);
+            failures += selftest_painted("va_Q Q", got_Q, 256);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &noise);
             noise.gyro_bias_noise[i] = (end == 0) ? low[i] : high[i];
-            if (va_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (va_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("va_Q: gyro_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -386,19 +386,19 @@ int test_va_Q(void)
             noise.accel_bias_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                   : (bad == 1) ? selftest_infinity()
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 256);
-            if (va_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 256);
+            if (va_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("va_Q: accel_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_Q Q", Q, 256);
+            failures += selftest_painted("va_Q Q", got_Q, 256);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu, &noise);
             noise.accel_bias_noise[i] = (end == 0) ? low[i] : high[i];
-            if (va_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (va_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("va_Q: accel_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -415,19 +415,19 @@ int test_va_Q(void)
             noise.mu_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 256);
-            if (va_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 256);
+            if (va_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("va_Q: mu_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_Q Q", Q, 256);
+            failures += selftest_painted("va_Q Q", got_Q, 256);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &noise);
             noise.mu_noise[i] = (end == 0) ? low[i] : high[i];
-            if (va_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (va_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("va_Q: mu_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -444,32 +444,32 @@ int test_va_Q(void)
             noise.tau_noise = (bs_real)((bad == 0) ? selftest_nan()
                                         : (bad == 1) ? selftest_infinity()
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 256);
-            if (va_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 256);
+            if (va_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("va_Q: tau_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_Q Q", Q, 256);
+            failures += selftest_painted("va_Q Q", got_Q, 256);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(0.0) };
             static const bs_real high[1] = { BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &noise);
             noise.tau_noise = (end == 0) ? low[i] : high[i];
-            if (va_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (va_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("va_Q: tau_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &corrected_imu, &noise);
-    failures += (va_Q(0, &corrected_imu, &noise, Q) != BS_NULL_POINTER);
-    failures += (va_Q(&nav, 0, &noise, Q) != BS_NULL_POINTER);
-    failures += (va_Q(&nav, &corrected_imu, 0, Q) != BS_NULL_POINTER);
+    failures += (va_Q(0, &corrected_imu, &noise, got_Q) != BS_NULL_POINTER);
+    failures += (va_Q(&nav, 0, &noise, got_Q) != BS_NULL_POINTER);
+    failures += (va_Q(&nav, &corrected_imu, 0, got_Q) != BS_NULL_POINTER);
     failures += (va_Q(&nav, &corrected_imu, &noise, 0) != BS_NULL_POINTER);
-    failures += (va_Q_nz(0, &corrected_imu, &noise, Q) != BS_NULL_POINTER);
-    failures += (va_Q_nz(&nav, 0, &noise, Q) != BS_NULL_POINTER);
-    failures += (va_Q_nz(&nav, &corrected_imu, 0, Q) != BS_NULL_POINTER);
+    failures += (va_Q_nz(0, &corrected_imu, &noise, got_Q) != BS_NULL_POINTER);
+    failures += (va_Q_nz(&nav, 0, &noise, got_Q) != BS_NULL_POINTER);
+    failures += (va_Q_nz(&nav, &corrected_imu, 0, got_Q) != BS_NULL_POINTER);
     failures += (va_Q_nz(&nav, &corrected_imu, &noise, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -71,14 +71,14 @@ int test_va_dcm_H(void)
     int failures = 0;
     va_nav nav = {0};
     va_corrected_imu corrected_imu = {0};
-    bs_real H[48];
+    bs_real got_H[48];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu);
-        if (va_dcm_H(&nav, &corrected_imu, H) != BS_OK) {
+        if (va_dcm_H(&nav, &corrected_imu, got_H) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("va_dcm_H H", v, H, 48, out_H[v], tol_H[v], at_H, 15, 0);
+        failures += selftest_compare("va_dcm_H H", v, got_H, 48, out_H[v], tol_H[v], at_H, 15, 0);
     }
     /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -91,12 +91,12 @@ int test_va_dcm_H(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 48);
-            if (va_dcm_H(&nav, &corrected_imu, H) != expected) {
+            selftest_paint(got_H, 48);
+            if (va_dcm_H(&nav, &corrected_imu, got_H) != expected) {
                 selftest_print("va_dcm_H: lat_lon_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_dcm_H H", H, 48);
+            failures += selftest_painted("va_dcm_H H", got_H, 48);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -105,7 +105,7 @@ int test_va_dcm_H(void)
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
             set_point(0, &nav, &corrected_imu);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
-            if (va_dcm_H(&nav, &corrected_imu, H) != BS_OK) {
+            if (va_dcm_H(&nav, &corrected_imu, got_H) != BS_OK) {
                 selftest_print("va_dcm_H: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -120,19 +120,19 @@ int test_va_dcm_H(void)
             set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 48);
-            if (va_dcm_H(&nav, &corrected_imu, H) != expected) {
+            selftest_paint(got_H, 48);
+            if (va_dcm_H(&nav, &corrected_imu, got_H) != expected) {
                 selftest_print("va_dcm_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_dcm_H H", H, 48);
+            failures += selftest_painted("va_dcm_H H", got_H, 48);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (va_dcm_H(&nav, &corrected_imu, H) != BS_OK) {
+            if (va_dcm_H(&nav, &corrected_imu, got_H) != BS_OK) {
                 selftest_print("va_dcm_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -149,12 +149,12 @@ int test_va_dcm_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 48);
-            if (va_dcm_H(&nav, &corrected_imu, H) != expected) {
+            selftest_paint(got_H, 48);
+            if (va_dcm_H(&nav, &corrected_imu, got_H) != expected) {
                 selftest_print("va_dcm_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_dcm_H H", H, 48);
+            failures += selftest_painted("va_dcm_H H", got_H, 48);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -164,7 +164,7 @@ int test_va_dcm_H(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_dcm_H(&nav, &corrected_imu, H) != BS_OK) {
+            if (va_dcm_H(&nav, &corrected_imu, got_H) != BS_OK) {
                 selftest_print("va_dcm_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -177,7 +177,7 @@ int test_va_dcm_H(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_dcm_H(&nav, &corrected_imu, H) != BS_OUT_OF_RANGE) {
+        if (va_dcm_H(&nav, &corrected_imu, got_H) != BS_OUT_OF_RANGE) {
             selftest_print("va_dcm_H: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -193,12 +193,12 @@ int test_va_dcm_H(void)
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 48);
-            if (va_dcm_H(&nav, &corrected_imu, H) != expected) {
+            selftest_paint(got_H, 48);
+            if (va_dcm_H(&nav, &corrected_imu, got_H) != expected) {
                 selftest_print("va_dcm_H: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_dcm_H H", H, 48);
+            failures += selftest_painted("va_dcm_H H", got_H, 48);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -208,7 +208,7 @@ int test_va_dcm_H(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_dcm_H(&nav, &corrected_imu, H) != BS_OK) {
+            if (va_dcm_H(&nav, &corrected_imu, got_H) != BS_OK) {
                 selftest_print("va_dcm_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -221,7 +221,7 @@ int test_va_dcm_H(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_dcm_H(&nav, &corrected_imu, H) != BS_OUT_OF_RANGE) {
+        if (va_dcm_H(&nav, &corrected_imu, got_H) != BS_OUT_OF_RANGE) {
             selftest_print("va_dcm_H: q_b2m_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -237,30 +237,30 @@ int test_va_dcm_H(void)
             corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 48);
-            if (va_dcm_H(&nav, &corrected_imu, H) != expected) {
+            selftest_paint(got_H, 48);
+            if (va_dcm_H(&nav, &corrected_imu, got_H) != expected) {
                 selftest_print("va_dcm_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_dcm_H H", H, 48);
+            failures += selftest_painted("va_dcm_H H", got_H, 48);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
             set_point(0, &nav, &corrected_imu);
             corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (va_dcm_H(&nav, &corrected_imu, H) != BS_OK) {
+            if (va_dcm_H(&nav, &corrected_imu, got_H) != BS_OK) {
                 selftest_print("va_dcm_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &corrected_imu);
-    failures += (va_dcm_H(0, &corrected_imu, H) != BS_NULL_POINTER);
-    failures += (va_dcm_H(&nav, 0, H) != BS_NULL_POINTER);
+    failures += (va_dcm_H(0, &corrected_imu, got_H) != BS_NULL_POINTER);
+    failures += (va_dcm_H(&nav, 0, got_H) != BS_NULL_POINTER);
     failures += (va_dcm_H(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
-    failures += (va_dcm_H_nz(0, &corrected_imu, H) != BS_NULL_POINTER);
-    failures += (va_dcm_H_nz(&nav, 0, H) != BS_NULL_POINTER);
+    failures += (va_dcm_H_nz(0, &corrected_imu, got_H) != BS_NULL_POINTER);
+    failures += (va_dcm_H_nz(&nav, 0, got_H) != BS_NULL_POINTER);
     failures += (va_dcm_H_nz(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
     return failures;
 }

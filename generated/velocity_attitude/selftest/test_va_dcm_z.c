@@ -85,14 +85,14 @@ int test_va_dcm_z(void)
     va_nav nav = {0};
     va_corrected_imu corrected_imu = {0};
     va_master master = {0};
-    bs_real z[3];
+    bs_real got_z[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &master);
-        if (va_dcm_z(&nav, &corrected_imu, &master, z) != BS_OK) {
+        if (va_dcm_z(&nav, &corrected_imu, &master, got_z) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("va_dcm_z z", v, z, 3, out_z[v], tol_z[v], at_z, 3, 0);
+        failures += selftest_compare("va_dcm_z z", v, got_z, 3, out_z[v], tol_z[v], at_z, 3, 0);
     }
     /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -105,12 +105,12 @@ int test_va_dcm_z(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (va_dcm_z(&nav, &corrected_imu, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (va_dcm_z(&nav, &corrected_imu, &master, got_z) != expected) {
                 selftest_print("va_dcm_z: lat_lon_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_dcm_z z", z, 3);
+            failures += selftest_painted("va_dcm_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -119,7 +119,7 @@ int test_va_dcm_z(void)
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
             set_point(0, &nav, &corrected_imu, &master);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
-            if (va_dcm_z(&nav, &corrected_imu, &master, z) != BS_OK) {
+            if (va_dcm_z(&nav, &corrected_imu, &master, got_z) != BS_OK) {
                 selftest_print("va_dcm_z: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -134,19 +134,19 @@ int test_va_dcm_z(void)
             set_point(0, &nav, &corrected_imu, &master);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (va_dcm_z(&nav, &corrected_imu, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (va_dcm_z(&nav, &corrected_imu, &master, got_z) != expected) {
                 selftest_print("va_dcm_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_dcm_z z", z, 3);
+            failures += selftest_painted("va_dcm_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (va_dcm_z(&nav, &corrected_imu, &master, z) != BS_OK) {
+            if (va_dcm_z(&nav, &corrected_imu, &master, got_z) != BS_OK) {
                 selftest_print("va_dcm_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -163,12 +163,12 @@ int test_va_dcm_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (va_dcm_z(&nav, &corrected_imu, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (va_dcm_z(&nav, &corrected_imu, &master, got_z) != expected) {
                 selftest_print("va_dcm_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_dcm_z z", z, 3);
+            failures += selftest_painted("va_dcm_z z", got_z, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -178,7 +178,7 @@ int test_va_dcm_z(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_dcm_z(&nav, &corrected_imu, &master, z) != BS_OK) {
+            if (va_dcm_z(&nav, &corrected_imu, &master, got_z) != BS_OK) {
                 selftest_print("va_dcm_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -191,7 +191,7 @@ int test_va_dcm_z(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_dcm_z(&nav, &corrected_imu, &master, z) != BS_OUT_OF_RANGE) {
+        if (va_dcm_z(&nav, &corrected_imu, &master, got_z) != BS_OUT_OF_RANGE) {
             selftest_print("va_dcm_z: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -207,12 +207,12 @@ int test_va_dcm_z(void)
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (va_dcm_z(&nav, &corrected_imu, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (va_dcm_z(&nav, &corrected_imu, &master, got_z) != expected) {
                 selftest_print("va_dcm_z: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_dcm_z z", z, 3);
+            failures += selftest_painted("va_dcm_z z", got_z, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -222,7 +222,7 @@ int test_va_dcm_z(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_dcm_z(&nav, &corrected_imu, &master, z) != BS_OK) {
+            if (va_dcm_z(&nav, &corrected_imu, &master, got_z) != BS_OK) {
                 selftest_print("va_dcm_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -235,7 +235,7 @@ int test_va_dcm_z(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_dcm_z(&nav, &corrected_imu, &master, z) != BS_OUT_OF_RANGE) {
+        if (va_dcm_z(&nav, &corrected_imu, &master, got_z) != BS_OUT_OF_RANGE) {
             selftest_print("va_dcm_z: q_b2m_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -251,19 +251,19 @@ int test_va_dcm_z(void)
             corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (va_dcm_z(&nav, &corrected_imu, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (va_dcm_z(&nav, &corrected_imu, &master, got_z) != expected) {
                 selftest_print("va_dcm_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_dcm_z z", z, 3);
+            failures += selftest_painted("va_dcm_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
             set_point(0, &nav, &corrected_imu, &master);
             corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (va_dcm_z(&nav, &corrected_imu, &master, z) != BS_OK) {
+            if (va_dcm_z(&nav, &corrected_imu, &master, got_z) != BS_OK) {
                 selftest_print("va_dcm_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -280,12 +280,12 @@ int test_va_dcm_z(void)
             master.q_m2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (va_dcm_z(&nav, &corrected_imu, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (va_dcm_z(&nav, &corrected_imu, &master, got_z) != expected) {
                 selftest_print("va_dcm_z: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_dcm_z z", z, 3);
+            failures += selftest_painted("va_dcm_z z", got_z, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -295,7 +295,7 @@ int test_va_dcm_z(void)
             for (int j = 0; j < 4; ++j) {
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_dcm_z(&nav, &corrected_imu, &master, z) != BS_OK) {
+            if (va_dcm_z(&nav, &corrected_imu, &master, got_z) != BS_OK) {
                 selftest_print("va_dcm_z: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -308,7 +308,7 @@ int test_va_dcm_z(void)
         for (int i = 0; i < 4; ++i) {
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_dcm_z(&nav, &corrected_imu, &master, z) != BS_OUT_OF_RANGE) {
+        if (va_dcm_z(&nav, &corrected_imu, &master, got_z) != BS_OUT_OF_RANGE) {
             selftest_print("va_dcm_z: q_m2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -322,28 +322,28 @@ int test_va_dcm_z(void)
             set_point(0, &nav, &corrected_imu, &master);
             master.lag = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (va_dcm_z(&nav, &corrected_imu, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (va_dcm_z(&nav, &corrected_imu, &master, got_z) != expected) {
                 selftest_print("va_dcm_z: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_dcm_z z", z, 3);
+            failures += selftest_painted("va_dcm_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
             static const bs_real high[1] = { BS_REAL(1.0) };
             set_point(0, &nav, &corrected_imu, &master);
             master.lag = (end == 0) ? low[i] : high[i];
-            if (va_dcm_z(&nav, &corrected_imu, &master, z) != BS_OK) {
+            if (va_dcm_z(&nav, &corrected_imu, &master, got_z) != BS_OK) {
                 selftest_print("va_dcm_z: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &corrected_imu, &master);
-    failures += (va_dcm_z(0, &corrected_imu, &master, z) != BS_NULL_POINTER);
-    failures += (va_dcm_z(&nav, 0, &master, z) != BS_NULL_POINTER);
-    failures += (va_dcm_z(&nav, &corrected_imu, 0, z) != BS_NULL_POINTER);
+    failures += (va_dcm_z(0, &corrected_imu, &master, got_z) != BS_NULL_POINTER);
+    failures += (va_dcm_z(&nav, 0, &master, got_z) != BS_NULL_POINTER);
+    failures += (va_dcm_z(&nav, &corrected_imu, 0, got_z) != BS_NULL_POINTER);
     failures += (va_dcm_z(&nav, &corrected_imu, &master, 0) != BS_NULL_POINTER);
     return failures;
 }

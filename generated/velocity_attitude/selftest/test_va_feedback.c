@@ -169,31 +169,31 @@ int test_va_feedback(void)
     int failures = 0;
     bs_real x[VA_N_STATES] = {0};
     va_nav nav = {0};
-    bs_real v_n[3];
-    bs_real q_b2n_wxyz[4];
-    bs_real gyro_bias[3];
-    bs_real accel_bias[3];
-    bs_real q_b2m_wxyz[4];
-    bs_real tau[1];
+    bs_real got_v_n[3];
+    bs_real got_q_b2n_wxyz[4];
+    bs_real got_gyro_bias[3];
+    bs_real got_accel_bias[3];
+    bs_real got_q_b2m_wxyz[4];
+    bs_real got_tau[1];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, x, &nav);
-        if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                        tau) != BS_OK) {
+        if (va_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                        got_q_b2m_wxyz, got_tau) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("va_feedback v_n", v, v_n, 3, out_v_n[v], tol_v_n[v], at_v_n,
-                                     3, 0);
-        failures += selftest_compare("va_feedback q_b2n_wxyz", v, q_b2n_wxyz, 4, out_q_b2n_wxyz[v],
-                                     tol_q_b2n_wxyz[v], at_q_b2n_wxyz, 4, 0);
-        failures += selftest_compare("va_feedback gyro_bias", v, gyro_bias, 3, out_gyro_bias[v],
+        failures += selftest_compare("va_feedback v_n", v, got_v_n, 3, out_v_n[v], tol_v_n[v],
+                                     at_v_n, 3, 0);
+        failures += selftest_compare("va_feedback q_b2n_wxyz", v, got_q_b2n_wxyz, 4,
+                                     out_q_b2n_wxyz[v], tol_q_b2n_wxyz[v], at_q_b2n_wxyz, 4, 0);
+        failures += selftest_compare("va_feedback gyro_bias", v, got_gyro_bias, 3, out_gyro_bias[v],
                                      tol_gyro_bias[v], at_gyro_bias, 3, 0);
-        failures += selftest_compare("va_feedback accel_bias", v, accel_bias, 3, out_accel_bias[v],
-                                     tol_accel_bias[v], at_accel_bias, 3, 0);
-        failures += selftest_compare("va_feedback q_b2m_wxyz", v, q_b2m_wxyz, 4, out_q_b2m_wxyz[v],
-                                     tol_q_b2m_wxyz[v], at_q_b2m_wxyz, 4, 0);
-        failures += selftest_compare("va_feedback tau", v, tau, 1, out_tau[v], tol_tau[v], at_tau,
-                                     1, 0);
+        failures += selftest_compare("va_feedback accel_bias", v, got_accel_bias, 3,
+                                     out_accel_bias[v], tol_accel_bias[v], at_accel_bias, 3, 0);
+        failures += selftest_compare("va_feedback q_b2m_wxyz", v, got_q_b2m_wxyz, 4,
+                                     out_q_b2m_wxyz[v], tol_q_b2m_wxyz[v], at_q_b2m_wxyz, 4, 0);
+        failures += selftest_compare("va_feedback tau", v, got_tau, 1, out_tau[v], tol_tau[v],
+                                     at_tau, 1, 0);
     }
     /* x: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
     for (int i = 0; i < 16; ++i) {
@@ -210,23 +210,23 @@ int test_va_feedback(void)
             set_point(0, x, &nav);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                            tau) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            if (va_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                            got_q_b2m_wxyz, got_tau) != expected) {
                 selftest_print("va_feedback: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_feedback v_n", v_n, 3);
-            failures += selftest_painted("va_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("va_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("va_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("va_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("va_feedback tau", tau, 1);
+            failures += selftest_painted("va_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("va_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("va_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("va_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("va_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("va_feedback tau", got_tau, 1);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[16] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5),
@@ -245,8 +245,8 @@ int test_va_feedback(void)
                                               BS_REAL(0.5), BS_REAL(0.5), BS_REAL(1.0) };
             set_point(0, x, &nav);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                            tau) != BS_OK) {
+            if (va_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                            got_q_b2m_wxyz, got_tau) != BS_OK) {
                 selftest_print("va_feedback: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -261,31 +261,31 @@ int test_va_feedback(void)
             set_point(0, x, &nav);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                            tau) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            if (va_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                            got_q_b2m_wxyz, got_tau) != expected) {
                 selftest_print("va_feedback: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_feedback v_n", v_n, 3);
-            failures += selftest_painted("va_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("va_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("va_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("va_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("va_feedback tau", tau, 1);
+            failures += selftest_painted("va_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("va_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("va_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("va_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("va_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("va_feedback tau", got_tau, 1);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, x, &nav);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                            tau) != BS_OK) {
+            if (va_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                            got_q_b2m_wxyz, got_tau) != BS_OK) {
                 selftest_print("va_feedback: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -302,23 +302,23 @@ int test_va_feedback(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                            tau) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            if (va_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                            got_q_b2m_wxyz, got_tau) != expected) {
                 selftest_print("va_feedback: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_feedback v_n", v_n, 3);
-            failures += selftest_painted("va_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("va_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("va_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("va_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("va_feedback tau", tau, 1);
+            failures += selftest_painted("va_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("va_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("va_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("va_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("va_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("va_feedback tau", got_tau, 1);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -328,8 +328,8 @@ int test_va_feedback(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                            tau) != BS_OK) {
+            if (va_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                            got_q_b2m_wxyz, got_tau) != BS_OK) {
                 selftest_print("va_feedback: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -342,8 +342,8 @@ int test_va_feedback(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                        tau) != BS_OUT_OF_RANGE) {
+        if (va_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                        got_q_b2m_wxyz, got_tau) != BS_OUT_OF_RANGE) {
             selftest_print("va_feedback: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -362,23 +362,23 @@ int test_va_feedback(void)
             nav.gyro_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                            tau) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            if (va_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                            got_q_b2m_wxyz, got_tau) != expected) {
                 selftest_print("va_feedback: gyro_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_feedback v_n", v_n, 3);
-            failures += selftest_painted("va_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("va_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("va_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("va_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("va_feedback tau", tau, 1);
+            failures += selftest_painted("va_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("va_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("va_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("va_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("va_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("va_feedback tau", got_tau, 1);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.017453292519943295),
@@ -389,8 +389,8 @@ int test_va_feedback(void)
                                              BS_REAL(0.017453292519943295) };
             set_point(0, x, &nav);
             nav.gyro_bias[i] = (end == 0) ? low[i] : high[i];
-            if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                            tau) != BS_OK) {
+            if (va_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                            got_q_b2m_wxyz, got_tau) != BS_OK) {
                 selftest_print("va_feedback: gyro_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -407,31 +407,31 @@ int test_va_feedback(void)
             nav.accel_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                            tau) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            if (va_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                            got_q_b2m_wxyz, got_tau) != expected) {
                 selftest_print("va_feedback: accel_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_feedback v_n", v_n, 3);
-            failures += selftest_painted("va_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("va_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("va_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("va_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("va_feedback tau", tau, 1);
+            failures += selftest_painted("va_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("va_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("va_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("va_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("va_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("va_feedback tau", got_tau, 1);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
             set_point(0, x, &nav);
             nav.accel_bias[i] = (end == 0) ? low[i] : high[i];
-            if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                            tau) != BS_OK) {
+            if (va_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                            got_q_b2m_wxyz, got_tau) != BS_OK) {
                 selftest_print("va_feedback: accel_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -448,23 +448,23 @@ int test_va_feedback(void)
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                            tau) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            if (va_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                            got_q_b2m_wxyz, got_tau) != expected) {
                 selftest_print("va_feedback: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_feedback v_n", v_n, 3);
-            failures += selftest_painted("va_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("va_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("va_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("va_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("va_feedback tau", tau, 1);
+            failures += selftest_painted("va_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("va_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("va_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("va_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("va_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("va_feedback tau", got_tau, 1);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -474,8 +474,8 @@ int test_va_feedback(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                            tau) != BS_OK) {
+            if (va_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                            got_q_b2m_wxyz, got_tau) != BS_OK) {
                 selftest_print("va_feedback: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -488,8 +488,8 @@ int test_va_feedback(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                        tau) != BS_OUT_OF_RANGE) {
+        if (va_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                        got_q_b2m_wxyz, got_tau) != BS_OUT_OF_RANGE) {
             selftest_print("va_feedback: q_b2m_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -504,52 +504,52 @@ int test_va_feedback(void)
             set_point(0, x, &nav);
             nav.tau = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                            tau) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            if (va_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                            got_q_b2m_wxyz, got_tau) != expected) {
                 selftest_print("va_feedback: tau[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_feedback v_n", v_n, 3);
-            failures += selftest_painted("va_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("va_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("va_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("va_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("va_feedback tau", tau, 1);
+            failures += selftest_painted("va_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("va_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("va_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("va_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("va_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("va_feedback tau", got_tau, 1);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
             static const bs_real high[1] = { BS_REAL(1.0) };
             set_point(0, x, &nav);
             nav.tau = (end == 0) ? low[i] : high[i];
-            if (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                            tau) != BS_OK) {
+            if (va_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                            got_q_b2m_wxyz, got_tau) != BS_OK) {
                 selftest_print("va_feedback: tau[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, x, &nav);
-    failures += (va_feedback(0, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                             tau) != BS_NULL_POINTER);
-    failures += (va_feedback(x, 0, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                             tau) != BS_NULL_POINTER);
-    failures += (va_feedback(x, &nav, 0, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                             tau) != BS_NULL_POINTER);
-    failures += (va_feedback(x, &nav, v_n, 0, gyro_bias, accel_bias, q_b2m_wxyz,
-                             tau) != BS_NULL_POINTER);
-    failures += (va_feedback(x, &nav, v_n, q_b2n_wxyz, 0, accel_bias, q_b2m_wxyz,
-                             tau) != BS_NULL_POINTER);
-    failures += (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, 0, q_b2m_wxyz,
-                             tau) != BS_NULL_POINTER);
-    failures += (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, 0,
-                             tau) != BS_NULL_POINTER);
-    failures += (va_feedback(x, &nav, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                             0) != BS_NULL_POINTER);
+    failures += (va_feedback(0, &nav, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                             got_q_b2m_wxyz, got_tau) != BS_NULL_POINTER);
+    failures += (va_feedback(x, 0, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                             got_q_b2m_wxyz, got_tau) != BS_NULL_POINTER);
+    failures += (va_feedback(x, &nav, 0, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                             got_q_b2m_wxyz, got_tau) != BS_NULL_POINTER);
+    failures += (va_feedback(x, &nav, got_v_n, 0, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz,
+                             got_tau) != BS_NULL_POINTER);
+    failures += (va_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, 0, got_accel_bias, got_q_b2m_wxyz,
+                             got_tau) != BS_NULL_POINTER);
+    failures += (va_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_gyro_bias, 0, got_q_b2m_wxyz,
+                             got_tau) != BS_NULL_POINTER);
+    failures += (va_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, 0,
+                             got_tau) != BS_NULL_POINTER);
+    failures += (va_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                             got_q_b2m_wxyz, 0) != BS_NULL_POINTER);
     return failures;
 }

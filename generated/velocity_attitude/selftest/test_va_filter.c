@@ -94,10 +94,16 @@ static bs_real spread[N * N];
 static bs_real was[N];
 static bs_real gains[VA_MAX_ROWS * N];
 static unsigned char considered[N];
+static unsigned char disabled[N];
+static bs_real block[4];
+static int first_state;
+static int many_states;
 static bs_real gate;
 static bs_real joint;
 static unsigned int rows;
 static int iterations;
+static unsigned int options;
+static bs_real raised_noise[3]; /* R, raised where a row is beyond its gate */
 static bs_real sigmas[N];
 static bs_real blocks[VA_N_BLOCKS];
 static const int size_of_block[6] = { 3, 3, 3, 3, 3, 1 };
@@ -223,7 +229,7 @@ static int consider(int many)
 
 static bs_status hand_rows(va_filter *filter,
                            const bs_real *z,
-                           const bs_real *variance,
+                           bs_real *variance,
                            int m,
                            unsigned int taken,
                            bs_real limit)
@@ -233,9 +239,14 @@ static bs_status hand_rows(va_filter *filter,
     said_by_hand.nis = BS_REAL(0.0);
     memcpy(was, filter->x, sizeof(was));
     for (int i = 0; (i < m) && (status == BS_OK); ++i) {
-        bs_row row = { &dense[i * N], every, N, z[i], variance[i], limit, z[i], variance[i],
+        bs_row row = { &dense[i * N], every, N, z[i], variance[i],
+                       ((options & BS_INFLATE) != 0U) ? -limit : limit, z[i], variance[i],
                        (int)((taken >> (unsigned int)i) & 1U), &gains[i * N] };
         status = UPDATE(filter->P, filter->x, &row);
+        if (row.R > variance[i]) {
+            variance[i] = row.R;
+            said_by_hand.inflated |= 1U << (unsigned int)i;
+        }
         said_by_hand.nu[i] = row.nu;
         said_by_hand.S[i] = row.S;
         said_by_hand.used |= (unsigned int)row.used << (unsigned int)i;
@@ -290,6 +301,8 @@ static bs_status hand_measure_velocity(va_filter *filter,
     bs_real *const z = residual;
     bs_real target_[3];
     bs_status status = va_velocity_z(&filter->nav, corrected_imu, mounting, master, z);
+    memcpy(raised_noise, R, 3 * sizeof(raised_noise[0]));
+    said_by_hand.inflated = 0U;
     unmeasured = *filter;
     status = (status == BS_OK) ? va_velocity_H(&filter->nav, corrected_imu, mounting, master, dense)
         : status;
@@ -297,7 +310,7 @@ static bs_status hand_measure_velocity(va_filter *filter,
         for (int i = 0; i < 3; ++i) {
             target_[i] = z[i];
         }
-        status = hand_rows(filter, target_, R, 3, rows, gate);
+        status = hand_rows(filter, target_, raised_noise, 3, rows, gate);
     }
     return hand_settle(filter, status);
 }
@@ -309,13 +322,15 @@ static bs_status hand_measure_dcm(va_filter *filter,
     bs_real *const z = residual;
     bs_real target_[3];
     bs_status status = va_dcm_z(&filter->nav, corrected_imu, master, z);
+    memcpy(raised_noise, R, 3 * sizeof(raised_noise[0]));
+    said_by_hand.inflated = 0U;
     unmeasured = *filter;
     status = (status == BS_OK) ? va_dcm_H(&filter->nav, corrected_imu, dense) : status;
     if (status == BS_OK) {
         for (int i = 0; i < 3; ++i) {
             target_[i] = z[i];
         }
-        status = hand_rows(filter, target_, R, 3, rows, gate);
+        status = hand_rows(filter, target_, raised_noise, 3, rows, gate);
     }
     return hand_settle(filter, status);
 }
@@ -327,11 +342,40 @@ static bs_status hand_measure_quaternion(va_filter *filter,
     bs_real *const z = residual;
     bs_real target_[3];
     bs_status status = va_quaternion_z(&filter->nav, corrected_imu, master, z);
+    va_innovation all_ = { {0}, {0}, BS_REAL(0.0), 0U, 0U };
     bs_real from_[N];
     bs_real last_ = BS_REAL(0.0);
     int diverges_ = 0;
+    memcpy(raised_noise, R, 3 * sizeof(raised_noise[0]));
+    said_by_hand.inflated = 0U;
     unmeasured = *filter;
     memcpy(from_, filter->x, sizeof(from_));
+    /* row by row, each at where the others have led x */
+    for (int k = 0; (k < 3) && ((options & BS_RELINEARIZE) != 0U); ++k) {
+        status = (status == BS_OK) ? va_quaternion_H(filter->x, &filter->nav, corrected_imu, master,
+                                                     dense) : status;
+        status = (status == BS_OK) ? va_quaternion_h(filter->x, &filter->nav, corrected_imu, master,
+                                                     target_) : status;
+        if (status == BS_OK) {
+            for (int i = 0; i < 3; ++i) {
+                target_[i] = z[i] - target_[i];
+                for (int j = 0; j < N; ++j) {
+                    target_[i] += dense[(i * N) + j] * filter->x[j];
+                }
+            }
+            status = hand_rows(filter, target_, raised_noise, 3, rows & (1U << (unsigned int)k),
+                               gate);
+        }
+        all_.nu[k] = said_by_hand.nu[k];
+        all_.S[k] = said_by_hand.S[k];
+        all_.used |= said_by_hand.used;
+        all_.inflated |= said_by_hand.inflated;
+        all_.nis += said_by_hand.nis;
+    }
+    if ((options & BS_RELINEARIZE) != 0U) {
+        said_by_hand = all_;
+        return hand_settle(filter, status);
+    }
     for (int k = 0; k < iterations; ++k) {
         bs_real step_;
         status = (status == BS_OK) ? va_quaternion_H(filter->x, &filter->nav, corrected_imu, master,
@@ -347,13 +391,13 @@ static bs_status hand_measure_quaternion(va_filter *filter,
             }
             memcpy(filter->x, unmeasured.x, sizeof(unmeasured.x));
             memcpy(filter->P, unmeasured.P, sizeof(unmeasured.P));
-            status = hand_rows(filter, target_, R, 3, (k == 0) ? rows : first_said.used,
+            status = hand_rows(filter, target_, raised_noise, 3, (k == 0) ? rows : first_said.used,
                                (k == 0) ? gate : BS_REAL(0.0));
         }
         if ((status != BS_OK) && (k == 0)) {
             return status;
         }
-        step_ = hand_moved(filter, from_, R, 3);
+        step_ = hand_moved(filter, from_, raised_noise, 3);
         diverges_ = (k > 0) && ((status != BS_OK) || ((step_ > last_) && (step_ > BS_REAL(1.0))));
         if (diverges_) {
             break;
@@ -383,6 +427,8 @@ static bs_status hand_measure_euler(va_filter *filter,
     bs_real *const z = residual;
     bs_real target_[3];
     bs_status status = va_euler_z(&filter->nav, corrected_imu, master, z);
+    memcpy(raised_noise, R, 3 * sizeof(raised_noise[0]));
+    said_by_hand.inflated = 0U;
     unmeasured = *filter;
     status = (status == BS_OK) ? va_euler_H(&filter->nav, corrected_imu, master, dense) : status;
     if (status == BS_OK) {
@@ -396,7 +442,7 @@ static bs_status hand_measure_euler(va_filter *filter,
                 target_[i] -= nu - bs_wrap(nu);
             }
         }
-        status = hand_rows(filter, target_, R, 3, rows, gate);
+        status = hand_rows(filter, target_, raised_noise, 3, rows, gate);
     }
     return hand_settle(filter, status);
 }
@@ -494,7 +540,7 @@ static void quiet_velocity(void)
 
 static bs_status measure_velocity(void)
 {
-    const bs_gates gates = { rows, gate, joint, iterations };
+    const bs_gates gates = { rows, gate, joint, iterations, options };
     return va_filter_measure_velocity(&flown, &given_corrected_imu, &given_mounting, &given_master,
                                       R, &gates, &said);
 }
@@ -519,7 +565,7 @@ static void quiet_dcm(void)
 
 static bs_status measure_dcm(void)
 {
-    const bs_gates gates = { rows, gate, joint, iterations };
+    const bs_gates gates = { rows, gate, joint, iterations, options };
     return va_filter_measure_dcm(&flown, &given_corrected_imu, &given_master, R, &gates, &said);
 }
 
@@ -543,7 +589,7 @@ static void quiet_quaternion(void)
 
 static bs_status measure_quaternion(void)
 {
-    const bs_gates gates = { rows, gate, joint, iterations };
+    const bs_gates gates = { rows, gate, joint, iterations, options };
     return va_filter_measure_quaternion(&flown, &given_corrected_imu, &given_master, R, &gates,
                                         &said);
 }
@@ -568,7 +614,7 @@ static void quiet_euler(void)
 
 static bs_status measure_euler(void)
 {
-    const bs_gates gates = { rows, gate, joint, iterations };
+    const bs_gates gates = { rows, gate, joint, iterations, options };
     return va_filter_measure_euler(&flown, &given_corrected_imu, &given_master, R, &gates, &said);
 }
 
@@ -586,6 +632,26 @@ static bs_status init_sigmas(void)
 static bs_status init_blocks(void)
 {
     return va_filter_init_blocks(&flown, &given_nav, blocks);
+}
+
+static bs_status set_block(void)
+{
+    return va_filter_set_block(&flown, first_state, many_states, block);
+}
+
+static bs_status inflate(void)
+{
+    return va_filter_inflate(&flown, first_state, many_states, block);
+}
+
+static bs_status disable(void)
+{
+    return va_filter_disable(&flown, first_state, many_states);
+}
+
+static bs_status enable(void)
+{
+    return va_filter_enable(&flown, first_state, many_states, block);
 }
 
 static bs_status restore(void)
@@ -678,6 +744,7 @@ static void set_point(int k)
     joint = BS_REAL(0.0);
     rows = BS_ALL_ROWS;
     iterations = 2;
+    options = 0U;
 }
 
 /* ---- equal */
@@ -691,7 +758,9 @@ static int same(const char *what, bs_status a, bs_status b)
 static int same_said(const char *what, int m)
 {
     return expect(what, equal(said.nu, said_by_hand.nu, m) && equal(said.S, said_by_hand.S, m) &&
-                        equal(&said.nis, &said_by_hand.nis, 1) && (said.used == said_by_hand.used));
+                        equal(&said.nis, &said_by_hand.nis, 1) &&
+                            (said.used == said_by_hand.used) &&
+                            (said.inflated == said_by_hand.inflated));
 }
 
 /* Begin with an error to correct and to carry. */
@@ -808,6 +877,34 @@ static int fly(int k_point)
         failures += expect("velocity: used", (k == 3) || (said.used == (rows & 7U)));
     }
     memset(considered, 0, sizeof(considered));
+    for (int k = 0; k < 6; ++k) { /* rows beyond a gate take a larger R, all or all but one, with
+                                   * considered states or none */
+        failures += begin() + ((k == 2) ? consider(N / 2) : 0);
+        rows = (k == 1) ? ~1U : BS_ALL_ROWS;
+        gate = BS_REAL(0.0);
+        options = 0U;
+        quiet_velocity();
+        gate = (k == 4) ? BS_REAL(0.0) : BS_REAL(1e-3);
+        iterations = (k < 3) ? 3 : 1;
+        options = (k < 3) ? BS_INFLATE : BS_INFLATE;
+        hand = flown;
+        status = measure_velocity();
+        failures += same("velocity: options", status,
+                         hand_measure_velocity(&hand, &given_corrected_imu, &given_mounting,
+                                               &given_master));
+        failures += expect("velocity: is refused with options", (status == BS_OK) || (k > 2));
+        failures += bs_good(status) ? same_said("velocity: innovation with options", 3) : 0;
+        for (int i = 0; (i < 3) && (status == BS_OK); ++i) {
+            const bool larger = ((said.inflated >> (unsigned int)i) & 1U) != 0U;
+            const bs_real sigmas_off = BS_FABS(said.nu[i]) / BS_SQRT(said.S[i]);
+            failures += expect("velocity: at its gate", !larger ||
+                               ((sigmas_off <= (BS_REAL(1.001) * gate)) &&
+                                (sigmas_off >= (BS_REAL(0.999) * gate))));
+        }
+        memset(considered, 0, sizeof(considered));
+    }
+    options = 0U;
+    iterations = 2;
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     for (int k = 0; k < 6; ++k) { /* of little noise, where x may be led out of its box; a z that is
@@ -851,6 +948,33 @@ static int fly(int k_point)
         failures += expect("dcm: used", (k == 3) || (said.used == (rows & 7U)));
     }
     memset(considered, 0, sizeof(considered));
+    for (int k = 0; k < 6; ++k) { /* rows beyond a gate take a larger R, all or all but one, with
+                                   * considered states or none */
+        failures += begin() + ((k == 2) ? consider(N / 2) : 0);
+        rows = (k == 1) ? ~1U : BS_ALL_ROWS;
+        gate = BS_REAL(0.0);
+        options = 0U;
+        quiet_dcm();
+        gate = (k == 4) ? BS_REAL(0.0) : BS_REAL(1e-3);
+        iterations = (k < 3) ? 3 : 1;
+        options = (k < 3) ? BS_INFLATE : BS_INFLATE;
+        hand = flown;
+        status = measure_dcm();
+        failures += same("dcm: options", status,
+                         hand_measure_dcm(&hand, &given_corrected_imu, &given_master));
+        failures += expect("dcm: is refused with options", (status == BS_OK) || (k > 2));
+        failures += bs_good(status) ? same_said("dcm: innovation with options", 3) : 0;
+        for (int i = 0; (i < 3) && (status == BS_OK); ++i) {
+            const bool larger = ((said.inflated >> (unsigned int)i) & 1U) != 0U;
+            const bs_real sigmas_off = BS_FABS(said.nu[i]) / BS_SQRT(said.S[i]);
+            failures += expect("dcm: at its gate", !larger ||
+                               ((sigmas_off <= (BS_REAL(1.001) * gate)) &&
+                                (sigmas_off >= (BS_REAL(0.999) * gate))));
+        }
+        memset(considered, 0, sizeof(considered));
+    }
+    options = 0U;
+    iterations = 2;
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     for (int k = 0; k < 6; ++k) { /* of little noise, where x may be led out of its box; a z that is
@@ -895,6 +1019,33 @@ static int fly(int k_point)
         failures += expect("quaternion: used", (k == 3) || (said.used == (rows & 7U)));
     }
     memset(considered, 0, sizeof(considered));
+    for (int k = 0; k < 6; ++k) { /* rows beyond a gate take a larger R, all or all but one, with
+                                   * considered states or none; rows one after another */
+        failures += begin() + ((k == 2) ? consider(N / 2) : 0);
+        rows = (k == 1) ? ~1U : BS_ALL_ROWS;
+        gate = BS_REAL(0.0);
+        options = 0U;
+        quiet_quaternion();
+        gate = (k == 4) ? BS_REAL(0.0) : BS_REAL(1e-3);
+        iterations = (k < 3) ? 3 : 1;
+        options = (k < 3) ? BS_INFLATE : (k == 3) ? (BS_INFLATE | BS_RELINEARIZE) : BS_RELINEARIZE;
+        hand = flown;
+        status = measure_quaternion();
+        failures += same("quaternion: options", status,
+                         hand_measure_quaternion(&hand, &given_corrected_imu, &given_master));
+        failures += expect("quaternion: is refused with options", (status == BS_OK) || (k > 2));
+        failures += bs_good(status) ? same_said("quaternion: innovation with options", 3) : 0;
+        for (int i = 0; (i < 3) && (status == BS_OK) && false; ++i) {
+            const bool larger = ((said.inflated >> (unsigned int)i) & 1U) != 0U;
+            const bs_real sigmas_off = BS_FABS(said.nu[i]) / BS_SQRT(said.S[i]);
+            failures += expect("quaternion: at its gate", !larger ||
+                               ((sigmas_off <= (BS_REAL(1.001) * gate)) &&
+                                (sigmas_off >= (BS_REAL(0.999) * gate))));
+        }
+        memset(considered, 0, sizeof(considered));
+    }
+    options = 0U;
+    iterations = 2;
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     for (int k = 0; k < 6; ++k) { /* of little noise, where x may be led out of its box; a z that is
@@ -991,6 +1142,33 @@ static int fly(int k_point)
         failures += expect("euler: used", (k == 3) || (said.used == (rows & 7U)));
     }
     memset(considered, 0, sizeof(considered));
+    for (int k = 0; k < 6; ++k) { /* rows beyond a gate take a larger R, all or all but one, with
+                                   * considered states or none */
+        failures += begin() + ((k == 2) ? consider(N / 2) : 0);
+        rows = (k == 1) ? ~1U : BS_ALL_ROWS;
+        gate = BS_REAL(0.0);
+        options = 0U;
+        quiet_euler();
+        gate = (k == 4) ? BS_REAL(0.0) : BS_REAL(1e-3);
+        iterations = (k < 3) ? 3 : 1;
+        options = (k < 3) ? BS_INFLATE : BS_INFLATE;
+        hand = flown;
+        status = measure_euler();
+        failures += same("euler: options", status,
+                         hand_measure_euler(&hand, &given_corrected_imu, &given_master));
+        failures += expect("euler: is refused with options", (status == BS_OK) || (k > 2));
+        failures += bs_good(status) ? same_said("euler: innovation with options", 3) : 0;
+        for (int i = 0; (i < 3) && (status == BS_OK); ++i) {
+            const bool larger = ((said.inflated >> (unsigned int)i) & 1U) != 0U;
+            const bs_real sigmas_off = BS_FABS(said.nu[i]) / BS_SQRT(said.S[i]);
+            failures += expect("euler: at its gate", !larger ||
+                               ((sigmas_off <= (BS_REAL(1.001) * gate)) &&
+                                (sigmas_off >= (BS_REAL(0.999) * gate))));
+        }
+        memset(considered, 0, sizeof(considered));
+    }
+    options = 0U;
+    iterations = 2;
     rows = BS_ALL_ROWS;
     gate = BS_REAL(0.0);
     for (int k = 0; k < 6; ++k) { /* of little noise, where x may be led out of its box; a z that is
@@ -1943,6 +2121,176 @@ static int kept(void)
     return failures + begin();
 }
 
+/* P of `flown` is that of `before`, but for the states of the block: of these, among themselves, it
+ * is `kept` times what it was and `block`, or its diagonal; with the others, `kept` times what it
+ * was. */
+static int rearranged(const char *what, bs_real kept, int diagonal)
+{
+    const int end = first_state + many_states;
+    int good = (memcmp(flown.x, before.x, sizeof(flown.x)) == 0);
+    DENSE(before.P, before_ceiling);
+    DENSE(flown.P, dense);
+    for (int i = 0; i < N; ++i) {
+        for (int j = 0; j < N; ++j) {
+            const bool in_i = (i >= first_state) && (i < end);
+            const bool in_j = (j >= first_state) && (j < end);
+            const bs_real added = (diagonal == 0) ? block[((i - first_state) * many_states *
+                                                           (int)in_i * (int)in_j) +
+                                                          ((j - first_state) * (int)in_i *
+                                                           (int)in_j)]
+                : (i == j) ? block[(i - first_state) * (int)in_i] : BS_REAL(0.0);
+            const bs_real wanted = ((in_i || in_j) ? (kept * before_ceiling[(i * N) + j])
+                                    : before_ceiling[(i * N) + j]) +
+                ((in_i && in_j) ? added : BS_REAL(0.0));
+            const bs_real scale = (bs_real)(sigma[i] * sigma[j]) +
+                (BS_SQRT(before_ceiling[i * (N + 1)]) * BS_SQRT(before_ceiling[j * (N + 1)]));
+            good = good &&
+                (BS_FABS(dense[(i * N) + j] -
+                         wanted) <= (((sizeof(bs_real) == sizeof(float)) ? BS_REAL(1e-5)
+                                      : BS_REAL(1e-13)) * scale));
+        }
+    }
+    return expect(what, good);
+}
+
+/* Blocks of P: made independent, with more variance, left out and taken in. */
+static int blocks_of_P(void)
+{
+    int failures = 0;
+    bs_status status;
+    for (int k = 0; k < (2 * N); ++k) {
+        first_state = k / 2;
+        many_states = ((k % 2) != 0) && (first_state < (N - 1)) ? 2 : 1;
+        for (int i = 0; i < 4; ++i) { /* positive definite */
+            const int a = first_state + (i / many_states) % 2;
+            const int b = first_state + (i % many_states);
+            block[i] = (i < (many_states * many_states)) ? (bs_real)(0.5 * sigma[a] * sigma[b] *
+                                                                     ((a == b) ? 1.0 : 0.5))
+                : BS_REAL(0.0);
+        }
+        failures += begin();
+        before = flown;
+        failures += expect("set_block", set_block() == BS_OK) +
+            rearranged("set_block: P", BS_REAL(0.0), 0);
+        failures += begin();
+        block[1] = (bs_real)(0.25 * sigma[first_state + many_states - 1] *
+                             sigma[first_state + many_states - 1]);
+        failures += expect("inflate", inflate() == BS_OK) +
+            rearranged("inflate: P", BS_REAL(1.0), 1);
+        failures += begin() + consider(1);
+        memset(block, 0, sizeof(block));
+        failures += expect("disable", disable() == BS_OK) +
+            rearranged("disable: P", BS_REAL(0.0), 0);
+        failures += expect("disabled", va_filter_disabled(&flown, disabled) == BS_OK);
+        for (int i = 0; i < N; ++i) {
+            const bool in = (i >= first_state) && (i < (first_state + many_states));
+            failures += expect("disabled: which", disabled[i] == (in ? 1U : 0U));
+        }
+        failures += refuses("set_block: disabled", set_block, BS_OUT_OF_RANGE) +
+            refuses("inflate: disabled", inflate, BS_OUT_OF_RANGE);
+        failures += expect("snapshot", va_filter_snapshot(&flown, bytes) == BS_OK);
+        before = flown;
+        failures += begin() + expect("restore", restore() == BS_OK) +
+            expect("restore: disabled",
+                   memcmp(flown.considered, before.considered, sizeof(before.considered)) == 0);
+        /* the others go on as if these were known, and these stay so */
+        hand = flown;
+        memset(considered, 0, sizeof(considered));
+        status = propagate();
+        failures += expect("propagate: disabled",
+                           status == hand_propagate(&hand, &given_corrected_imu, &given_noise)) +
+            expect("propagate: x", equal(flown.x, hand.x, N));
+        before = hand;
+        failures += rearranged("propagate: P", BS_REAL(0.0), 0);
+        memcpy(was, flown.x, sizeof(was));
+        quiet_velocity();
+        (void)measure_velocity();
+        failures += expect("velocity: disabled",
+                           equal(&flown.x[first_state], &was[first_state], many_states));
+        set_noise(BS_REAL(1.0));
+        memcpy(was, flown.x, sizeof(was));
+        quiet_dcm();
+        (void)measure_dcm();
+        failures += expect("dcm: disabled",
+                           equal(&flown.x[first_state], &was[first_state], many_states));
+        set_noise(BS_REAL(1.0));
+        memcpy(was, flown.x, sizeof(was));
+        quiet_quaternion();
+        (void)measure_quaternion();
+        failures += expect("quaternion: disabled",
+                           equal(&flown.x[first_state], &was[first_state], many_states));
+        set_noise(BS_REAL(1.0));
+        memcpy(was, flown.x, sizeof(was));
+        quiet_euler();
+        (void)measure_euler();
+        failures += expect("euler: disabled",
+                           equal(&flown.x[first_state], &was[first_state], many_states));
+        set_noise(BS_REAL(1.0));
+        failures += expect("sigmas", va_filter_sigmas(&flown, sigmas) == BS_OK);
+        for (int i = first_state; i < (first_state + many_states); ++i) {
+            failures += expect("no variance", !(sigmas[i] > BS_REAL(0.0)));
+            block[(i - first_state) * (many_states + 1)] = (bs_real)(sigma[i] * sigma[i]);
+        }
+        before = flown;
+        failures += expect("enable", enable() == BS_OK) + rearranged("enable: P", BS_REAL(0.0), 0);
+        failures += expect("enable: all", (va_filter_disabled(&flown, disabled) == BS_OK) &&
+                           (flown.considering <= 1U));
+        for (int i = 0; i < N; ++i) {
+            failures += expect("enable: which", disabled[i] == 0U);
+        }
+        failures += expect("enable: considered", flown.considered[N - 1] == 1U) +
+            expect("inflate", inflate() == BS_OK);
+    }
+    /* what is refused */
+    failures += begin();
+    many_states = 1;
+    for (int i = 0; i < N; ++i) {
+        first_state = i;
+        for (int b = 0; b < 4; ++b) {
+            const bs_status wanted = (b < 2) ? BS_NOT_FINITE : (b == 2) ? BS_NOT_POSITIVE
+                : BS_OUT_OF_RANGE;
+            block[0] = (b == 0) ? (bs_real)selftest_nan() : (b == 1) ? (bs_real)selftest_infinity()
+                : (b == 2) ? BS_REAL(-1e-30) : (BS_REAL(1.001) * ceiling[i]);
+            failures += refuses("set_block: variance", set_block, wanted) +
+                refuses("enable: variance", enable, wanted);
+            if (b < 3) {
+                failures += refuses("inflate: variance", inflate, wanted);
+            }
+        }
+        block[0] = BS_REAL(1.5) * ceiling[i];
+        before = flown;
+        failures += expect("inflate: ceiling", inflate() == BS_AT_CEILING) +
+            expect("inflate: counted", flown.ceilings == 1U);
+        failures += expect("sigmas", va_filter_sigmas(&flown, sigmas) == BS_OK) +
+            expect("inflate: lowered", (sigmas[i] * sigmas[i]) <= (BS_REAL(1.00001) * ceiling[i]));
+        flown = before;
+    }
+    block[0] = BS_REAL(0.0);
+    for (int k = 0; k < 5; ++k) {
+        static const int most = 2147483647;
+        first_state = (k == 0) ? -1 : (k == 1) ? N : (k == 2) ? most : 0;
+        many_states = (k == 3) ? 0 : (k == 4) ? (N + 1) : 1;
+        failures += refuses("set_block: states", set_block, BS_OUT_OF_RANGE) +
+            refuses("inflate: states", inflate, BS_OUT_OF_RANGE);
+        failures += refuses("disable: states", disable, BS_OUT_OF_RANGE) +
+            refuses("enable: states", enable, BS_OUT_OF_RANGE);
+    }
+    first_state = 0;
+    many_states = 1;
+    for (int k = 0; k < (2 * N); ++k) {
+        bs_real *const value = ((k % 2) == 0) ? &flown.x[k / 2]
+            : &flown.P[((k / 2) * ((k / 2) + 3)) / 2];
+        const bs_real bad = (bs_real)selftest_nan();
+        failures += unsound("set_block: memory", set_block, value, bad) +
+            unsound("inflate: memory", inflate, value, bad);
+        failures += unsound("disable: memory", disable, value, bad) +
+            unsound("enable: memory", enable, value, bad);
+        failures += expect("nothing is disabled", flown.considering == 0U);
+    }
+    memset(considered, 0, sizeof(considered));
+    return failures;
+}
+
 static int guards(void)
 {
     int failures = begin();
@@ -2535,6 +2883,13 @@ static int guards(void)
     failures += refuses("measure_velocity: iterations", measure_velocity, BS_OUT_OF_RANGE);
     iterations = BS_MOST_ITERATIONS + 1;
     failures += refuses("measure_velocity: iterations", measure_velocity, BS_OUT_OF_RANGE);
+    iterations = 2;
+    options = BS_RELINEARIZE;
+    failures += refuses("measure_velocity: two iterations of each row", measure_velocity,
+                        BS_OUT_OF_RANGE);
+    options = (BS_INFLATE | BS_RELINEARIZE) + 1U;
+    failures += refuses("measure_velocity: options", measure_velocity, BS_OUT_OF_RANGE);
+    options = 0U;
     iterations = BS_MOST_ITERATIONS;
     rows = 0U;
     failures += expect("measure_velocity: the most iterations", measure_velocity() == BS_OK);
@@ -2544,7 +2899,7 @@ static int guards(void)
                       1.0005);
     {
         /* is not looked at */
-        const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
+        const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1, 0U };
         failures += expect("measure_velocity: a null pointer",
                            va_filter_measure_velocity(0, &given_corrected_imu, &given_mounting,
                                                       &given_master, R, &gates,
@@ -2576,6 +2931,12 @@ static int guards(void)
     failures += refuses("measure_dcm: iterations", measure_dcm, BS_OUT_OF_RANGE);
     iterations = BS_MOST_ITERATIONS + 1;
     failures += refuses("measure_dcm: iterations", measure_dcm, BS_OUT_OF_RANGE);
+    iterations = 2;
+    options = BS_RELINEARIZE;
+    failures += refuses("measure_dcm: two iterations of each row", measure_dcm, BS_OUT_OF_RANGE);
+    options = (BS_INFLATE | BS_RELINEARIZE) + 1U;
+    failures += refuses("measure_dcm: options", measure_dcm, BS_OUT_OF_RANGE);
+    options = 0U;
     iterations = BS_MOST_ITERATIONS;
     rows = 0U;
     failures += expect("measure_dcm: the most iterations", measure_dcm() == BS_OK);
@@ -2584,7 +2945,7 @@ static int guards(void)
     failures += spoil("measure_dcm: joint gate", measure_dcm, &joint, -1e-30, 1e+30 * 1.0005);
     {
         /* is not looked at */
-        const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
+        const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1, 0U };
         failures += expect("measure_dcm: a null pointer",
                            va_filter_measure_dcm(0, &given_corrected_imu, &given_master, R, &gates,
                                                  &said) == BS_NULL_POINTER);
@@ -2615,6 +2976,13 @@ static int guards(void)
     failures += refuses("measure_quaternion: iterations", measure_quaternion, BS_OUT_OF_RANGE);
     iterations = BS_MOST_ITERATIONS + 1;
     failures += refuses("measure_quaternion: iterations", measure_quaternion, BS_OUT_OF_RANGE);
+    iterations = 2;
+    options = BS_RELINEARIZE;
+    failures += refuses("measure_quaternion: two iterations of each row", measure_quaternion,
+                        BS_OUT_OF_RANGE);
+    options = (BS_INFLATE | BS_RELINEARIZE) + 1U;
+    failures += refuses("measure_quaternion: options", measure_quaternion, BS_OUT_OF_RANGE);
+    options = 0U;
     iterations = BS_MOST_ITERATIONS;
     rows = 0U;
     failures += expect("measure_quaternion: the most iterations", measure_quaternion() == BS_OK);
@@ -2624,7 +2992,7 @@ static int guards(void)
                       1.0005);
     {
         /* is not looked at */
-        const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
+        const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1, 0U };
         failures += expect("measure_quaternion: a null pointer",
                            va_filter_measure_quaternion(0, &given_corrected_imu, &given_master, R,
                                                         &gates, &said) == BS_NULL_POINTER);
@@ -2649,6 +3017,13 @@ static int guards(void)
     failures += refuses("measure_euler: iterations", measure_euler, BS_OUT_OF_RANGE);
     iterations = BS_MOST_ITERATIONS + 1;
     failures += refuses("measure_euler: iterations", measure_euler, BS_OUT_OF_RANGE);
+    iterations = 2;
+    options = BS_RELINEARIZE;
+    failures += refuses("measure_euler: two iterations of each row", measure_euler,
+                        BS_OUT_OF_RANGE);
+    options = (BS_INFLATE | BS_RELINEARIZE) + 1U;
+    failures += refuses("measure_euler: options", measure_euler, BS_OUT_OF_RANGE);
+    options = 0U;
     iterations = BS_MOST_ITERATIONS;
     rows = 0U;
     failures += expect("measure_euler: the most iterations", measure_euler() == BS_OK);
@@ -2657,7 +3032,7 @@ static int guards(void)
     failures += spoil("measure_euler: joint gate", measure_euler, &joint, -1e-30, 1e+30 * 1.0005);
     {
         /* is not looked at */
-        const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1 };
+        const bs_gates gates = { BS_ALL_ROWS, (bs_real)selftest_nan(), BS_REAL(0.0), 1, 0U };
         failures += expect("measure_euler: a null pointer",
                            va_filter_measure_euler(0, &given_corrected_imu, &given_master, R,
                                                    &gates, &said) == BS_NULL_POINTER);
@@ -2739,6 +3114,23 @@ static int guards(void)
                        va_filter_consider(0, considered) == BS_NULL_POINTER);
     failures += expect("consider: a null pointer",
                        va_filter_consider(&flown, 0) == BS_NULL_POINTER);
+    failures += expect("set_block: a null pointer",
+                       va_filter_set_block(0, 0, 1, block) == BS_NULL_POINTER);
+    failures += expect("set_block: a null pointer",
+                       va_filter_set_block(&flown, 0, 1, 0) == BS_NULL_POINTER);
+    failures += expect("inflate: a null pointer",
+                       va_filter_inflate(0, 0, 1, block) == BS_NULL_POINTER);
+    failures += expect("inflate: a null pointer",
+                       va_filter_inflate(&flown, 0, 1, 0) == BS_NULL_POINTER);
+    failures += expect("enable: a null pointer",
+                       va_filter_enable(0, 0, 1, block) == BS_NULL_POINTER);
+    failures += expect("enable: a null pointer",
+                       va_filter_enable(&flown, 0, 1, 0) == BS_NULL_POINTER);
+    failures += expect("disable: a null pointer", va_filter_disable(0, 0, 1) == BS_NULL_POINTER);
+    failures += expect("disabled: a null pointer",
+                       va_filter_disabled(0, disabled) == BS_NULL_POINTER);
+    failures += expect("disabled: a null pointer",
+                       va_filter_disabled(&flown, 0) == BS_NULL_POINTER);
     failures += expect("the filter changed", same_state(&flown, &before));
     return failures;
 }
@@ -2751,5 +3143,5 @@ int test_va_filter(void)
         failures += fly(k);
     }
     set_point(0);
-    return failures + limits() + kept() + guards();
+    return failures + limits() + kept() + blocks_of_P() + guards();
 }

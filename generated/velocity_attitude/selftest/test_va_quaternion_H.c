@@ -142,15 +142,15 @@ int test_va_quaternion_H(void)
     va_nav nav = {0};
     va_corrected_imu corrected_imu = {0};
     va_master master = {0};
-    bs_real H[48];
+    bs_real got_H[48];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, x, &nav, &corrected_imu, &master);
-        if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
+        if (va_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("va_quaternion_H H", v, H, 48, out_H[v], tol_H[v], at_H, 30,
-                                     0);
+        failures += selftest_compare("va_quaternion_H H", v, got_H, 48, out_H[v], tol_H[v], at_H,
+                                     30, 0);
     }
     /* x: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
     for (int i = 0; i < 16; ++i) {
@@ -167,12 +167,12 @@ int test_va_quaternion_H(void)
             set_point(0, x, &nav, &corrected_imu, &master);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 48);
-            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
+            selftest_paint(got_H, 48);
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != expected) {
                 selftest_print("va_quaternion_H: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_quaternion_H H", H, 48);
+            failures += selftest_painted("va_quaternion_H H", got_H, 48);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[16] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5),
@@ -191,7 +191,7 @@ int test_va_quaternion_H(void)
                                               BS_REAL(0.5), BS_REAL(0.5), BS_REAL(1.0) };
             set_point(0, x, &nav, &corrected_imu, &master);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OK) {
                 selftest_print("va_quaternion_H: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -208,13 +208,13 @@ int test_va_quaternion_H(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 48);
-            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
+            selftest_paint(got_H, 48);
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != expected) {
                 selftest_print("va_quaternion_H: lat_lon_height[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("va_quaternion_H H", H, 48);
+            failures += selftest_painted("va_quaternion_H H", got_H, 48);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -223,7 +223,7 @@ int test_va_quaternion_H(void)
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
             set_point(0, x, &nav, &corrected_imu, &master);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
-            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OK) {
                 selftest_print("va_quaternion_H: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -238,19 +238,19 @@ int test_va_quaternion_H(void)
             set_point(0, x, &nav, &corrected_imu, &master);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 48);
-            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
+            selftest_paint(got_H, 48);
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != expected) {
                 selftest_print("va_quaternion_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_quaternion_H H", H, 48);
+            failures += selftest_painted("va_quaternion_H H", got_H, 48);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, x, &nav, &corrected_imu, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OK) {
                 selftest_print("va_quaternion_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -267,13 +267,13 @@ int test_va_quaternion_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 48);
-            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
+            selftest_paint(got_H, 48);
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != expected) {
                 selftest_print("va_quaternion_H: q_b2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("va_quaternion_H H", H, 48);
+            failures += selftest_painted("va_quaternion_H H", got_H, 48);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -288,7 +288,7 @@ int test_va_quaternion_H(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OK) {
                 selftest_print("va_quaternion_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -301,7 +301,7 @@ int test_va_quaternion_H(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OUT_OF_RANGE) {
+        if (va_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OUT_OF_RANGE) {
             selftest_print("va_quaternion_H: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -318,13 +318,13 @@ int test_va_quaternion_H(void)
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 48);
-            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
+            selftest_paint(got_H, 48);
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != expected) {
                 selftest_print("va_quaternion_H: q_b2m_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("va_quaternion_H H", H, 48);
+            failures += selftest_painted("va_quaternion_H H", got_H, 48);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -339,7 +339,7 @@ int test_va_quaternion_H(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OK) {
                 selftest_print("va_quaternion_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -352,7 +352,7 @@ int test_va_quaternion_H(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OUT_OF_RANGE) {
+        if (va_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OUT_OF_RANGE) {
             selftest_print("va_quaternion_H: q_b2m_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -369,20 +369,20 @@ int test_va_quaternion_H(void)
             corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 48);
-            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
+            selftest_paint(got_H, 48);
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != expected) {
                 selftest_print("va_quaternion_H: omega_ib_b[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("va_quaternion_H H", H, 48);
+            failures += selftest_painted("va_quaternion_H H", got_H, 48);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
             set_point(0, x, &nav, &corrected_imu, &master);
             corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OK) {
                 selftest_print("va_quaternion_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -399,13 +399,13 @@ int test_va_quaternion_H(void)
             master.q_m2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 48);
-            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
+            selftest_paint(got_H, 48);
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != expected) {
                 selftest_print("va_quaternion_H: q_m2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("va_quaternion_H H", H, 48);
+            failures += selftest_painted("va_quaternion_H H", got_H, 48);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -415,7 +415,7 @@ int test_va_quaternion_H(void)
             for (int j = 0; j < 4; ++j) {
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OK) {
                 selftest_print("va_quaternion_H: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -428,7 +428,7 @@ int test_va_quaternion_H(void)
         for (int i = 0; i < 4; ++i) {
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OUT_OF_RANGE) {
+        if (va_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OUT_OF_RANGE) {
             selftest_print("va_quaternion_H: q_m2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -443,34 +443,34 @@ int test_va_quaternion_H(void)
             set_point(0, x, &nav, &corrected_imu, &master);
             master.lag = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 48);
-            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
+            selftest_paint(got_H, 48);
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != expected) {
                 selftest_print("va_quaternion_H: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_quaternion_H H", H, 48);
+            failures += selftest_painted("va_quaternion_H H", got_H, 48);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
             static const bs_real high[1] = { BS_REAL(1.0) };
             set_point(0, x, &nav, &corrected_imu, &master);
             master.lag = (end == 0) ? low[i] : high[i];
-            if (va_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
+            if (va_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OK) {
                 selftest_print("va_quaternion_H: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, x, &nav, &corrected_imu, &master);
-    failures += (va_quaternion_H(0, &nav, &corrected_imu, &master, H) != BS_NULL_POINTER);
-    failures += (va_quaternion_H(x, 0, &corrected_imu, &master, H) != BS_NULL_POINTER);
-    failures += (va_quaternion_H(x, &nav, 0, &master, H) != BS_NULL_POINTER);
-    failures += (va_quaternion_H(x, &nav, &corrected_imu, 0, H) != BS_NULL_POINTER);
+    failures += (va_quaternion_H(0, &nav, &corrected_imu, &master, got_H) != BS_NULL_POINTER);
+    failures += (va_quaternion_H(x, 0, &corrected_imu, &master, got_H) != BS_NULL_POINTER);
+    failures += (va_quaternion_H(x, &nav, 0, &master, got_H) != BS_NULL_POINTER);
+    failures += (va_quaternion_H(x, &nav, &corrected_imu, 0, got_H) != BS_NULL_POINTER);
     failures += (va_quaternion_H(x, &nav, &corrected_imu, &master, 0) != BS_NULL_POINTER);
-    failures += (va_quaternion_H_nz(0, &nav, &corrected_imu, &master, H) != BS_NULL_POINTER);
-    failures += (va_quaternion_H_nz(x, 0, &corrected_imu, &master, H) != BS_NULL_POINTER);
-    failures += (va_quaternion_H_nz(x, &nav, 0, &master, H) != BS_NULL_POINTER);
-    failures += (va_quaternion_H_nz(x, &nav, &corrected_imu, 0, H) != BS_NULL_POINTER);
+    failures += (va_quaternion_H_nz(0, &nav, &corrected_imu, &master, got_H) != BS_NULL_POINTER);
+    failures += (va_quaternion_H_nz(x, 0, &corrected_imu, &master, got_H) != BS_NULL_POINTER);
+    failures += (va_quaternion_H_nz(x, &nav, 0, &master, got_H) != BS_NULL_POINTER);
+    failures += (va_quaternion_H_nz(x, &nav, &corrected_imu, 0, got_H) != BS_NULL_POINTER);
     failures += (va_quaternion_H_nz(x, &nav, &corrected_imu, &master, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -120,14 +120,15 @@ int test_va_quaternion_h(void)
     va_nav nav = {0};
     va_corrected_imu corrected_imu = {0};
     va_master master = {0};
-    bs_real h[3];
+    bs_real got_h[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, x, &nav, &corrected_imu, &master);
-        if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
+        if (va_quaternion_h(x, &nav, &corrected_imu, &master, got_h) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("va_quaternion_h h", v, h, 3, out_h[v], tol_h[v], at_h, 3, 0);
+        failures += selftest_compare("va_quaternion_h h", v, got_h, 3, out_h[v], tol_h[v], at_h, 3,
+                                     0);
     }
     /* x: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
     for (int i = 0; i < 16; ++i) {
@@ -144,12 +145,12 @@ int test_va_quaternion_h(void)
             set_point(0, x, &nav, &corrected_imu, &master);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
-            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
+            selftest_paint(got_h, 3);
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, got_h) != expected) {
                 selftest_print("va_quaternion_h: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_quaternion_h h", h, 3);
+            failures += selftest_painted("va_quaternion_h h", got_h, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[16] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5),
@@ -168,7 +169,7 @@ int test_va_quaternion_h(void)
                                               BS_REAL(0.5), BS_REAL(0.5), BS_REAL(1.0) };
             set_point(0, x, &nav, &corrected_imu, &master);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, got_h) != BS_OK) {
                 selftest_print("va_quaternion_h: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -185,13 +186,13 @@ int test_va_quaternion_h(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
-            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
+            selftest_paint(got_h, 3);
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, got_h) != expected) {
                 selftest_print("va_quaternion_h: lat_lon_height[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("va_quaternion_h h", h, 3);
+            failures += selftest_painted("va_quaternion_h h", got_h, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -200,7 +201,7 @@ int test_va_quaternion_h(void)
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
             set_point(0, x, &nav, &corrected_imu, &master);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
-            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, got_h) != BS_OK) {
                 selftest_print("va_quaternion_h: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -215,19 +216,19 @@ int test_va_quaternion_h(void)
             set_point(0, x, &nav, &corrected_imu, &master);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
-            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
+            selftest_paint(got_h, 3);
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, got_h) != expected) {
                 selftest_print("va_quaternion_h: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_quaternion_h h", h, 3);
+            failures += selftest_painted("va_quaternion_h h", got_h, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, x, &nav, &corrected_imu, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, got_h) != BS_OK) {
                 selftest_print("va_quaternion_h: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -244,13 +245,13 @@ int test_va_quaternion_h(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
-            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
+            selftest_paint(got_h, 3);
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, got_h) != expected) {
                 selftest_print("va_quaternion_h: q_b2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("va_quaternion_h h", h, 3);
+            failures += selftest_painted("va_quaternion_h h", got_h, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -260,7 +261,7 @@ int test_va_quaternion_h(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, got_h) != BS_OK) {
                 selftest_print("va_quaternion_h: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -273,7 +274,7 @@ int test_va_quaternion_h(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OUT_OF_RANGE) {
+        if (va_quaternion_h(x, &nav, &corrected_imu, &master, got_h) != BS_OUT_OF_RANGE) {
             selftest_print("va_quaternion_h: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -290,13 +291,13 @@ int test_va_quaternion_h(void)
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
-            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
+            selftest_paint(got_h, 3);
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, got_h) != expected) {
                 selftest_print("va_quaternion_h: q_b2m_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("va_quaternion_h h", h, 3);
+            failures += selftest_painted("va_quaternion_h h", got_h, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -306,7 +307,7 @@ int test_va_quaternion_h(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, got_h) != BS_OK) {
                 selftest_print("va_quaternion_h: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -319,7 +320,7 @@ int test_va_quaternion_h(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OUT_OF_RANGE) {
+        if (va_quaternion_h(x, &nav, &corrected_imu, &master, got_h) != BS_OUT_OF_RANGE) {
             selftest_print("va_quaternion_h: q_b2m_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -336,20 +337,20 @@ int test_va_quaternion_h(void)
             corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
-            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
+            selftest_paint(got_h, 3);
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, got_h) != expected) {
                 selftest_print("va_quaternion_h: omega_ib_b[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("va_quaternion_h h", h, 3);
+            failures += selftest_painted("va_quaternion_h h", got_h, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
             set_point(0, x, &nav, &corrected_imu, &master);
             corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, got_h) != BS_OK) {
                 selftest_print("va_quaternion_h: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -366,13 +367,13 @@ int test_va_quaternion_h(void)
             master.q_m2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
-            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
+            selftest_paint(got_h, 3);
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, got_h) != expected) {
                 selftest_print("va_quaternion_h: q_m2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("va_quaternion_h h", h, 3);
+            failures += selftest_painted("va_quaternion_h h", got_h, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -382,7 +383,7 @@ int test_va_quaternion_h(void)
             for (int j = 0; j < 4; ++j) {
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, got_h) != BS_OK) {
                 selftest_print("va_quaternion_h: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -395,7 +396,7 @@ int test_va_quaternion_h(void)
         for (int i = 0; i < 4; ++i) {
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OUT_OF_RANGE) {
+        if (va_quaternion_h(x, &nav, &corrected_imu, &master, got_h) != BS_OUT_OF_RANGE) {
             selftest_print("va_quaternion_h: q_m2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -410,29 +411,29 @@ int test_va_quaternion_h(void)
             set_point(0, x, &nav, &corrected_imu, &master);
             master.lag = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
-            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != expected) {
+            selftest_paint(got_h, 3);
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, got_h) != expected) {
                 selftest_print("va_quaternion_h: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_quaternion_h h", h, 3);
+            failures += selftest_painted("va_quaternion_h h", got_h, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
             static const bs_real high[1] = { BS_REAL(1.0) };
             set_point(0, x, &nav, &corrected_imu, &master);
             master.lag = (end == 0) ? low[i] : high[i];
-            if (va_quaternion_h(x, &nav, &corrected_imu, &master, h) != BS_OK) {
+            if (va_quaternion_h(x, &nav, &corrected_imu, &master, got_h) != BS_OK) {
                 selftest_print("va_quaternion_h: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, x, &nav, &corrected_imu, &master);
-    failures += (va_quaternion_h(0, &nav, &corrected_imu, &master, h) != BS_NULL_POINTER);
-    failures += (va_quaternion_h(x, 0, &corrected_imu, &master, h) != BS_NULL_POINTER);
-    failures += (va_quaternion_h(x, &nav, 0, &master, h) != BS_NULL_POINTER);
-    failures += (va_quaternion_h(x, &nav, &corrected_imu, 0, h) != BS_NULL_POINTER);
+    failures += (va_quaternion_h(0, &nav, &corrected_imu, &master, got_h) != BS_NULL_POINTER);
+    failures += (va_quaternion_h(x, 0, &corrected_imu, &master, got_h) != BS_NULL_POINTER);
+    failures += (va_quaternion_h(x, &nav, 0, &master, got_h) != BS_NULL_POINTER);
+    failures += (va_quaternion_h(x, &nav, &corrected_imu, 0, got_h) != BS_NULL_POINTER);
     failures += (va_quaternion_h(x, &nav, &corrected_imu, &master, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -84,14 +84,15 @@ int test_va_velocity_H(void)
     va_corrected_imu corrected_imu = {0};
     va_mounting mounting = {0};
     va_master master = {0};
-    bs_real H[48];
+    bs_real got_H[48];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &mounting, &master);
-        if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != BS_OK) {
+        if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, got_H) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("va_velocity_H H", v, H, 48, out_H[v], tol_H[v], at_H, 24, 0);
+        failures += selftest_compare("va_velocity_H H", v, got_H, 48, out_H[v], tol_H[v], at_H, 24,
+                                     0);
     }
     /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -104,13 +105,13 @@ int test_va_velocity_H(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 48);
-            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != expected) {
+            selftest_paint(got_H, 48);
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, got_H) != expected) {
                 selftest_print("va_velocity_H: lat_lon_height[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("va_velocity_H H", H, 48);
+            failures += selftest_painted("va_velocity_H H", got_H, 48);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -119,7 +120,7 @@ int test_va_velocity_H(void)
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
             set_point(0, &nav, &corrected_imu, &mounting, &master);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
-            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != BS_OK) {
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, got_H) != BS_OK) {
                 selftest_print("va_velocity_H: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -134,19 +135,19 @@ int test_va_velocity_H(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 48);
-            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != expected) {
+            selftest_paint(got_H, 48);
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, got_H) != expected) {
                 selftest_print("va_velocity_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_velocity_H H", H, 48);
+            failures += selftest_painted("va_velocity_H H", got_H, 48);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu, &mounting, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != BS_OK) {
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, got_H) != BS_OK) {
                 selftest_print("va_velocity_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -163,12 +164,12 @@ int test_va_velocity_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 48);
-            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != expected) {
+            selftest_paint(got_H, 48);
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, got_H) != expected) {
                 selftest_print("va_velocity_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_velocity_H H", H, 48);
+            failures += selftest_painted("va_velocity_H H", got_H, 48);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -178,7 +179,7 @@ int test_va_velocity_H(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != BS_OK) {
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, got_H) != BS_OK) {
                 selftest_print("va_velocity_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -191,7 +192,7 @@ int test_va_velocity_H(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != BS_OUT_OF_RANGE) {
+        if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, got_H) != BS_OUT_OF_RANGE) {
             selftest_print("va_velocity_H: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -208,19 +209,19 @@ int test_va_velocity_H(void)
             corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 48);
-            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != expected) {
+            selftest_paint(got_H, 48);
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, got_H) != expected) {
                 selftest_print("va_velocity_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_velocity_H H", H, 48);
+            failures += selftest_painted("va_velocity_H H", got_H, 48);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
             set_point(0, &nav, &corrected_imu, &mounting, &master);
             corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != BS_OK) {
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, got_H) != BS_OK) {
                 selftest_print("va_velocity_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -237,19 +238,19 @@ int test_va_velocity_H(void)
             mounting.lever_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 48);
-            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != expected) {
+            selftest_paint(got_H, 48);
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, got_H) != expected) {
                 selftest_print("va_velocity_H: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_velocity_H H", H, 48);
+            failures += selftest_painted("va_velocity_H H", got_H, 48);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
             set_point(0, &nav, &corrected_imu, &mounting, &master);
             mounting.lever_b[i] = (end == 0) ? low[i] : high[i];
-            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != BS_OK) {
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, got_H) != BS_OK) {
                 selftest_print("va_velocity_H: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -264,34 +265,34 @@ int test_va_velocity_H(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master);
             master.a_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                       : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 48);
-            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != expected) {
+            selftest_paint(got_H, 48);
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, got_H) != expected) {
                 selftest_print("va_velocity_H: a_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("va_velocity_H H", H, 48);
+            failures += selftest_painted("va_velocity_H H", got_H, 48);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
             set_point(0, &nav, &corrected_imu, &mounting, &master);
             master.a_n[i] = (end == 0) ? low[i] : high[i];
-            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, H) != BS_OK) {
+            if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, got_H) != BS_OK) {
                 selftest_print("va_velocity_H: a_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &corrected_imu, &mounting, &master);
-    failures += (va_velocity_H(0, &corrected_imu, &mounting, &master, H) != BS_NULL_POINTER);
-    failures += (va_velocity_H(&nav, 0, &mounting, &master, H) != BS_NULL_POINTER);
-    failures += (va_velocity_H(&nav, &corrected_imu, 0, &master, H) != BS_NULL_POINTER);
-    failures += (va_velocity_H(&nav, &corrected_imu, &mounting, 0, H) != BS_NULL_POINTER);
+    failures += (va_velocity_H(0, &corrected_imu, &mounting, &master, got_H) != BS_NULL_POINTER);
+    failures += (va_velocity_H(&nav, 0, &mounting, &master, got_H) != BS_NULL_POINTER);
+    failures += (va_velocity_H(&nav, &corrected_imu, 0, &master, got_H) != BS_NULL_POINTER);
+    failures += (va_velocity_H(&nav, &corrected_imu, &mounting, 0, got_H) != BS_NULL_POINTER);
     failures += (va_velocity_H(&nav, &corrected_imu, &mounting, &master, 0) != BS_NULL_POINTER);
-    failures += (va_velocity_H_nz(0, &corrected_imu, &mounting, &master, H) != BS_NULL_POINTER);
-    failures += (va_velocity_H_nz(&nav, 0, &mounting, &master, H) != BS_NULL_POINTER);
-    failures += (va_velocity_H_nz(&nav, &corrected_imu, 0, &master, H) != BS_NULL_POINTER);
-    failures += (va_velocity_H_nz(&nav, &corrected_imu, &mounting, 0, H) != BS_NULL_POINTER);
+    failures += (va_velocity_H_nz(0, &corrected_imu, &mounting, &master, got_H) != BS_NULL_POINTER);
+    failures += (va_velocity_H_nz(&nav, 0, &mounting, &master, got_H) != BS_NULL_POINTER);
+    failures += (va_velocity_H_nz(&nav, &corrected_imu, 0, &master, got_H) != BS_NULL_POINTER);
+    failures += (va_velocity_H_nz(&nav, &corrected_imu, &mounting, 0, got_H) != BS_NULL_POINTER);
     failures += (va_velocity_H_nz(&nav, &corrected_imu, &mounting, &master, 0) != BS_NULL_POINTER);
     return failures;
 }

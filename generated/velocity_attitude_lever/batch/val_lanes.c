@@ -1076,7 +1076,7 @@ static void propagate_lanes(block *b, const chosen *runs, const bs_given *given,
     static const unsigned short at[24] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4, 5,
                                            6, 7, 8, 9, 10, 11 };
     scratch *const s = runs->s;
-    bs_bits good = *rare;
+    bs_bits good = *rare & (b->considering < 2.0); /* none disabled */
     bs_lanes x[19];
     bs_lanes in[20];
     bs_read(&in[0], &given[0], 0, 3, runs->first, runs->n);
@@ -1367,7 +1367,11 @@ static void measure_dcm_lanes(block *b,
             return; /* the scalar function says what is wrong */
         }
     }
-    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS)) {
+    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS) ||
+        (*taking->options > (BS_INFLATE | BS_RELINEARIZE))) {
+        return;
+    }
+    if (((*taking->options & BS_RELINEARIZE) != 0U) && (*taking->iterations > 1)) {
         return;
     }
     bs_read(R, &given[2], 0, 3, runs->first, runs->n);
@@ -1421,7 +1425,11 @@ static void measure_euler_lanes(block *b,
             return; /* the scalar function says what is wrong */
         }
     }
-    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS)) {
+    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS) ||
+        (*taking->options > (BS_INFLATE | BS_RELINEARIZE))) {
+        return;
+    }
+    if (((*taking->options & BS_RELINEARIZE) != 0U) && (*taking->iterations > 1)) {
         return;
     }
     bs_read(R, &given[2], 0, 3, runs->first, runs->n);
@@ -1475,7 +1483,11 @@ static void measure_velocity_lanes(block *b,
             return; /* the scalar function says what is wrong */
         }
     }
-    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS)) {
+    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS) ||
+        (*taking->options > (BS_INFLATE | BS_RELINEARIZE))) {
+        return;
+    }
+    if (((*taking->options & BS_RELINEARIZE) != 0U) && (*taking->iterations > 1)) {
         return;
     }
     bs_read(R, &given[2], 0, 3, runs->first, runs->n);
@@ -1603,8 +1615,9 @@ static __attribute__((noinline)) void measure_dcm_alone(block *b,
                      unsigned char *status)
 {
     val_filter filter;
-    val_innovation innovation = { {0}, {0}, 0.0, 0U };
-    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations };
+    val_innovation innovation = { {0}, {0}, 0.0, 0U, 0U };
+    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations,
+                     *taking->options };
     bs_status said;
     for (unsigned int k = 0U; k < 3U; ++k) {
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
@@ -1617,7 +1630,8 @@ static __attribute__((noinline)) void measure_dcm_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        taking->used[(run * 3U) +
+                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -1649,8 +1663,9 @@ static __attribute__((noinline)) void measure_quaternion_alone(block *b,
                      unsigned char *status)
 {
     val_filter filter;
-    val_innovation innovation = { {0}, {0}, 0.0, 0U };
-    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations };
+    val_innovation innovation = { {0}, {0}, 0.0, 0U, 0U };
+    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations,
+                     *taking->options };
     bs_status said;
     for (unsigned int k = 0U; k < 3U; ++k) {
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
@@ -1663,7 +1678,8 @@ static __attribute__((noinline)) void measure_quaternion_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        taking->used[(run * 3U) +
+                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -1692,8 +1708,9 @@ static __attribute__((noinline)) void measure_euler_alone(block *b,
                      unsigned char *status)
 {
     val_filter filter;
-    val_innovation innovation = { {0}, {0}, 0.0, 0U };
-    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations };
+    val_innovation innovation = { {0}, {0}, 0.0, 0U, 0U };
+    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations,
+                     *taking->options };
     bs_status said;
     for (unsigned int k = 0U; k < 3U; ++k) {
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
@@ -1706,7 +1723,8 @@ static __attribute__((noinline)) void measure_euler_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        taking->used[(run * 3U) +
+                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -1738,8 +1756,9 @@ static __attribute__((noinline)) void measure_velocity_alone(block *b,
                      unsigned char *status)
 {
     val_filter filter;
-    val_innovation innovation = { {0}, {0}, 0.0, 0U };
-    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations };
+    val_innovation innovation = { {0}, {0}, 0.0, 0U, 0U };
+    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations,
+                     *taking->options };
     bs_status said;
     for (unsigned int k = 0U; k < 3U; ++k) {
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
@@ -1752,7 +1771,8 @@ static __attribute__((noinline)) void measure_velocity_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        taking->used[(run * 3U) +
+                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }

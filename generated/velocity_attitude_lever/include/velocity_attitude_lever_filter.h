@@ -61,8 +61,9 @@ typedef struct {
                               * measurement */
     bs_real P[VAL_N_PACKED]; /* its covariance, in the form of the precision, see
                               * velocity_attitude_lever_covariance.h */
-    unsigned char considered[VAL_N_STATES]; /* by val_filter_consider, as is the next */
-    unsigned char considering; /* whether there is any */
+    unsigned char considered[VAL_N_STATES]; /* bit 0 by val_filter_consider, bit 1 by
+                                             * val_filter_disable */
+    unsigned char considering; /* the bits of all states */
     unsigned short rejected[VAL_N_MEASUREMENTS]; /* see val_health */
     unsigned short ceilings;
     /* scratch memory: holds nothing from one call to the next */
@@ -82,6 +83,8 @@ typedef struct {
     bs_real nis;              /* sum of nu^2 / S of the rows used, or left out by the joint gate
                                * alone: chi-square with as many degrees of freedom */
     unsigned int used;        /* bit i: row i was taken, neither masked nor gated */
+    unsigned int inflated;    /* bit i: it was taken with a larger R, see BS_INFLATE, and S has it
+                               * in it */
 } val_innovation;
 
 /* What the filter has met since it began; the counts stay at 65535. */
@@ -146,6 +149,28 @@ bs_status val_filter_propagate(val_filter *filter,
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE, BS_OUT_OF_RANGE, BS_NOT_POSITIVE: what the
  * filter holds is wrong */
 bs_status val_filter_consider(val_filter *filter, const unsigned char considered[VAL_N_STATES]);
+
+/* States first to first + count - 1 lose their covariance with all others and get `block` as their
+ * own, count x count, row-major; what the others have among themselves stays, and so does x.  For a
+ * reset: a heading that is set, a wind that has changed.
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_FINITE; BS_OUT_OF_RANGE: there are no such states, one
+ * is disabled, or a variance lies above its ceiling; BS_NOT_POSITIVE: block is not symmetric, or
+ * not positive semidefinite */
+bs_status val_filter_set_block(val_filter *filter, int first, int count, const bs_real *block);
+
+/* The variances of as many states rise by these; nothing else changes.
+ * returns as val_filter_set_block, and BS_AT_CEILING; BS_NOT_POSITIVE: one of them is negative */
+bs_status val_filter_inflate(val_filter *filter, int first, int count, const bs_real *variance);
+
+/* As many states take no part from now on: no variance, no covariance, no gain, and no noise or
+ * other state gives them any.  Their x stays, but for what a step makes of it, and counts as known.
+ * None after val_filter_init.
+ * enable lets them take part, independent of the others, with `block` as of val_filter_set_block;
+ * those that are not disabled too.  disabled says which are: 1, else 0.
+ * returns as val_filter_set_block */
+bs_status val_filter_disable(val_filter *filter, int first, int count);
+bs_status val_filter_enable(val_filter *filter, int first, int count, const bs_real *block);
+bs_status val_filter_disabled(const val_filter *filter, unsigned char disabled[VAL_N_STATES]);
 
 /* Attitude of the master: z = -e, e the turn from the computed to the measured one; rows n, e, d
  * (rad).

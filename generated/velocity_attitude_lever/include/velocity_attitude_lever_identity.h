@@ -20,7 +20,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "22a8a1263f955d32c3204f20da8cbe04d093dac8ea5dd60071e5ce9e1ff19275"
+#define VAL_MODEL_HASH "3d56eb98d4ea47bf08c380bd88b236019d0793c4176a10f4df6a4d65a23f47e4"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1
@@ -77,7 +77,11 @@
 #define val_filter_correct BS_FORM(val_filter_correct)
 #define val_filter_covariance BS_FORM(val_filter_covariance)
 #define val_filter_digest BS_FORM(val_filter_digest)
+#define val_filter_disable BS_FORM(val_filter_disable)
+#define val_filter_disabled BS_FORM(val_filter_disabled)
+#define val_filter_enable BS_FORM(val_filter_enable)
 #define val_filter_health BS_FORM(val_filter_health)
+#define val_filter_inflate BS_FORM(val_filter_inflate)
 #define val_filter_init BS_FORM(val_filter_init)
 #define val_filter_init_blocks BS_FORM(val_filter_init_blocks)
 #define val_filter_init_sigmas BS_FORM(val_filter_init_sigmas)
@@ -87,6 +91,7 @@
 #define val_filter_measure_velocity BS_FORM(val_filter_measure_velocity)
 #define val_filter_propagate BS_FORM(val_filter_propagate)
 #define val_filter_restore BS_FORM(val_filter_restore)
+#define val_filter_set_block BS_FORM(val_filter_set_block)
 #define val_filter_set_nav BS_FORM(val_filter_set_nav)
 #define val_filter_sigmas BS_FORM(val_filter_sigmas)
 #define val_filter_size BS_FORM(val_filter_size)

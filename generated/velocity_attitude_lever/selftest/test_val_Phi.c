@@ -76,15 +76,15 @@ int test_val_Phi(void)
     int failures = 0;
     val_nav nav = {0};
     val_corrected_imu corrected_imu = {0};
-    bs_real Phi[361];
+    bs_real got_Phi[361];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu);
-        if (val_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
+        if (val_Phi(&nav, &corrected_imu, got_Phi) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("val_Phi Phi", v, Phi, 361, out_Phi[v], tol_Phi[v], at_Phi, 85,
-                                     0);
+        failures += selftest_compare("val_Phi Phi", v, got_Phi, 361, out_Phi[v], tol_Phi[v], at_Phi,
+                                     85, 0);
     }
     /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -97,12 +97,12 @@ int test_val_Phi(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 361);
-            if (val_Phi(&nav, &corrected_imu, Phi) != expected) {
+            selftest_paint(got_Phi, 361);
+            if (val_Phi(&nav, &corrected_imu, got_Phi) != expected) {
                 selftest_print("val_Phi: lat_lon_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_Phi Phi", Phi, 361);
+            failures += selftest_painted("val_Phi Phi", got_Phi, 361);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -111,7 +111,7 @@ int test_val_Phi(void)
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
             set_point(0, &nav, &corrected_imu);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
-            if (val_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
+            if (val_Phi(&nav, &corrected_imu, got_Phi) != BS_OK) {
                 selftest_print("val_Phi: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -126,19 +126,19 @@ int test_val_Phi(void)
             set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 361);
-            if (val_Phi(&nav, &corrected_imu, Phi) != expected) {
+            selftest_paint(got_Phi, 361);
+            if (val_Phi(&nav, &corrected_imu, got_Phi) != expected) {
                 selftest_print("val_Phi: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_Phi Phi", Phi, 361);
+            failures += selftest_painted("val_Phi Phi", got_Phi, 361);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (val_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
+            if (val_Phi(&nav, &corrected_imu, got_Phi) != BS_OK) {
                 selftest_print("val_Phi: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -155,12 +155,12 @@ int test_val_Phi(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 361);
-            if (val_Phi(&nav, &corrected_imu, Phi) != expected) {
+            selftest_paint(got_Phi, 361);
+            if (val_Phi(&nav, &corrected_imu, got_Phi) != expected) {
                 selftest_print("val_Phi: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_Phi Phi", Phi, 361);
+            failures += selftest_painted("val_Phi Phi", got_Phi, 361);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -170,7 +170,7 @@ int test_val_Phi(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
+            if (val_Phi(&nav, &corrected_imu, got_Phi) != BS_OK) {
                 selftest_print("val_Phi: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -183,7 +183,7 @@ int test_val_Phi(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_Phi(&nav, &corrected_imu, Phi) != BS_OUT_OF_RANGE) {
+        if (val_Phi(&nav, &corrected_imu, got_Phi) != BS_OUT_OF_RANGE) {
             selftest_print("val_Phi: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -198,19 +198,19 @@ int test_val_Phi(void)
             corrected_imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 361);
-            if (val_Phi(&nav, &corrected_imu, Phi) != expected) {
+            selftest_paint(got_Phi, 361);
+            if (val_Phi(&nav, &corrected_imu, got_Phi) != expected) {
                 selftest_print("val_Phi: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_Phi Phi", Phi, 361);
+            failures += selftest_painted("val_Phi Phi", got_Phi, 361);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
             set_point(0, &nav, &corrected_imu);
             corrected_imu.f_b[i] = (end == 0) ? low[i] : high[i];
-            if (val_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
+            if (val_Phi(&nav, &corrected_imu, got_Phi) != BS_OK) {
                 selftest_print("val_Phi: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -226,30 +226,30 @@ int test_val_Phi(void)
             corrected_imu.dt = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 361);
-            if (val_Phi(&nav, &corrected_imu, Phi) != expected) {
+            selftest_paint(got_Phi, 361);
+            if (val_Phi(&nav, &corrected_imu, got_Phi) != expected) {
                 selftest_print("val_Phi: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_Phi Phi", Phi, 361);
+            failures += selftest_painted("val_Phi Phi", got_Phi, 361);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu);
             corrected_imu.dt = (end == 0) ? low[i] : high[i];
-            if (val_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
+            if (val_Phi(&nav, &corrected_imu, got_Phi) != BS_OK) {
                 selftest_print("val_Phi: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &corrected_imu);
-    failures += (val_Phi(0, &corrected_imu, Phi) != BS_NULL_POINTER);
-    failures += (val_Phi(&nav, 0, Phi) != BS_NULL_POINTER);
+    failures += (val_Phi(0, &corrected_imu, got_Phi) != BS_NULL_POINTER);
+    failures += (val_Phi(&nav, 0, got_Phi) != BS_NULL_POINTER);
     failures += (val_Phi(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
-    failures += (val_Phi_nz(0, &corrected_imu, Phi) != BS_NULL_POINTER);
-    failures += (val_Phi_nz(&nav, 0, Phi) != BS_NULL_POINTER);
+    failures += (val_Phi_nz(0, &corrected_imu, got_Phi) != BS_NULL_POINTER);
+    failures += (val_Phi_nz(&nav, 0, got_Phi) != BS_NULL_POINTER);
     failures += (val_Phi_nz(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -122,14 +122,14 @@ int test_val_Q(void)
     val_nav nav = {0};
     val_corrected_imu corrected_imu = {0};
     val_noise noise = {0};
-    bs_real Q[361];
+    bs_real got_Q[361];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &noise);
-        if (val_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+        if (val_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("val_Q Q", v, Q, 361, out_Q[v], tol_Q[v], at_Q, 118, 0);
+        failures += selftest_compare("val_Q Q", v, got_Q, 361, out_Q[v], tol_Q[v], at_Q, 118, 0);
     }
     /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -142,12 +142,12 @@ int test_val_Q(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 361);
-            if (val_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 361);
+            if (val_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("val_Q: lat_lon_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_Q Q", Q, 361);
+            failures += selftest_painted("val_Q Q", got_Q, 361);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -156,7 +156,7 @@ int test_val_Q(void)
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
             set_point(0, &nav, &corrected_imu, &noise);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
-            if (val_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (val_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("val_Q: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -171,19 +171,19 @@ int test_val_Q(void)
             set_point(0, &nav, &corrected_imu, &noise);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 361);
-            if (val_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 361);
+            if (val_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("val_Q: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_Q Q", Q, 361);
+            failures += selftest_painted("val_Q Q", got_Q, 361);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu, &noise);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (val_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (val_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("val_Q: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -200,12 +200,12 @@ int test_val_Q(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 361);
-            if (val_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 361);
+            if (val_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("val_Q: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_Q Q", Q, 361);
+            failures += selftest_painted("val_Q Q", got_Q, 361);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -215,7 +215,7 @@ int test_val_Q(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (val_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("val_Q: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -228,7 +228,7 @@ int test_val_Q(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_Q(&nav, &corrected_imu, &noise, Q) != BS_OUT_OF_RANGE) {
+        if (val_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OUT_OF_RANGE) {
             selftest_print("val_Q: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -243,19 +243,19 @@ int test_val_Q(void)
             corrected_imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 361);
-            if (val_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 361);
+            if (val_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("val_Q: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_Q Q", Q, 361);
+            failures += selftest_painted("val_Q Q", got_Q, 361);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
             set_point(0, &nav, &corrected_imu, &noise);
             corrected_imu.f_b[i] = (end == 0) ? low[i] : high[i];
-            if (val_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (val_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("val_Q: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -271,19 +271,19 @@ int test_val_Q(void)
             corrected_imu.dt = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 361);
-            if (val_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 361);
+            if (val_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("val_Q: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_Q Q", Q, 361);
+            failures += selftest_painted("val_Q Q", got_Q, 361);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu, &noise);
             corrected_imu.dt = (end == 0) ? low[i] : high[i];
-            if (val_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (val_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("val_Q: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -300,19 +300,19 @@ int test_val_Q(void)
             noise.gyro_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 361);
-            if (val_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 361);
+            if (val_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("val_Q: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_Q Q", Q, 361);
+            failures += selftest_painted("val_Q Q", got_Q, 361);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &noise);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
-            if (val_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (val_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("val_Q: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -329,19 +329,19 @@ int test_val_Q(void)
             noise.accel_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 361);
-            if (val_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 361);
+            if (val_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("val_Q: accel_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_Q Q", Q, 361);
+            failures += selftest_painted("val_Q Q", got_Q, 361);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu, &noise);
             noise.accel_noise[i] = (end == 0) ? low[i] : high[i];
-            if (val_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (val_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("val_Q: accel_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -358,19 +358,19 @@ int test_val_Q(void)
             noise.gyro_bias_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 361);
-            if (val_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 361);
+            if (val_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("val_Q: gyro_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_Q Q", Q, 361);
+            failures += selftest_painted("val_Q Q", got_Q, 361);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &noise);
             noise.gyro_bias_noise[i] = (end == 0) ? low[i] : high[i];
-            if (val_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (val_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("val_Q: gyro_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -387,19 +387,19 @@ int test_val_Q(void)
             noise.accel_bias_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                   : (bad == 1) ? selftest_infinity()
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 361);
-            if (val_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 361);
+            if (val_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("val_Q: accel_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_Q Q", Q, 361);
+            failures += selftest_painted("val_Q Q", got_Q, 361);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu, &noise);
             noise.accel_bias_noise[i] = (end == 0) ? low[i] : high[i];
-            if (val_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (val_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("val_Q: accel_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -416,19 +416,19 @@ int test_val_Q(void)
             noise.mu_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 361);
-            if (val_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 361);
+            if (val_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("val_Q: mu_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_Q Q", Q, 361);
+            failures += selftest_painted("val_Q Q", got_Q, 361);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &noise);
             noise.mu_noise[i] = (end == 0) ? low[i] : high[i];
-            if (val_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (val_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("val_Q: mu_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -445,32 +445,32 @@ int test_val_Q(void)
             noise.tau_noise = (bs_real)((bad == 0) ? selftest_nan()
                                         : (bad == 1) ? selftest_infinity()
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 361);
-            if (val_Q(&nav, &corrected_imu, &noise, Q) != expected) {
+            selftest_paint(got_Q, 361);
+            if (val_Q(&nav, &corrected_imu, &noise, got_Q) != expected) {
                 selftest_print("val_Q: tau_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_Q Q", Q, 361);
+            failures += selftest_painted("val_Q Q", got_Q, 361);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(0.0) };
             static const bs_real high[1] = { BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &noise);
             noise.tau_noise = (end == 0) ? low[i] : high[i];
-            if (val_Q(&nav, &corrected_imu, &noise, Q) != BS_OK) {
+            if (val_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
                 selftest_print("val_Q: tau_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &corrected_imu, &noise);
-    failures += (val_Q(0, &corrected_imu, &noise, Q) != BS_NULL_POINTER);
-    failures += (val_Q(&nav, 0, &noise, Q) != BS_NULL_POINTER);
-    failures += (val_Q(&nav, &corrected_imu, 0, Q) != BS_NULL_POINTER);
+    failures += (val_Q(0, &corrected_imu, &noise, got_Q) != BS_NULL_POINTER);
+    failures += (val_Q(&nav, 0, &noise, got_Q) != BS_NULL_POINTER);
+    failures += (val_Q(&nav, &corrected_imu, 0, got_Q) != BS_NULL_POINTER);
     failures += (val_Q(&nav, &corrected_imu, &noise, 0) != BS_NULL_POINTER);
-    failures += (val_Q_nz(0, &corrected_imu, &noise, Q) != BS_NULL_POINTER);
-    failures += (val_Q_nz(&nav, 0, &noise, Q) != BS_NULL_POINTER);
-    failures += (val_Q_nz(&nav, &corrected_imu, 0, Q) != BS_NULL_POINTER);
+    failures += (val_Q_nz(0, &corrected_imu, &noise, got_Q) != BS_NULL_POINTER);
+    failures += (val_Q_nz(&nav, 0, &noise, got_Q) != BS_NULL_POINTER);
+    failures += (val_Q_nz(&nav, &corrected_imu, 0, got_Q) != BS_NULL_POINTER);
     failures += (val_Q_nz(&nav, &corrected_imu, &noise, 0) != BS_NULL_POINTER);
     return failures;
 }

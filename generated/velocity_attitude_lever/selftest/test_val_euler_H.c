@@ -72,14 +72,15 @@ int test_val_euler_H(void)
     val_nav nav = {0};
     val_corrected_imu corrected_imu = {0};
     val_master master = {0};
-    bs_real H[57];
+    bs_real got_H[57];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &master);
-        if (val_euler_H(&nav, &corrected_imu, &master, H) != BS_OK) {
+        if (val_euler_H(&nav, &corrected_imu, &master, got_H) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("val_euler_H H", v, H, 57, out_H[v], tol_H[v], at_H, 17, 0);
+        failures += selftest_compare("val_euler_H H", v, got_H, 57, out_H[v], tol_H[v], at_H, 17,
+                                     0);
     }
     /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -92,13 +93,13 @@ int test_val_euler_H(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 57);
-            if (val_euler_H(&nav, &corrected_imu, &master, H) != expected) {
+            selftest_paint(got_H, 57);
+            if (val_euler_H(&nav, &corrected_imu, &master, got_H) != expected) {
                 selftest_print("val_euler_H: lat_lon_height[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("val_euler_H H", H, 57);
+            failures += selftest_painted("val_euler_H H", got_H, 57);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -107,7 +108,7 @@ int test_val_euler_H(void)
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
             set_point(0, &nav, &corrected_imu, &master);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
-            if (val_euler_H(&nav, &corrected_imu, &master, H) != BS_OK) {
+            if (val_euler_H(&nav, &corrected_imu, &master, got_H) != BS_OK) {
                 selftest_print("val_euler_H: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -122,19 +123,19 @@ int test_val_euler_H(void)
             set_point(0, &nav, &corrected_imu, &master);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 57);
-            if (val_euler_H(&nav, &corrected_imu, &master, H) != expected) {
+            selftest_paint(got_H, 57);
+            if (val_euler_H(&nav, &corrected_imu, &master, got_H) != expected) {
                 selftest_print("val_euler_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_euler_H H", H, 57);
+            failures += selftest_painted("val_euler_H H", got_H, 57);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (val_euler_H(&nav, &corrected_imu, &master, H) != BS_OK) {
+            if (val_euler_H(&nav, &corrected_imu, &master, got_H) != BS_OK) {
                 selftest_print("val_euler_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -151,12 +152,12 @@ int test_val_euler_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 57);
-            if (val_euler_H(&nav, &corrected_imu, &master, H) != expected) {
+            selftest_paint(got_H, 57);
+            if (val_euler_H(&nav, &corrected_imu, &master, got_H) != expected) {
                 selftest_print("val_euler_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_euler_H H", H, 57);
+            failures += selftest_painted("val_euler_H H", got_H, 57);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -166,7 +167,7 @@ int test_val_euler_H(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_euler_H(&nav, &corrected_imu, &master, H) != BS_OK) {
+            if (val_euler_H(&nav, &corrected_imu, &master, got_H) != BS_OK) {
                 selftest_print("val_euler_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -179,7 +180,7 @@ int test_val_euler_H(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_euler_H(&nav, &corrected_imu, &master, H) != BS_OUT_OF_RANGE) {
+        if (val_euler_H(&nav, &corrected_imu, &master, got_H) != BS_OUT_OF_RANGE) {
             selftest_print("val_euler_H: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -196,19 +197,19 @@ int test_val_euler_H(void)
             corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 57);
-            if (val_euler_H(&nav, &corrected_imu, &master, H) != expected) {
+            selftest_paint(got_H, 57);
+            if (val_euler_H(&nav, &corrected_imu, &master, got_H) != expected) {
                 selftest_print("val_euler_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_euler_H H", H, 57);
+            failures += selftest_painted("val_euler_H H", got_H, 57);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
             set_point(0, &nav, &corrected_imu, &master);
             corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (val_euler_H(&nav, &corrected_imu, &master, H) != BS_OK) {
+            if (val_euler_H(&nav, &corrected_imu, &master, got_H) != BS_OK) {
                 selftest_print("val_euler_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -227,12 +228,12 @@ int test_val_euler_H(void)
             master.euler_m[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 57);
-            if (val_euler_H(&nav, &corrected_imu, &master, H) != expected) {
+            selftest_paint(got_H, 57);
+            if (val_euler_H(&nav, &corrected_imu, &master, got_H) != expected) {
                 selftest_print("val_euler_H: euler_m[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_euler_H H", H, 57);
+            failures += selftest_painted("val_euler_H H", got_H, 57);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-3.141592653589793),
@@ -243,20 +244,20 @@ int test_val_euler_H(void)
                                              BS_REAL(3.141592653589793) };
             set_point(0, &nav, &corrected_imu, &master);
             master.euler_m[i] = (end == 0) ? low[i] : high[i];
-            if (val_euler_H(&nav, &corrected_imu, &master, H) != BS_OK) {
+            if (val_euler_H(&nav, &corrected_imu, &master, got_H) != BS_OK) {
                 selftest_print("val_euler_H: euler_m[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &corrected_imu, &master);
-    failures += (val_euler_H(0, &corrected_imu, &master, H) != BS_NULL_POINTER);
-    failures += (val_euler_H(&nav, 0, &master, H) != BS_NULL_POINTER);
-    failures += (val_euler_H(&nav, &corrected_imu, 0, H) != BS_NULL_POINTER);
+    failures += (val_euler_H(0, &corrected_imu, &master, got_H) != BS_NULL_POINTER);
+    failures += (val_euler_H(&nav, 0, &master, got_H) != BS_NULL_POINTER);
+    failures += (val_euler_H(&nav, &corrected_imu, 0, got_H) != BS_NULL_POINTER);
     failures += (val_euler_H(&nav, &corrected_imu, &master, 0) != BS_NULL_POINTER);
-    failures += (val_euler_H_nz(0, &corrected_imu, &master, H) != BS_NULL_POINTER);
-    failures += (val_euler_H_nz(&nav, 0, &master, H) != BS_NULL_POINTER);
-    failures += (val_euler_H_nz(&nav, &corrected_imu, 0, H) != BS_NULL_POINTER);
+    failures += (val_euler_H_nz(0, &corrected_imu, &master, got_H) != BS_NULL_POINTER);
+    failures += (val_euler_H_nz(&nav, 0, &master, got_H) != BS_NULL_POINTER);
+    failures += (val_euler_H_nz(&nav, &corrected_imu, 0, got_H) != BS_NULL_POINTER);
     failures += (val_euler_H_nz(&nav, &corrected_imu, &master, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -112,21 +112,22 @@ int test_val_expected(void)
     val_nav nav = {0};
     val_corrected_imu corrected_imu = {0};
     val_mounting mounting = {0};
-    bs_real v_m_n[3];
-    bs_real q_m2n_wxyz[4];
-    bs_real omega_nb_n[3];
+    bs_real got_v_m_n[3];
+    bs_real got_q_m2n_wxyz[4];
+    bs_real got_omega_nb_n[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &mounting);
-        if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz, omega_nb_n) != BS_OK) {
+        if (val_expected(&nav, &corrected_imu, &mounting, got_v_m_n, got_q_m2n_wxyz,
+                         got_omega_nb_n) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("val_expected v_m_n", v, v_m_n, 3, out_v_m_n[v], tol_v_m_n[v],
-                                     at_v_m_n, 3, 0);
-        failures += selftest_compare("val_expected q_m2n_wxyz", v, q_m2n_wxyz, 4, out_q_m2n_wxyz[v],
-                                     tol_q_m2n_wxyz[v], at_q_m2n_wxyz, 4, 0);
-        failures += selftest_compare("val_expected omega_nb_n", v, omega_nb_n, 3, out_omega_nb_n[v],
-                                     tol_omega_nb_n[v], at_omega_nb_n, 3, 0);
+        failures += selftest_compare("val_expected v_m_n", v, got_v_m_n, 3, out_v_m_n[v],
+                                     tol_v_m_n[v], at_v_m_n, 3, 0);
+        failures += selftest_compare("val_expected q_m2n_wxyz", v, got_q_m2n_wxyz, 4,
+                                     out_q_m2n_wxyz[v], tol_q_m2n_wxyz[v], at_q_m2n_wxyz, 4, 0);
+        failures += selftest_compare("val_expected omega_nb_n", v, got_omega_nb_n, 3,
+                                     out_omega_nb_n[v], tol_omega_nb_n[v], at_omega_nb_n, 3, 0);
     }
     /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -139,18 +140,18 @@ int test_val_expected(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_m_n, 3);
-            selftest_paint(q_m2n_wxyz, 4);
-            selftest_paint(omega_nb_n, 3);
-            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != expected) {
+            selftest_paint(got_v_m_n, 3);
+            selftest_paint(got_q_m2n_wxyz, 4);
+            selftest_paint(got_omega_nb_n, 3);
+            if (val_expected(&nav, &corrected_imu, &mounting, got_v_m_n, got_q_m2n_wxyz,
+                             got_omega_nb_n) != expected) {
                 selftest_print("val_expected: lat_lon_height[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("val_expected v_m_n", v_m_n, 3);
-            failures += selftest_painted("val_expected q_m2n_wxyz", q_m2n_wxyz, 4);
-            failures += selftest_painted("val_expected omega_nb_n", omega_nb_n, 3);
+            failures += selftest_painted("val_expected v_m_n", got_v_m_n, 3);
+            failures += selftest_painted("val_expected q_m2n_wxyz", got_q_m2n_wxyz, 4);
+            failures += selftest_painted("val_expected omega_nb_n", got_omega_nb_n, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -159,8 +160,8 @@ int test_val_expected(void)
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
             set_point(0, &nav, &corrected_imu, &mounting);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
-            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != BS_OK) {
+            if (val_expected(&nav, &corrected_imu, &mounting, got_v_m_n, got_q_m2n_wxyz,
+                             got_omega_nb_n) != BS_OK) {
                 selftest_print("val_expected: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -175,25 +176,25 @@ int test_val_expected(void)
             set_point(0, &nav, &corrected_imu, &mounting);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_m_n, 3);
-            selftest_paint(q_m2n_wxyz, 4);
-            selftest_paint(omega_nb_n, 3);
-            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != expected) {
+            selftest_paint(got_v_m_n, 3);
+            selftest_paint(got_q_m2n_wxyz, 4);
+            selftest_paint(got_omega_nb_n, 3);
+            if (val_expected(&nav, &corrected_imu, &mounting, got_v_m_n, got_q_m2n_wxyz,
+                             got_omega_nb_n) != expected) {
                 selftest_print("val_expected: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_expected v_m_n", v_m_n, 3);
-            failures += selftest_painted("val_expected q_m2n_wxyz", q_m2n_wxyz, 4);
-            failures += selftest_painted("val_expected omega_nb_n", omega_nb_n, 3);
+            failures += selftest_painted("val_expected v_m_n", got_v_m_n, 3);
+            failures += selftest_painted("val_expected q_m2n_wxyz", got_q_m2n_wxyz, 4);
+            failures += selftest_painted("val_expected omega_nb_n", got_omega_nb_n, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu, &mounting);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != BS_OK) {
+            if (val_expected(&nav, &corrected_imu, &mounting, got_v_m_n, got_q_m2n_wxyz,
+                             got_omega_nb_n) != BS_OK) {
                 selftest_print("val_expected: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -210,17 +211,17 @@ int test_val_expected(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_m_n, 3);
-            selftest_paint(q_m2n_wxyz, 4);
-            selftest_paint(omega_nb_n, 3);
-            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != expected) {
+            selftest_paint(got_v_m_n, 3);
+            selftest_paint(got_q_m2n_wxyz, 4);
+            selftest_paint(got_omega_nb_n, 3);
+            if (val_expected(&nav, &corrected_imu, &mounting, got_v_m_n, got_q_m2n_wxyz,
+                             got_omega_nb_n) != expected) {
                 selftest_print("val_expected: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_expected v_m_n", v_m_n, 3);
-            failures += selftest_painted("val_expected q_m2n_wxyz", q_m2n_wxyz, 4);
-            failures += selftest_painted("val_expected omega_nb_n", omega_nb_n, 3);
+            failures += selftest_painted("val_expected v_m_n", got_v_m_n, 3);
+            failures += selftest_painted("val_expected q_m2n_wxyz", got_q_m2n_wxyz, 4);
+            failures += selftest_painted("val_expected omega_nb_n", got_omega_nb_n, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -230,8 +231,8 @@ int test_val_expected(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != BS_OK) {
+            if (val_expected(&nav, &corrected_imu, &mounting, got_v_m_n, got_q_m2n_wxyz,
+                             got_omega_nb_n) != BS_OK) {
                 selftest_print("val_expected: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -244,8 +245,8 @@ int test_val_expected(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
-                         omega_nb_n) != BS_OUT_OF_RANGE) {
+        if (val_expected(&nav, &corrected_imu, &mounting, got_v_m_n, got_q_m2n_wxyz,
+                         got_omega_nb_n) != BS_OUT_OF_RANGE) {
             selftest_print("val_expected: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -262,17 +263,17 @@ int test_val_expected(void)
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_m_n, 3);
-            selftest_paint(q_m2n_wxyz, 4);
-            selftest_paint(omega_nb_n, 3);
-            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != expected) {
+            selftest_paint(got_v_m_n, 3);
+            selftest_paint(got_q_m2n_wxyz, 4);
+            selftest_paint(got_omega_nb_n, 3);
+            if (val_expected(&nav, &corrected_imu, &mounting, got_v_m_n, got_q_m2n_wxyz,
+                             got_omega_nb_n) != expected) {
                 selftest_print("val_expected: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_expected v_m_n", v_m_n, 3);
-            failures += selftest_painted("val_expected q_m2n_wxyz", q_m2n_wxyz, 4);
-            failures += selftest_painted("val_expected omega_nb_n", omega_nb_n, 3);
+            failures += selftest_painted("val_expected v_m_n", got_v_m_n, 3);
+            failures += selftest_painted("val_expected q_m2n_wxyz", got_q_m2n_wxyz, 4);
+            failures += selftest_painted("val_expected omega_nb_n", got_omega_nb_n, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -282,8 +283,8 @@ int test_val_expected(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != BS_OK) {
+            if (val_expected(&nav, &corrected_imu, &mounting, got_v_m_n, got_q_m2n_wxyz,
+                             got_omega_nb_n) != BS_OK) {
                 selftest_print("val_expected: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -296,8 +297,8 @@ int test_val_expected(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
-                         omega_nb_n) != BS_OUT_OF_RANGE) {
+        if (val_expected(&nav, &corrected_imu, &mounting, got_v_m_n, got_q_m2n_wxyz,
+                         got_omega_nb_n) != BS_OUT_OF_RANGE) {
             selftest_print("val_expected: q_b2m_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -314,25 +315,25 @@ int test_val_expected(void)
             corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_m_n, 3);
-            selftest_paint(q_m2n_wxyz, 4);
-            selftest_paint(omega_nb_n, 3);
-            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != expected) {
+            selftest_paint(got_v_m_n, 3);
+            selftest_paint(got_q_m2n_wxyz, 4);
+            selftest_paint(got_omega_nb_n, 3);
+            if (val_expected(&nav, &corrected_imu, &mounting, got_v_m_n, got_q_m2n_wxyz,
+                             got_omega_nb_n) != expected) {
                 selftest_print("val_expected: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_expected v_m_n", v_m_n, 3);
-            failures += selftest_painted("val_expected q_m2n_wxyz", q_m2n_wxyz, 4);
-            failures += selftest_painted("val_expected omega_nb_n", omega_nb_n, 3);
+            failures += selftest_painted("val_expected v_m_n", got_v_m_n, 3);
+            failures += selftest_painted("val_expected q_m2n_wxyz", got_q_m2n_wxyz, 4);
+            failures += selftest_painted("val_expected omega_nb_n", got_omega_nb_n, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
             set_point(0, &nav, &corrected_imu, &mounting);
             corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != BS_OK) {
+            if (val_expected(&nav, &corrected_imu, &mounting, got_v_m_n, got_q_m2n_wxyz,
+                             got_omega_nb_n) != BS_OK) {
                 selftest_print("val_expected: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -349,42 +350,42 @@ int test_val_expected(void)
             mounting.lever_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_m_n, 3);
-            selftest_paint(q_m2n_wxyz, 4);
-            selftest_paint(omega_nb_n, 3);
-            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != expected) {
+            selftest_paint(got_v_m_n, 3);
+            selftest_paint(got_q_m2n_wxyz, 4);
+            selftest_paint(got_omega_nb_n, 3);
+            if (val_expected(&nav, &corrected_imu, &mounting, got_v_m_n, got_q_m2n_wxyz,
+                             got_omega_nb_n) != expected) {
                 selftest_print("val_expected: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_expected v_m_n", v_m_n, 3);
-            failures += selftest_painted("val_expected q_m2n_wxyz", q_m2n_wxyz, 4);
-            failures += selftest_painted("val_expected omega_nb_n", omega_nb_n, 3);
+            failures += selftest_painted("val_expected v_m_n", got_v_m_n, 3);
+            failures += selftest_painted("val_expected q_m2n_wxyz", got_q_m2n_wxyz, 4);
+            failures += selftest_painted("val_expected omega_nb_n", got_omega_nb_n, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
             set_point(0, &nav, &corrected_imu, &mounting);
             mounting.lever_b[i] = (end == 0) ? low[i] : high[i];
-            if (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != BS_OK) {
+            if (val_expected(&nav, &corrected_imu, &mounting, got_v_m_n, got_q_m2n_wxyz,
+                             got_omega_nb_n) != BS_OK) {
                 selftest_print("val_expected: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &corrected_imu, &mounting);
-    failures += (val_expected(0, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
-                              omega_nb_n) != BS_NULL_POINTER);
-    failures += (val_expected(&nav, 0, &mounting, v_m_n, q_m2n_wxyz,
-                              omega_nb_n) != BS_NULL_POINTER);
-    failures += (val_expected(&nav, &corrected_imu, 0, v_m_n, q_m2n_wxyz,
-                              omega_nb_n) != BS_NULL_POINTER);
-    failures += (val_expected(&nav, &corrected_imu, &mounting, 0, q_m2n_wxyz,
-                              omega_nb_n) != BS_NULL_POINTER);
-    failures += (val_expected(&nav, &corrected_imu, &mounting, v_m_n, 0,
-                              omega_nb_n) != BS_NULL_POINTER);
-    failures += (val_expected(&nav, &corrected_imu, &mounting, v_m_n, q_m2n_wxyz,
+    failures += (val_expected(0, &corrected_imu, &mounting, got_v_m_n, got_q_m2n_wxyz,
+                              got_omega_nb_n) != BS_NULL_POINTER);
+    failures += (val_expected(&nav, 0, &mounting, got_v_m_n, got_q_m2n_wxyz,
+                              got_omega_nb_n) != BS_NULL_POINTER);
+    failures += (val_expected(&nav, &corrected_imu, 0, got_v_m_n, got_q_m2n_wxyz,
+                              got_omega_nb_n) != BS_NULL_POINTER);
+    failures += (val_expected(&nav, &corrected_imu, &mounting, 0, got_q_m2n_wxyz,
+                              got_omega_nb_n) != BS_NULL_POINTER);
+    failures += (val_expected(&nav, &corrected_imu, &mounting, got_v_m_n, 0,
+                              got_omega_nb_n) != BS_NULL_POINTER);
+    failures += (val_expected(&nav, &corrected_imu, &mounting, got_v_m_n, got_q_m2n_wxyz,
                               0) != BS_NULL_POINTER);
     return failures;
 }

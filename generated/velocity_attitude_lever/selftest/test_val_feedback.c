@@ -194,33 +194,33 @@ int test_val_feedback(void)
     bs_real x[VAL_N_STATES] = {0};
     val_nav nav = {0};
     val_mounting mounting = {0};
-    bs_real v_n[3];
-    bs_real q_b2n_wxyz[4];
-    bs_real gyro_bias[3];
-    bs_real accel_bias[3];
-    bs_real q_b2m_wxyz[4];
-    bs_real tau[1];
-    bs_real lever_b[3];
+    bs_real got_v_n[3];
+    bs_real got_q_b2n_wxyz[4];
+    bs_real got_gyro_bias[3];
+    bs_real got_accel_bias[3];
+    bs_real got_q_b2m_wxyz[4];
+    bs_real got_tau[1];
+    bs_real got_lever_b[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, x, &nav, &mounting);
-        if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                         tau, lever_b) != BS_OK) {
+        if (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                         got_q_b2m_wxyz, got_tau, got_lever_b) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("val_feedback v_n", v, v_n, 3, out_v_n[v], tol_v_n[v], at_v_n,
-                                     3, 0);
-        failures += selftest_compare("val_feedback q_b2n_wxyz", v, q_b2n_wxyz, 4, out_q_b2n_wxyz[v],
-                                     tol_q_b2n_wxyz[v], at_q_b2n_wxyz, 4, 0);
-        failures += selftest_compare("val_feedback gyro_bias", v, gyro_bias, 3, out_gyro_bias[v],
-                                     tol_gyro_bias[v], at_gyro_bias, 3, 0);
-        failures += selftest_compare("val_feedback accel_bias", v, accel_bias, 3, out_accel_bias[v],
-                                     tol_accel_bias[v], at_accel_bias, 3, 0);
-        failures += selftest_compare("val_feedback q_b2m_wxyz", v, q_b2m_wxyz, 4, out_q_b2m_wxyz[v],
-                                     tol_q_b2m_wxyz[v], at_q_b2m_wxyz, 4, 0);
-        failures += selftest_compare("val_feedback tau", v, tau, 1, out_tau[v], tol_tau[v], at_tau,
-                                     1, 0);
-        failures += selftest_compare("val_feedback lever_b", v, lever_b, 3, out_lever_b[v],
+        failures += selftest_compare("val_feedback v_n", v, got_v_n, 3, out_v_n[v], tol_v_n[v],
+                                     at_v_n, 3, 0);
+        failures += selftest_compare("val_feedback q_b2n_wxyz", v, got_q_b2n_wxyz, 4,
+                                     out_q_b2n_wxyz[v], tol_q_b2n_wxyz[v], at_q_b2n_wxyz, 4, 0);
+        failures += selftest_compare("val_feedback gyro_bias", v, got_gyro_bias, 3,
+                                     out_gyro_bias[v], tol_gyro_bias[v], at_gyro_bias, 3, 0);
+        failures += selftest_compare("val_feedback accel_bias", v, got_accel_bias, 3,
+                                     out_accel_bias[v], tol_accel_bias[v], at_accel_bias, 3, 0);
+        failures += selftest_compare("val_feedback q_b2m_wxyz", v, got_q_b2m_wxyz, 4,
+                                     out_q_b2m_wxyz[v], tol_q_b2m_wxyz[v], at_q_b2m_wxyz, 4, 0);
+        failures += selftest_compare("val_feedback tau", v, got_tau, 1, out_tau[v], tol_tau[v],
+                                     at_tau, 1, 0);
+        failures += selftest_compare("val_feedback lever_b", v, got_lever_b, 3, out_lever_b[v],
                                      tol_lever_b[v], at_lever_b, 3, 0);
     }
     /* x: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
@@ -240,25 +240,25 @@ int test_val_feedback(void)
             set_point(0, x, &nav, &mounting);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                             tau, lever_b) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            if (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                             got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b) != expected) {
                 selftest_print("val_feedback: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_feedback v_n", v_n, 3);
-            failures += selftest_painted("val_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("val_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("val_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("val_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("val_feedback tau", tau, 1);
-            failures += selftest_painted("val_feedback lever_b", lever_b, 3);
+            failures += selftest_painted("val_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("val_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("val_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("val_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("val_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("val_feedback tau", got_tau, 1);
+            failures += selftest_painted("val_feedback lever_b", got_lever_b, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[19] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5),
@@ -279,8 +279,8 @@ int test_val_feedback(void)
                                               BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
             set_point(0, x, &nav, &mounting);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                             tau, lever_b) != BS_OK) {
+            if (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                             got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b) != BS_OK) {
                 selftest_print("val_feedback: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -295,33 +295,33 @@ int test_val_feedback(void)
             set_point(0, x, &nav, &mounting);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                             tau, lever_b) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            if (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                             got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b) != expected) {
                 selftest_print("val_feedback: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_feedback v_n", v_n, 3);
-            failures += selftest_painted("val_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("val_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("val_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("val_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("val_feedback tau", tau, 1);
-            failures += selftest_painted("val_feedback lever_b", lever_b, 3);
+            failures += selftest_painted("val_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("val_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("val_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("val_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("val_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("val_feedback tau", got_tau, 1);
+            failures += selftest_painted("val_feedback lever_b", got_lever_b, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, x, &nav, &mounting);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                             tau, lever_b) != BS_OK) {
+            if (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                             got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b) != BS_OK) {
                 selftest_print("val_feedback: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -338,25 +338,25 @@ int test_val_feedback(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                             tau, lever_b) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            if (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                             got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b) != expected) {
                 selftest_print("val_feedback: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_feedback v_n", v_n, 3);
-            failures += selftest_painted("val_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("val_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("val_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("val_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("val_feedback tau", tau, 1);
-            failures += selftest_painted("val_feedback lever_b", lever_b, 3);
+            failures += selftest_painted("val_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("val_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("val_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("val_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("val_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("val_feedback tau", got_tau, 1);
+            failures += selftest_painted("val_feedback lever_b", got_lever_b, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -366,8 +366,8 @@ int test_val_feedback(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                             tau, lever_b) != BS_OK) {
+            if (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                             got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b) != BS_OK) {
                 selftest_print("val_feedback: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -380,8 +380,8 @@ int test_val_feedback(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                         tau, lever_b) != BS_OUT_OF_RANGE) {
+        if (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                         got_q_b2m_wxyz, got_tau, got_lever_b) != BS_OUT_OF_RANGE) {
             selftest_print("val_feedback: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -400,25 +400,25 @@ int test_val_feedback(void)
             nav.gyro_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                             tau, lever_b) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            if (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                             got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b) != expected) {
                 selftest_print("val_feedback: gyro_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_feedback v_n", v_n, 3);
-            failures += selftest_painted("val_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("val_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("val_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("val_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("val_feedback tau", tau, 1);
-            failures += selftest_painted("val_feedback lever_b", lever_b, 3);
+            failures += selftest_painted("val_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("val_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("val_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("val_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("val_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("val_feedback tau", got_tau, 1);
+            failures += selftest_painted("val_feedback lever_b", got_lever_b, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.017453292519943295),
@@ -429,8 +429,8 @@ int test_val_feedback(void)
                                              BS_REAL(0.017453292519943295) };
             set_point(0, x, &nav, &mounting);
             nav.gyro_bias[i] = (end == 0) ? low[i] : high[i];
-            if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                             tau, lever_b) != BS_OK) {
+            if (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                             got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b) != BS_OK) {
                 selftest_print("val_feedback: gyro_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -447,33 +447,33 @@ int test_val_feedback(void)
             nav.accel_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                             tau, lever_b) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            if (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                             got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b) != expected) {
                 selftest_print("val_feedback: accel_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_feedback v_n", v_n, 3);
-            failures += selftest_painted("val_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("val_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("val_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("val_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("val_feedback tau", tau, 1);
-            failures += selftest_painted("val_feedback lever_b", lever_b, 3);
+            failures += selftest_painted("val_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("val_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("val_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("val_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("val_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("val_feedback tau", got_tau, 1);
+            failures += selftest_painted("val_feedback lever_b", got_lever_b, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
             set_point(0, x, &nav, &mounting);
             nav.accel_bias[i] = (end == 0) ? low[i] : high[i];
-            if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                             tau, lever_b) != BS_OK) {
+            if (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                             got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b) != BS_OK) {
                 selftest_print("val_feedback: accel_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -490,25 +490,25 @@ int test_val_feedback(void)
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                             tau, lever_b) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            if (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                             got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b) != expected) {
                 selftest_print("val_feedback: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_feedback v_n", v_n, 3);
-            failures += selftest_painted("val_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("val_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("val_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("val_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("val_feedback tau", tau, 1);
-            failures += selftest_painted("val_feedback lever_b", lever_b, 3);
+            failures += selftest_painted("val_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("val_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("val_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("val_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("val_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("val_feedback tau", got_tau, 1);
+            failures += selftest_painted("val_feedback lever_b", got_lever_b, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -518,8 +518,8 @@ int test_val_feedback(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                             tau, lever_b) != BS_OK) {
+            if (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                             got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b) != BS_OK) {
                 selftest_print("val_feedback: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -532,8 +532,8 @@ int test_val_feedback(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                         tau, lever_b) != BS_OUT_OF_RANGE) {
+        if (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                         got_q_b2m_wxyz, got_tau, got_lever_b) != BS_OUT_OF_RANGE) {
             selftest_print("val_feedback: q_b2m_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -548,33 +548,33 @@ int test_val_feedback(void)
             set_point(0, x, &nav, &mounting);
             nav.tau = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                             tau, lever_b) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            if (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                             got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b) != expected) {
                 selftest_print("val_feedback: tau[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_feedback v_n", v_n, 3);
-            failures += selftest_painted("val_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("val_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("val_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("val_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("val_feedback tau", tau, 1);
-            failures += selftest_painted("val_feedback lever_b", lever_b, 3);
+            failures += selftest_painted("val_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("val_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("val_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("val_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("val_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("val_feedback tau", got_tau, 1);
+            failures += selftest_painted("val_feedback lever_b", got_lever_b, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
             static const bs_real high[1] = { BS_REAL(1.0) };
             set_point(0, x, &nav, &mounting);
             nav.tau = (end == 0) ? low[i] : high[i];
-            if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                             tau, lever_b) != BS_OK) {
+            if (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                             got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b) != BS_OK) {
                 selftest_print("val_feedback: tau[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -591,58 +591,60 @@ int test_val_feedback(void)
             mounting.lever_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                             tau, lever_b) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            if (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                             got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b) != expected) {
                 selftest_print("val_feedback: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_feedback v_n", v_n, 3);
-            failures += selftest_painted("val_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("val_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("val_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("val_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("val_feedback tau", tau, 1);
-            failures += selftest_painted("val_feedback lever_b", lever_b, 3);
+            failures += selftest_painted("val_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("val_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("val_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("val_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("val_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("val_feedback tau", got_tau, 1);
+            failures += selftest_painted("val_feedback lever_b", got_lever_b, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
             set_point(0, x, &nav, &mounting);
             mounting.lever_b[i] = (end == 0) ? low[i] : high[i];
-            if (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                             tau, lever_b) != BS_OK) {
+            if (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                             got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b) != BS_OK) {
                 selftest_print("val_feedback: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, x, &nav, &mounting);
-    failures += (val_feedback(0, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                              q_b2m_wxyz, tau, lever_b) != BS_NULL_POINTER);
-    failures += (val_feedback(x, 0, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                              tau, lever_b) != BS_NULL_POINTER);
-    failures += (val_feedback(x, &nav, 0, v_n, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz, tau,
-                              lever_b) != BS_NULL_POINTER);
-    failures += (val_feedback(x, &nav, &mounting, 0, q_b2n_wxyz, gyro_bias, accel_bias, q_b2m_wxyz,
-                              tau, lever_b) != BS_NULL_POINTER);
-    failures += (val_feedback(x, &nav, &mounting, v_n, 0, gyro_bias, accel_bias, q_b2m_wxyz, tau,
-                              lever_b) != BS_NULL_POINTER);
-    failures += (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, 0, accel_bias, q_b2m_wxyz, tau,
-                              lever_b) != BS_NULL_POINTER);
-    failures += (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, 0, q_b2m_wxyz, tau,
-                              lever_b) != BS_NULL_POINTER);
-    failures += (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias, 0, tau,
-                              lever_b) != BS_NULL_POINTER);
-    failures += (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                              q_b2m_wxyz, 0, lever_b) != BS_NULL_POINTER);
-    failures += (val_feedback(x, &nav, &mounting, v_n, q_b2n_wxyz, gyro_bias, accel_bias,
-                              q_b2m_wxyz, tau, 0) != BS_NULL_POINTER);
+    failures += (val_feedback(0, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                              got_accel_bias, got_q_b2m_wxyz, got_tau,
+                              got_lever_b) != BS_NULL_POINTER);
+    failures += (val_feedback(x, 0, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                              got_accel_bias, got_q_b2m_wxyz, got_tau,
+                              got_lever_b) != BS_NULL_POINTER);
+    failures += (val_feedback(x, &nav, 0, got_v_n, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                              got_q_b2m_wxyz, got_tau, got_lever_b) != BS_NULL_POINTER);
+    failures += (val_feedback(x, &nav, &mounting, 0, got_q_b2n_wxyz, got_gyro_bias, got_accel_bias,
+                              got_q_b2m_wxyz, got_tau, got_lever_b) != BS_NULL_POINTER);
+    failures += (val_feedback(x, &nav, &mounting, got_v_n, 0, got_gyro_bias, got_accel_bias,
+                              got_q_b2m_wxyz, got_tau, got_lever_b) != BS_NULL_POINTER);
+    failures += (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, 0, got_accel_bias,
+                              got_q_b2m_wxyz, got_tau, got_lever_b) != BS_NULL_POINTER);
+    failures += (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias, 0,
+                              got_q_b2m_wxyz, got_tau, got_lever_b) != BS_NULL_POINTER);
+    failures += (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                              got_accel_bias, 0, got_tau, got_lever_b) != BS_NULL_POINTER);
+    failures += (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                              got_accel_bias, got_q_b2m_wxyz, 0, got_lever_b) != BS_NULL_POINTER);
+    failures += (val_feedback(x, &nav, &mounting, got_v_n, got_q_b2n_wxyz, got_gyro_bias,
+                              got_accel_bias, got_q_b2m_wxyz, got_tau, 0) != BS_NULL_POINTER);
     return failures;
 }

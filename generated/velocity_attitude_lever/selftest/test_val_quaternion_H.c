@@ -187,15 +187,15 @@ int test_val_quaternion_H(void)
     val_nav nav = {0};
     val_corrected_imu corrected_imu = {0};
     val_master master = {0};
-    bs_real H[57];
+    bs_real got_H[57];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, x, &nav, &corrected_imu, &master);
-        if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
+        if (val_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("val_quaternion_H H", v, H, 57, out_H[v], tol_H[v], at_H, 30,
-                                     0);
+        failures += selftest_compare("val_quaternion_H H", v, got_H, 57, out_H[v], tol_H[v], at_H,
+                                     30, 0);
     }
     /* x: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
     for (int i = 0; i < 19; ++i) {
@@ -214,12 +214,12 @@ int test_val_quaternion_H(void)
             set_point(0, x, &nav, &corrected_imu, &master);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 57);
-            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
+            selftest_paint(got_H, 57);
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != expected) {
                 selftest_print("val_quaternion_H: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_quaternion_H H", H, 57);
+            failures += selftest_painted("val_quaternion_H H", got_H, 57);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[19] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5),
@@ -240,7 +240,7 @@ int test_val_quaternion_H(void)
                                               BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
             set_point(0, x, &nav, &corrected_imu, &master);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OK) {
                 selftest_print("val_quaternion_H: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -257,13 +257,13 @@ int test_val_quaternion_H(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 57);
-            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
+            selftest_paint(got_H, 57);
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != expected) {
                 selftest_print("val_quaternion_H: lat_lon_height[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("val_quaternion_H H", H, 57);
+            failures += selftest_painted("val_quaternion_H H", got_H, 57);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -272,7 +272,7 @@ int test_val_quaternion_H(void)
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
             set_point(0, x, &nav, &corrected_imu, &master);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
-            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OK) {
                 selftest_print("val_quaternion_H: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -287,19 +287,19 @@ int test_val_quaternion_H(void)
             set_point(0, x, &nav, &corrected_imu, &master);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 57);
-            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
+            selftest_paint(got_H, 57);
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != expected) {
                 selftest_print("val_quaternion_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_quaternion_H H", H, 57);
+            failures += selftest_painted("val_quaternion_H H", got_H, 57);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, x, &nav, &corrected_imu, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OK) {
                 selftest_print("val_quaternion_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -316,13 +316,13 @@ int test_val_quaternion_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 57);
-            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
+            selftest_paint(got_H, 57);
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != expected) {
                 selftest_print("val_quaternion_H: q_b2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("val_quaternion_H H", H, 57);
+            failures += selftest_painted("val_quaternion_H H", got_H, 57);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -337,7 +337,7 @@ int test_val_quaternion_H(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OK) {
                 selftest_print("val_quaternion_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -350,7 +350,7 @@ int test_val_quaternion_H(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OUT_OF_RANGE) {
+        if (val_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OUT_OF_RANGE) {
             selftest_print("val_quaternion_H: q_b2n_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -367,13 +367,13 @@ int test_val_quaternion_H(void)
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 57);
-            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
+            selftest_paint(got_H, 57);
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != expected) {
                 selftest_print("val_quaternion_H: q_b2m_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("val_quaternion_H H", H, 57);
+            failures += selftest_painted("val_quaternion_H H", got_H, 57);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -388,7 +388,7 @@ int test_val_quaternion_H(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OK) {
                 selftest_print("val_quaternion_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -401,7 +401,7 @@ int test_val_quaternion_H(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OUT_OF_RANGE) {
+        if (val_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OUT_OF_RANGE) {
             selftest_print("val_quaternion_H: q_b2m_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -418,20 +418,20 @@ int test_val_quaternion_H(void)
             corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 57);
-            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
+            selftest_paint(got_H, 57);
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != expected) {
                 selftest_print("val_quaternion_H: omega_ib_b[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("val_quaternion_H H", H, 57);
+            failures += selftest_painted("val_quaternion_H H", got_H, 57);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
             set_point(0, x, &nav, &corrected_imu, &master);
             corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OK) {
                 selftest_print("val_quaternion_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -448,13 +448,13 @@ int test_val_quaternion_H(void)
             master.q_m2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 57);
-            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
+            selftest_paint(got_H, 57);
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != expected) {
                 selftest_print("val_quaternion_H: q_m2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("val_quaternion_H H", H, 57);
+            failures += selftest_painted("val_quaternion_H H", got_H, 57);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -464,7 +464,7 @@ int test_val_quaternion_H(void)
             for (int j = 0; j < 4; ++j) {
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OK) {
                 selftest_print("val_quaternion_H: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -477,7 +477,7 @@ int test_val_quaternion_H(void)
         for (int i = 0; i < 4; ++i) {
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OUT_OF_RANGE) {
+        if (val_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OUT_OF_RANGE) {
             selftest_print("val_quaternion_H: q_m2n_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -492,34 +492,34 @@ int test_val_quaternion_H(void)
             set_point(0, x, &nav, &corrected_imu, &master);
             master.lag = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 57);
-            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != expected) {
+            selftest_paint(got_H, 57);
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != expected) {
                 selftest_print("val_quaternion_H: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_quaternion_H H", H, 57);
+            failures += selftest_painted("val_quaternion_H H", got_H, 57);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
             static const bs_real high[1] = { BS_REAL(1.0) };
             set_point(0, x, &nav, &corrected_imu, &master);
             master.lag = (end == 0) ? low[i] : high[i];
-            if (val_quaternion_H(x, &nav, &corrected_imu, &master, H) != BS_OK) {
+            if (val_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OK) {
                 selftest_print("val_quaternion_H: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, x, &nav, &corrected_imu, &master);
-    failures += (val_quaternion_H(0, &nav, &corrected_imu, &master, H) != BS_NULL_POINTER);
-    failures += (val_quaternion_H(x, 0, &corrected_imu, &master, H) != BS_NULL_POINTER);
-    failures += (val_quaternion_H(x, &nav, 0, &master, H) != BS_NULL_POINTER);
-    failures += (val_quaternion_H(x, &nav, &corrected_imu, 0, H) != BS_NULL_POINTER);
+    failures += (val_quaternion_H(0, &nav, &corrected_imu, &master, got_H) != BS_NULL_POINTER);
+    failures += (val_quaternion_H(x, 0, &corrected_imu, &master, got_H) != BS_NULL_POINTER);
+    failures += (val_quaternion_H(x, &nav, 0, &master, got_H) != BS_NULL_POINTER);
+    failures += (val_quaternion_H(x, &nav, &corrected_imu, 0, got_H) != BS_NULL_POINTER);
     failures += (val_quaternion_H(x, &nav, &corrected_imu, &master, 0) != BS_NULL_POINTER);
-    failures += (val_quaternion_H_nz(0, &nav, &corrected_imu, &master, H) != BS_NULL_POINTER);
-    failures += (val_quaternion_H_nz(x, 0, &corrected_imu, &master, H) != BS_NULL_POINTER);
-    failures += (val_quaternion_H_nz(x, &nav, 0, &master, H) != BS_NULL_POINTER);
-    failures += (val_quaternion_H_nz(x, &nav, &corrected_imu, 0, H) != BS_NULL_POINTER);
+    failures += (val_quaternion_H_nz(0, &nav, &corrected_imu, &master, got_H) != BS_NULL_POINTER);
+    failures += (val_quaternion_H_nz(x, 0, &corrected_imu, &master, got_H) != BS_NULL_POINTER);
+    failures += (val_quaternion_H_nz(x, &nav, 0, &master, got_H) != BS_NULL_POINTER);
+    failures += (val_quaternion_H_nz(x, &nav, &corrected_imu, 0, got_H) != BS_NULL_POINTER);
     failures += (val_quaternion_H_nz(x, &nav, &corrected_imu, &master, 0) != BS_NULL_POINTER);
     return failures;
 }

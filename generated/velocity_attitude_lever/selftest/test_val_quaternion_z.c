@@ -96,14 +96,15 @@ int test_val_quaternion_z(void)
     val_nav nav = {0};
     val_corrected_imu corrected_imu = {0};
     val_master master = {0};
-    bs_real z[3];
+    bs_real got_z[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &master);
-        if (val_quaternion_z(&nav, &corrected_imu, &master, z) != BS_OK) {
+        if (val_quaternion_z(&nav, &corrected_imu, &master, got_z) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("val_quaternion_z z", v, z, 3, out_z[v], tol_z[v], at_z, 3, 0);
+        failures += selftest_compare("val_quaternion_z z", v, got_z, 3, out_z[v], tol_z[v], at_z, 3,
+                                     0);
     }
     /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -116,13 +117,13 @@ int test_val_quaternion_z(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (val_quaternion_z(&nav, &corrected_imu, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (val_quaternion_z(&nav, &corrected_imu, &master, got_z) != expected) {
                 selftest_print("val_quaternion_z: lat_lon_height[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("val_quaternion_z z", z, 3);
+            failures += selftest_painted("val_quaternion_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -131,7 +132,7 @@ int test_val_quaternion_z(void)
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
             set_point(0, &nav, &corrected_imu, &master);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
-            if (val_quaternion_z(&nav, &corrected_imu, &master, z) != BS_OK) {
+            if (val_quaternion_z(&nav, &corrected_imu, &master, got_z) != BS_OK) {
                 selftest_print("val_quaternion_z: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -146,19 +147,19 @@ int test_val_quaternion_z(void)
             set_point(0, &nav, &corrected_imu, &master);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (val_quaternion_z(&nav, &corrected_imu, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (val_quaternion_z(&nav, &corrected_imu, &master, got_z) != expected) {
                 selftest_print("val_quaternion_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_quaternion_z z", z, 3);
+            failures += selftest_painted("val_quaternion_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (val_quaternion_z(&nav, &corrected_imu, &master, z) != BS_OK) {
+            if (val_quaternion_z(&nav, &corrected_imu, &master, got_z) != BS_OK) {
                 selftest_print("val_quaternion_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -175,13 +176,13 @@ int test_val_quaternion_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (val_quaternion_z(&nav, &corrected_imu, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (val_quaternion_z(&nav, &corrected_imu, &master, got_z) != expected) {
                 selftest_print("val_quaternion_z: q_b2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("val_quaternion_z z", z, 3);
+            failures += selftest_painted("val_quaternion_z z", got_z, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -191,7 +192,7 @@ int test_val_quaternion_z(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_quaternion_z(&nav, &corrected_imu, &master, z) != BS_OK) {
+            if (val_quaternion_z(&nav, &corrected_imu, &master, got_z) != BS_OK) {
                 selftest_print("val_quaternion_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -204,7 +205,7 @@ int test_val_quaternion_z(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_quaternion_z(&nav, &corrected_imu, &master, z) != BS_OUT_OF_RANGE) {
+        if (val_quaternion_z(&nav, &corrected_imu, &master, got_z) != BS_OUT_OF_RANGE) {
             selftest_print("val_quaternion_z: q_b2n_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -221,13 +222,13 @@ int test_val_quaternion_z(void)
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (val_quaternion_z(&nav, &corrected_imu, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (val_quaternion_z(&nav, &corrected_imu, &master, got_z) != expected) {
                 selftest_print("val_quaternion_z: q_b2m_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("val_quaternion_z z", z, 3);
+            failures += selftest_painted("val_quaternion_z z", got_z, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -237,7 +238,7 @@ int test_val_quaternion_z(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_quaternion_z(&nav, &corrected_imu, &master, z) != BS_OK) {
+            if (val_quaternion_z(&nav, &corrected_imu, &master, got_z) != BS_OK) {
                 selftest_print("val_quaternion_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -250,7 +251,7 @@ int test_val_quaternion_z(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_quaternion_z(&nav, &corrected_imu, &master, z) != BS_OUT_OF_RANGE) {
+        if (val_quaternion_z(&nav, &corrected_imu, &master, got_z) != BS_OUT_OF_RANGE) {
             selftest_print("val_quaternion_z: q_b2m_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -267,20 +268,20 @@ int test_val_quaternion_z(void)
             corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (val_quaternion_z(&nav, &corrected_imu, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (val_quaternion_z(&nav, &corrected_imu, &master, got_z) != expected) {
                 selftest_print("val_quaternion_z: omega_ib_b[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("val_quaternion_z z", z, 3);
+            failures += selftest_painted("val_quaternion_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
             set_point(0, &nav, &corrected_imu, &master);
             corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (val_quaternion_z(&nav, &corrected_imu, &master, z) != BS_OK) {
+            if (val_quaternion_z(&nav, &corrected_imu, &master, got_z) != BS_OK) {
                 selftest_print("val_quaternion_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -297,13 +298,13 @@ int test_val_quaternion_z(void)
             master.q_m2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (val_quaternion_z(&nav, &corrected_imu, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (val_quaternion_z(&nav, &corrected_imu, &master, got_z) != expected) {
                 selftest_print("val_quaternion_z: q_m2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("val_quaternion_z z", z, 3);
+            failures += selftest_painted("val_quaternion_z z", got_z, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -313,7 +314,7 @@ int test_val_quaternion_z(void)
             for (int j = 0; j < 4; ++j) {
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_quaternion_z(&nav, &corrected_imu, &master, z) != BS_OK) {
+            if (val_quaternion_z(&nav, &corrected_imu, &master, got_z) != BS_OK) {
                 selftest_print("val_quaternion_z: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -326,7 +327,7 @@ int test_val_quaternion_z(void)
         for (int i = 0; i < 4; ++i) {
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_quaternion_z(&nav, &corrected_imu, &master, z) != BS_OUT_OF_RANGE) {
+        if (val_quaternion_z(&nav, &corrected_imu, &master, got_z) != BS_OUT_OF_RANGE) {
             selftest_print("val_quaternion_z: q_m2n_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -341,28 +342,28 @@ int test_val_quaternion_z(void)
             set_point(0, &nav, &corrected_imu, &master);
             master.lag = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (val_quaternion_z(&nav, &corrected_imu, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (val_quaternion_z(&nav, &corrected_imu, &master, got_z) != expected) {
                 selftest_print("val_quaternion_z: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_quaternion_z z", z, 3);
+            failures += selftest_painted("val_quaternion_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
             static const bs_real high[1] = { BS_REAL(1.0) };
             set_point(0, &nav, &corrected_imu, &master);
             master.lag = (end == 0) ? low[i] : high[i];
-            if (val_quaternion_z(&nav, &corrected_imu, &master, z) != BS_OK) {
+            if (val_quaternion_z(&nav, &corrected_imu, &master, got_z) != BS_OK) {
                 selftest_print("val_quaternion_z: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &corrected_imu, &master);
-    failures += (val_quaternion_z(0, &corrected_imu, &master, z) != BS_NULL_POINTER);
-    failures += (val_quaternion_z(&nav, 0, &master, z) != BS_NULL_POINTER);
-    failures += (val_quaternion_z(&nav, &corrected_imu, 0, z) != BS_NULL_POINTER);
+    failures += (val_quaternion_z(0, &corrected_imu, &master, got_z) != BS_NULL_POINTER);
+    failures += (val_quaternion_z(&nav, 0, &master, got_z) != BS_NULL_POINTER);
+    failures += (val_quaternion_z(&nav, &corrected_imu, 0, got_z) != BS_NULL_POINTER);
     failures += (val_quaternion_z(&nav, &corrected_imu, &master, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -97,14 +97,15 @@ int test_val_velocity_z(void)
     val_corrected_imu corrected_imu = {0};
     val_mounting mounting = {0};
     val_master master = {0};
-    bs_real z[3];
+    bs_real got_z[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &mounting, &master);
-        if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != BS_OK) {
+        if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, got_z) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("val_velocity_z z", v, z, 3, out_z[v], tol_z[v], at_z, 3, 0);
+        failures += selftest_compare("val_velocity_z z", v, got_z, 3, out_z[v], tol_z[v], at_z, 3,
+                                     0);
     }
     /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -117,13 +118,13 @@ int test_val_velocity_z(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, got_z) != expected) {
                 selftest_print("val_velocity_z: lat_lon_height[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("val_velocity_z z", z, 3);
+            failures += selftest_painted("val_velocity_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -132,7 +133,7 @@ int test_val_velocity_z(void)
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
             set_point(0, &nav, &corrected_imu, &mounting, &master);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
-            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != BS_OK) {
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, got_z) != BS_OK) {
                 selftest_print("val_velocity_z: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -147,19 +148,19 @@ int test_val_velocity_z(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, got_z) != expected) {
                 selftest_print("val_velocity_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_velocity_z z", z, 3);
+            failures += selftest_painted("val_velocity_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu, &mounting, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != BS_OK) {
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, got_z) != BS_OK) {
                 selftest_print("val_velocity_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -176,12 +177,12 @@ int test_val_velocity_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, got_z) != expected) {
                 selftest_print("val_velocity_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_velocity_z z", z, 3);
+            failures += selftest_painted("val_velocity_z z", got_z, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -191,7 +192,7 @@ int test_val_velocity_z(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != BS_OK) {
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, got_z) != BS_OK) {
                 selftest_print("val_velocity_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -204,7 +205,7 @@ int test_val_velocity_z(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != BS_OUT_OF_RANGE) {
+        if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, got_z) != BS_OUT_OF_RANGE) {
             selftest_print("val_velocity_z: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -221,19 +222,19 @@ int test_val_velocity_z(void)
             corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, got_z) != expected) {
                 selftest_print("val_velocity_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_velocity_z z", z, 3);
+            failures += selftest_painted("val_velocity_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
             set_point(0, &nav, &corrected_imu, &mounting, &master);
             corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != BS_OK) {
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, got_z) != BS_OK) {
                 selftest_print("val_velocity_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -250,19 +251,19 @@ int test_val_velocity_z(void)
             mounting.lever_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, got_z) != expected) {
                 selftest_print("val_velocity_z: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_velocity_z z", z, 3);
+            failures += selftest_painted("val_velocity_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
             set_point(0, &nav, &corrected_imu, &mounting, &master);
             mounting.lever_b[i] = (end == 0) ? low[i] : high[i];
-            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != BS_OK) {
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, got_z) != BS_OK) {
                 selftest_print("val_velocity_z: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -279,19 +280,19 @@ int test_val_velocity_z(void)
             master.v_m_n[i] = (bs_real)((bad == 0) ? selftest_nan()
                                         : (bad == 1) ? selftest_infinity()
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, got_z) != expected) {
                 selftest_print("val_velocity_z: v_m_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_velocity_z z", z, 3);
+            failures += selftest_painted("val_velocity_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu, &mounting, &master);
             master.v_m_n[i] = (end == 0) ? low[i] : high[i];
-            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != BS_OK) {
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, got_z) != BS_OK) {
                 selftest_print("val_velocity_z: v_m_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -306,19 +307,19 @@ int test_val_velocity_z(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master);
             master.a_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                       : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, got_z) != expected) {
                 selftest_print("val_velocity_z: a_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_velocity_z z", z, 3);
+            failures += selftest_painted("val_velocity_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
             set_point(0, &nav, &corrected_imu, &mounting, &master);
             master.a_n[i] = (end == 0) ? low[i] : high[i];
-            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != BS_OK) {
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, got_z) != BS_OK) {
                 selftest_print("val_velocity_z: a_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -333,29 +334,29 @@ int test_val_velocity_z(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master);
             master.lag = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, got_z) != expected) {
                 selftest_print("val_velocity_z: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("val_velocity_z z", z, 3);
+            failures += selftest_painted("val_velocity_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
             static const bs_real high[1] = { BS_REAL(1.0) };
             set_point(0, &nav, &corrected_imu, &mounting, &master);
             master.lag = (end == 0) ? low[i] : high[i];
-            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, z) != BS_OK) {
+            if (val_velocity_z(&nav, &corrected_imu, &mounting, &master, got_z) != BS_OK) {
                 selftest_print("val_velocity_z: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &corrected_imu, &mounting, &master);
-    failures += (val_velocity_z(0, &corrected_imu, &mounting, &master, z) != BS_NULL_POINTER);
-    failures += (val_velocity_z(&nav, 0, &mounting, &master, z) != BS_NULL_POINTER);
-    failures += (val_velocity_z(&nav, &corrected_imu, 0, &master, z) != BS_NULL_POINTER);
-    failures += (val_velocity_z(&nav, &corrected_imu, &mounting, 0, z) != BS_NULL_POINTER);
+    failures += (val_velocity_z(0, &corrected_imu, &mounting, &master, got_z) != BS_NULL_POINTER);
+    failures += (val_velocity_z(&nav, 0, &mounting, &master, got_z) != BS_NULL_POINTER);
+    failures += (val_velocity_z(&nav, &corrected_imu, 0, &master, got_z) != BS_NULL_POINTER);
+    failures += (val_velocity_z(&nav, &corrected_imu, &mounting, 0, got_z) != BS_NULL_POINTER);
     failures += (val_velocity_z(&nav, &corrected_imu, &mounting, &master, 0) != BS_NULL_POINTER);
     return failures;
 }

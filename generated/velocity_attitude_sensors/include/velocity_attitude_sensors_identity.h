@@ -20,7 +20,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "b042738915ebf4884f373e411cd52a5dadc5783a27e672e6506954f168ecf292"
+#define VAS_MODEL_HASH "76d8cb58652c4143d5d9c9887136641d5a299d31a539a3e7df41e530728d0d94"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1
@@ -79,7 +79,11 @@
 #define vas_filter_correct BS_FORM(vas_filter_correct)
 #define vas_filter_covariance BS_FORM(vas_filter_covariance)
 #define vas_filter_digest BS_FORM(vas_filter_digest)
+#define vas_filter_disable BS_FORM(vas_filter_disable)
+#define vas_filter_disabled BS_FORM(vas_filter_disabled)
+#define vas_filter_enable BS_FORM(vas_filter_enable)
 #define vas_filter_health BS_FORM(vas_filter_health)
+#define vas_filter_inflate BS_FORM(vas_filter_inflate)
 #define vas_filter_init BS_FORM(vas_filter_init)
 #define vas_filter_init_blocks BS_FORM(vas_filter_init_blocks)
 #define vas_filter_init_sigmas BS_FORM(vas_filter_init_sigmas)
@@ -89,6 +93,7 @@
 #define vas_filter_measure_velocity BS_FORM(vas_filter_measure_velocity)
 #define vas_filter_propagate BS_FORM(vas_filter_propagate)
 #define vas_filter_restore BS_FORM(vas_filter_restore)
+#define vas_filter_set_block BS_FORM(vas_filter_set_block)
 #define vas_filter_set_nav BS_FORM(vas_filter_set_nav)
 #define vas_filter_sigmas BS_FORM(vas_filter_sigmas)
 #define vas_filter_size BS_FORM(vas_filter_size)

@@ -142,14 +142,14 @@ int test_vas_F(void)
     vas_bending bending = {0};
     vas_triads triads = {0};
     vas_biases biases = {0};
-    bs_real F[2116];
+    bs_real got_F[2116];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &bending, &triads, &biases);
-        if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
+        if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("vas_F F", v, F, 2116, out_F[v], tol_F[v], at_F, 107, 0);
+        failures += selftest_compare("vas_F F", v, got_F, 2116, out_F[v], tol_F[v], at_F, 107, 0);
     }
     /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -162,12 +162,12 @@ int test_vas_F(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 2116);
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
+            selftest_paint(got_F, 2116);
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != expected) {
                 selftest_print("vas_F: lat_lon_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_F F", F, 2116);
+            failures += selftest_painted("vas_F F", got_F, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -176,7 +176,7 @@ int test_vas_F(void)
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != BS_OK) {
                 selftest_print("vas_F: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -191,19 +191,19 @@ int test_vas_F(void)
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 2116);
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
+            selftest_paint(got_F, 2116);
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != expected) {
                 selftest_print("vas_F: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_F F", F, 2116);
+            failures += selftest_painted("vas_F F", got_F, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != BS_OK) {
                 selftest_print("vas_F: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -220,12 +220,12 @@ int test_vas_F(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 2116);
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
+            selftest_paint(got_F, 2116);
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != expected) {
                 selftest_print("vas_F: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_F F", F, 2116);
+            failures += selftest_painted("vas_F F", got_F, 2116);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -235,7 +235,7 @@ int test_vas_F(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != BS_OK) {
                 selftest_print("vas_F: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -248,7 +248,7 @@ int test_vas_F(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OUT_OF_RANGE) {
+        if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != BS_OUT_OF_RANGE) {
             selftest_print("vas_F: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -263,19 +263,19 @@ int test_vas_F(void)
             corrected_imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 2116);
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
+            selftest_paint(got_F, 2116);
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != expected) {
                 selftest_print("vas_F: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_F F", F, 2116);
+            failures += selftest_painted("vas_F F", got_F, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             corrected_imu.f_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != BS_OK) {
                 selftest_print("vas_F: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -292,19 +292,19 @@ int test_vas_F(void)
             corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 2116);
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
+            selftest_paint(got_F, 2116);
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != expected) {
                 selftest_print("vas_F: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_F F", F, 2116);
+            failures += selftest_painted("vas_F F", got_F, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != BS_OK) {
                 selftest_print("vas_F: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -321,19 +321,19 @@ int test_vas_F(void)
             bending.flexure_omega[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 2116);
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
+            selftest_paint(got_F, 2116);
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != expected) {
                 selftest_print("vas_F: flexure_omega[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_F F", F, 2116);
+            failures += selftest_painted("vas_F F", got_F, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             bending.flexure_omega[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != BS_OK) {
                 selftest_print("vas_F: flexure_omega[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -350,19 +350,19 @@ int test_vas_F(void)
             bending.flexure_damping[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                    : (bad == 1) ? selftest_infinity()
                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 2116);
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
+            selftest_paint(got_F, 2116);
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != expected) {
                 selftest_print("vas_F: flexure_damping[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_F F", F, 2116);
+            failures += selftest_painted("vas_F F", got_F, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             bending.flexure_damping[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != BS_OK) {
                 selftest_print("vas_F: flexure_damping[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -379,19 +379,19 @@ int test_vas_F(void)
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 2116);
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
+            selftest_paint(got_F, 2116);
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != expected) {
                 selftest_print("vas_F: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_F F", F, 2116);
+            failures += selftest_painted("vas_F F", got_F, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != BS_OK) {
                 selftest_print("vas_F: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -408,19 +408,19 @@ int test_vas_F(void)
             triads.accel_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 2116);
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
+            selftest_paint(got_F, 2116);
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != expected) {
                 selftest_print("vas_F: accel_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_F F", F, 2116);
+            failures += selftest_painted("vas_F F", got_F, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.accel_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != BS_OK) {
                 selftest_print("vas_F: accel_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -439,12 +439,12 @@ int test_vas_F(void)
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 2116);
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
+            selftest_paint(got_F, 2116);
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != expected) {
                 selftest_print("vas_F: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_F F", F, 2116);
+            failures += selftest_painted("vas_F F", got_F, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[6] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1),
@@ -453,7 +453,7 @@ int test_vas_F(void)
                                              BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != BS_OK) {
                 selftest_print("vas_F: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -470,19 +470,19 @@ int test_vas_F(void)
             triads.accel_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 2116);
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
+            selftest_paint(got_F, 2116);
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != expected) {
                 selftest_print("vas_F: accel_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_F F", F, 2116);
+            failures += selftest_painted("vas_F F", got_F, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.accel_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != BS_OK) {
                 selftest_print("vas_F: accel_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -499,19 +499,19 @@ int test_vas_F(void)
             biases.gyro_bias_beta[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 2116);
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
+            selftest_paint(got_F, 2116);
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != expected) {
                 selftest_print("vas_F: gyro_bias_beta[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_F F", F, 2116);
+            failures += selftest_painted("vas_F F", got_F, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             biases.gyro_bias_beta[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != BS_OK) {
                 selftest_print("vas_F: gyro_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -528,36 +528,36 @@ int test_vas_F(void)
             biases.accel_bias_beta[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                   : (bad == 1) ? selftest_infinity()
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(F, 2116);
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != expected) {
+            selftest_paint(got_F, 2116);
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != expected) {
                 selftest_print("vas_F: accel_bias_beta[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_F F", F, 2116);
+            failures += selftest_painted("vas_F F", got_F, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             biases.accel_bias_beta[i] = (end == 0) ? low[i] : high[i];
-            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, F) != BS_OK) {
+            if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != BS_OK) {
                 selftest_print("vas_F: accel_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
-    failures += (vas_F(0, &corrected_imu, &bending, &triads, &biases, F) != BS_NULL_POINTER);
-    failures += (vas_F(&nav, 0, &bending, &triads, &biases, F) != BS_NULL_POINTER);
-    failures += (vas_F(&nav, &corrected_imu, 0, &triads, &biases, F) != BS_NULL_POINTER);
-    failures += (vas_F(&nav, &corrected_imu, &bending, 0, &biases, F) != BS_NULL_POINTER);
-    failures += (vas_F(&nav, &corrected_imu, &bending, &triads, 0, F) != BS_NULL_POINTER);
+    failures += (vas_F(0, &corrected_imu, &bending, &triads, &biases, got_F) != BS_NULL_POINTER);
+    failures += (vas_F(&nav, 0, &bending, &triads, &biases, got_F) != BS_NULL_POINTER);
+    failures += (vas_F(&nav, &corrected_imu, 0, &triads, &biases, got_F) != BS_NULL_POINTER);
+    failures += (vas_F(&nav, &corrected_imu, &bending, 0, &biases, got_F) != BS_NULL_POINTER);
+    failures += (vas_F(&nav, &corrected_imu, &bending, &triads, 0, got_F) != BS_NULL_POINTER);
     failures += (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, 0) != BS_NULL_POINTER);
-    failures += (vas_F_nz(0, &corrected_imu, &bending, &triads, &biases, F) != BS_NULL_POINTER);
-    failures += (vas_F_nz(&nav, 0, &bending, &triads, &biases, F) != BS_NULL_POINTER);
-    failures += (vas_F_nz(&nav, &corrected_imu, 0, &triads, &biases, F) != BS_NULL_POINTER);
-    failures += (vas_F_nz(&nav, &corrected_imu, &bending, 0, &biases, F) != BS_NULL_POINTER);
-    failures += (vas_F_nz(&nav, &corrected_imu, &bending, &triads, 0, F) != BS_NULL_POINTER);
+    failures += (vas_F_nz(0, &corrected_imu, &bending, &triads, &biases, got_F) != BS_NULL_POINTER);
+    failures += (vas_F_nz(&nav, 0, &bending, &triads, &biases, got_F) != BS_NULL_POINTER);
+    failures += (vas_F_nz(&nav, &corrected_imu, 0, &triads, &biases, got_F) != BS_NULL_POINTER);
+    failures += (vas_F_nz(&nav, &corrected_imu, &bending, 0, &biases, got_F) != BS_NULL_POINTER);
+    failures += (vas_F_nz(&nav, &corrected_imu, &bending, &triads, 0, got_F) != BS_NULL_POINTER);
     failures += (vas_F_nz(&nav, &corrected_imu, &bending, &triads, &biases, 0) != BS_NULL_POINTER);
     return failures;
 }

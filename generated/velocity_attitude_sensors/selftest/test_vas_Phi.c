@@ -161,15 +161,15 @@ int test_vas_Phi(void)
     vas_bending bending = {0};
     vas_triads triads = {0};
     vas_biases biases = {0};
-    bs_real Phi[2116];
+    bs_real got_Phi[2116];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &bending, &triads, &biases);
-        if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
+        if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("vas_Phi Phi", v, Phi, 2116, out_Phi[v], tol_Phi[v], at_Phi,
-                                     232, 0);
+        failures += selftest_compare("vas_Phi Phi", v, got_Phi, 2116, out_Phi[v], tol_Phi[v],
+                                     at_Phi, 232, 0);
     }
     /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -182,12 +182,12 @@ int test_vas_Phi(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
+            selftest_paint(got_Phi, 2116);
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != expected) {
                 selftest_print("vas_Phi: lat_lon_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Phi Phi", Phi, 2116);
+            failures += selftest_painted("vas_Phi Phi", got_Phi, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -196,7 +196,7 @@ int test_vas_Phi(void)
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != BS_OK) {
                 selftest_print("vas_Phi: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -211,19 +211,19 @@ int test_vas_Phi(void)
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
+            selftest_paint(got_Phi, 2116);
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != expected) {
                 selftest_print("vas_Phi: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Phi Phi", Phi, 2116);
+            failures += selftest_painted("vas_Phi Phi", got_Phi, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != BS_OK) {
                 selftest_print("vas_Phi: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -240,12 +240,12 @@ int test_vas_Phi(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
+            selftest_paint(got_Phi, 2116);
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != expected) {
                 selftest_print("vas_Phi: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Phi Phi", Phi, 2116);
+            failures += selftest_painted("vas_Phi Phi", got_Phi, 2116);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -255,7 +255,7 @@ int test_vas_Phi(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != BS_OK) {
                 selftest_print("vas_Phi: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -268,7 +268,7 @@ int test_vas_Phi(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OUT_OF_RANGE) {
+        if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != BS_OUT_OF_RANGE) {
             selftest_print("vas_Phi: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -283,19 +283,19 @@ int test_vas_Phi(void)
             corrected_imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
+            selftest_paint(got_Phi, 2116);
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != expected) {
                 selftest_print("vas_Phi: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Phi Phi", Phi, 2116);
+            failures += selftest_painted("vas_Phi Phi", got_Phi, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             corrected_imu.f_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != BS_OK) {
                 selftest_print("vas_Phi: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -312,19 +312,19 @@ int test_vas_Phi(void)
             corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
+            selftest_paint(got_Phi, 2116);
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != expected) {
                 selftest_print("vas_Phi: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Phi Phi", Phi, 2116);
+            failures += selftest_painted("vas_Phi Phi", got_Phi, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != BS_OK) {
                 selftest_print("vas_Phi: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -340,19 +340,19 @@ int test_vas_Phi(void)
             corrected_imu.dt = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
+            selftest_paint(got_Phi, 2116);
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != expected) {
                 selftest_print("vas_Phi: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Phi Phi", Phi, 2116);
+            failures += selftest_painted("vas_Phi Phi", got_Phi, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             corrected_imu.dt = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != BS_OK) {
                 selftest_print("vas_Phi: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -369,19 +369,19 @@ int test_vas_Phi(void)
             bending.flexure_omega[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
+            selftest_paint(got_Phi, 2116);
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != expected) {
                 selftest_print("vas_Phi: flexure_omega[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Phi Phi", Phi, 2116);
+            failures += selftest_painted("vas_Phi Phi", got_Phi, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             bending.flexure_omega[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != BS_OK) {
                 selftest_print("vas_Phi: flexure_omega[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -398,19 +398,19 @@ int test_vas_Phi(void)
             bending.flexure_damping[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                    : (bad == 1) ? selftest_infinity()
                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
+            selftest_paint(got_Phi, 2116);
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != expected) {
                 selftest_print("vas_Phi: flexure_damping[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Phi Phi", Phi, 2116);
+            failures += selftest_painted("vas_Phi Phi", got_Phi, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             bending.flexure_damping[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != BS_OK) {
                 selftest_print("vas_Phi: flexure_damping[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -427,19 +427,19 @@ int test_vas_Phi(void)
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
+            selftest_paint(got_Phi, 2116);
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != expected) {
                 selftest_print("vas_Phi: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Phi Phi", Phi, 2116);
+            failures += selftest_painted("vas_Phi Phi", got_Phi, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != BS_OK) {
                 selftest_print("vas_Phi: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -456,19 +456,19 @@ int test_vas_Phi(void)
             triads.accel_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
+            selftest_paint(got_Phi, 2116);
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != expected) {
                 selftest_print("vas_Phi: accel_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Phi Phi", Phi, 2116);
+            failures += selftest_painted("vas_Phi Phi", got_Phi, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.accel_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != BS_OK) {
                 selftest_print("vas_Phi: accel_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -487,12 +487,12 @@ int test_vas_Phi(void)
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
+            selftest_paint(got_Phi, 2116);
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != expected) {
                 selftest_print("vas_Phi: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Phi Phi", Phi, 2116);
+            failures += selftest_painted("vas_Phi Phi", got_Phi, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[6] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1),
@@ -501,7 +501,7 @@ int test_vas_Phi(void)
                                              BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != BS_OK) {
                 selftest_print("vas_Phi: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -518,19 +518,19 @@ int test_vas_Phi(void)
             triads.accel_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
+            selftest_paint(got_Phi, 2116);
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != expected) {
                 selftest_print("vas_Phi: accel_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Phi Phi", Phi, 2116);
+            failures += selftest_painted("vas_Phi Phi", got_Phi, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             triads.accel_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != BS_OK) {
                 selftest_print("vas_Phi: accel_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -547,19 +547,19 @@ int test_vas_Phi(void)
             biases.gyro_bias_beta[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
+            selftest_paint(got_Phi, 2116);
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != expected) {
                 selftest_print("vas_Phi: gyro_bias_beta[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Phi Phi", Phi, 2116);
+            failures += selftest_painted("vas_Phi Phi", got_Phi, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             biases.gyro_bias_beta[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != BS_OK) {
                 selftest_print("vas_Phi: gyro_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -576,36 +576,40 @@ int test_vas_Phi(void)
             biases.accel_bias_beta[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                   : (bad == 1) ? selftest_infinity()
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 2116);
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != expected) {
+            selftest_paint(got_Phi, 2116);
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != expected) {
                 selftest_print("vas_Phi: accel_bias_beta[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Phi Phi", Phi, 2116);
+            failures += selftest_painted("vas_Phi Phi", got_Phi, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
             biases.accel_bias_beta[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, Phi) != BS_OK) {
+            if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != BS_OK) {
                 selftest_print("vas_Phi: accel_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &corrected_imu, &bending, &triads, &biases);
-    failures += (vas_Phi(0, &corrected_imu, &bending, &triads, &biases, Phi) != BS_NULL_POINTER);
-    failures += (vas_Phi(&nav, 0, &bending, &triads, &biases, Phi) != BS_NULL_POINTER);
-    failures += (vas_Phi(&nav, &corrected_imu, 0, &triads, &biases, Phi) != BS_NULL_POINTER);
-    failures += (vas_Phi(&nav, &corrected_imu, &bending, 0, &biases, Phi) != BS_NULL_POINTER);
-    failures += (vas_Phi(&nav, &corrected_imu, &bending, &triads, 0, Phi) != BS_NULL_POINTER);
+    failures += (vas_Phi(0, &corrected_imu, &bending, &triads, &biases,
+                         got_Phi) != BS_NULL_POINTER);
+    failures += (vas_Phi(&nav, 0, &bending, &triads, &biases, got_Phi) != BS_NULL_POINTER);
+    failures += (vas_Phi(&nav, &corrected_imu, 0, &triads, &biases, got_Phi) != BS_NULL_POINTER);
+    failures += (vas_Phi(&nav, &corrected_imu, &bending, 0, &biases, got_Phi) != BS_NULL_POINTER);
+    failures += (vas_Phi(&nav, &corrected_imu, &bending, &triads, 0, got_Phi) != BS_NULL_POINTER);
     failures += (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, 0) != BS_NULL_POINTER);
-    failures += (vas_Phi_nz(0, &corrected_imu, &bending, &triads, &biases, Phi) != BS_NULL_POINTER);
-    failures += (vas_Phi_nz(&nav, 0, &bending, &triads, &biases, Phi) != BS_NULL_POINTER);
-    failures += (vas_Phi_nz(&nav, &corrected_imu, 0, &triads, &biases, Phi) != BS_NULL_POINTER);
-    failures += (vas_Phi_nz(&nav, &corrected_imu, &bending, 0, &biases, Phi) != BS_NULL_POINTER);
-    failures += (vas_Phi_nz(&nav, &corrected_imu, &bending, &triads, 0, Phi) != BS_NULL_POINTER);
+    failures += (vas_Phi_nz(0, &corrected_imu, &bending, &triads, &biases,
+                            got_Phi) != BS_NULL_POINTER);
+    failures += (vas_Phi_nz(&nav, 0, &bending, &triads, &biases, got_Phi) != BS_NULL_POINTER);
+    failures += (vas_Phi_nz(&nav, &corrected_imu, 0, &triads, &biases, got_Phi) != BS_NULL_POINTER);
+    failures += (vas_Phi_nz(&nav, &corrected_imu, &bending, 0, &biases,
+                            got_Phi) != BS_NULL_POINTER);
+    failures += (vas_Phi_nz(&nav, &corrected_imu, &bending, &triads, 0,
+                            got_Phi) != BS_NULL_POINTER);
     failures += (vas_Phi_nz(&nav, &corrected_imu, &bending, &triads, &biases,
                             0) != BS_NULL_POINTER);
     return failures;

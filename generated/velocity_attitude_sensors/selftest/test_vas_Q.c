@@ -218,14 +218,14 @@ int test_vas_Q(void)
     vas_bending bending = {0};
     vas_triads triads = {0};
     vas_biases biases = {0};
-    bs_real Q[2116];
+    bs_real got_Q[2116];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
-        if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+        if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, got_Q) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("vas_Q Q", v, Q, 2116, out_Q[v], tol_Q[v], at_Q, 130, 0);
+        failures += selftest_compare("vas_Q Q", v, got_Q, 2116, out_Q[v], tol_Q[v], at_Q, 130, 0);
     }
     /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -238,12 +238,13 @@ int test_vas_Q(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            selftest_paint(got_Q, 2116);
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
+                      got_Q) != expected) {
                 selftest_print("vas_Q: lat_lon_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Q Q", Q, 2116);
+            failures += selftest_painted("vas_Q Q", got_Q, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -252,7 +253,7 @@ int test_vas_Q(void)
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
             set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, got_Q) != BS_OK) {
                 selftest_print("vas_Q: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -267,19 +268,20 @@ int test_vas_Q(void)
             set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            selftest_paint(got_Q, 2116);
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
+                      got_Q) != expected) {
                 selftest_print("vas_Q: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Q Q", Q, 2116);
+            failures += selftest_painted("vas_Q Q", got_Q, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, got_Q) != BS_OK) {
                 selftest_print("vas_Q: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -296,12 +298,13 @@ int test_vas_Q(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            selftest_paint(got_Q, 2116);
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
+                      got_Q) != expected) {
                 selftest_print("vas_Q: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Q Q", Q, 2116);
+            failures += selftest_painted("vas_Q Q", got_Q, 2116);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -311,7 +314,7 @@ int test_vas_Q(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, got_Q) != BS_OK) {
                 selftest_print("vas_Q: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -324,7 +327,8 @@ int test_vas_Q(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OUT_OF_RANGE) {
+        if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
+                  got_Q) != BS_OUT_OF_RANGE) {
             selftest_print("vas_Q: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -339,19 +343,20 @@ int test_vas_Q(void)
             corrected_imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            selftest_paint(got_Q, 2116);
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
+                      got_Q) != expected) {
                 selftest_print("vas_Q: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Q Q", Q, 2116);
+            failures += selftest_painted("vas_Q Q", got_Q, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
             set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             corrected_imu.f_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, got_Q) != BS_OK) {
                 selftest_print("vas_Q: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -367,19 +372,20 @@ int test_vas_Q(void)
             corrected_imu.dt = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            selftest_paint(got_Q, 2116);
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
+                      got_Q) != expected) {
                 selftest_print("vas_Q: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Q Q", Q, 2116);
+            failures += selftest_painted("vas_Q Q", got_Q, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             corrected_imu.dt = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, got_Q) != BS_OK) {
                 selftest_print("vas_Q: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -396,19 +402,20 @@ int test_vas_Q(void)
             noise.gyro_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            selftest_paint(got_Q, 2116);
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
+                      got_Q) != expected) {
                 selftest_print("vas_Q: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Q Q", Q, 2116);
+            failures += selftest_painted("vas_Q Q", got_Q, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, got_Q) != BS_OK) {
                 selftest_print("vas_Q: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -425,19 +432,20 @@ int test_vas_Q(void)
             noise.accel_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            selftest_paint(got_Q, 2116);
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
+                      got_Q) != expected) {
                 selftest_print("vas_Q: accel_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Q Q", Q, 2116);
+            failures += selftest_painted("vas_Q Q", got_Q, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             noise.accel_noise[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, got_Q) != BS_OK) {
                 selftest_print("vas_Q: accel_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -454,19 +462,20 @@ int test_vas_Q(void)
             noise.gyro_bias_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            selftest_paint(got_Q, 2116);
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
+                      got_Q) != expected) {
                 selftest_print("vas_Q: gyro_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Q Q", Q, 2116);
+            failures += selftest_painted("vas_Q Q", got_Q, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             noise.gyro_bias_noise[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, got_Q) != BS_OK) {
                 selftest_print("vas_Q: gyro_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -483,19 +492,20 @@ int test_vas_Q(void)
             noise.accel_bias_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                   : (bad == 1) ? selftest_infinity()
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            selftest_paint(got_Q, 2116);
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
+                      got_Q) != expected) {
                 selftest_print("vas_Q: accel_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Q Q", Q, 2116);
+            failures += selftest_painted("vas_Q Q", got_Q, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             noise.accel_bias_noise[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, got_Q) != BS_OK) {
                 selftest_print("vas_Q: accel_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -512,19 +522,20 @@ int test_vas_Q(void)
             noise.mu_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            selftest_paint(got_Q, 2116);
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
+                      got_Q) != expected) {
                 selftest_print("vas_Q: mu_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Q Q", Q, 2116);
+            failures += selftest_painted("vas_Q Q", got_Q, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             noise.mu_noise[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, got_Q) != BS_OK) {
                 selftest_print("vas_Q: mu_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -541,19 +552,20 @@ int test_vas_Q(void)
             noise.tau_noise = (bs_real)((bad == 0) ? selftest_nan()
                                         : (bad == 1) ? selftest_infinity()
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            selftest_paint(got_Q, 2116);
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
+                      got_Q) != expected) {
                 selftest_print("vas_Q: tau_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Q Q", Q, 2116);
+            failures += selftest_painted("vas_Q Q", got_Q, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(0.0) };
             static const bs_real high[1] = { BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             noise.tau_noise = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, got_Q) != BS_OK) {
                 selftest_print("vas_Q: tau_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -570,19 +582,20 @@ int test_vas_Q(void)
             bending.flexure_omega[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            selftest_paint(got_Q, 2116);
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
+                      got_Q) != expected) {
                 selftest_print("vas_Q: flexure_omega[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Q Q", Q, 2116);
+            failures += selftest_painted("vas_Q Q", got_Q, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
             set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             bending.flexure_omega[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, got_Q) != BS_OK) {
                 selftest_print("vas_Q: flexure_omega[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -599,19 +612,20 @@ int test_vas_Q(void)
             bending.flexure_damping[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                    : (bad == 1) ? selftest_infinity()
                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            selftest_paint(got_Q, 2116);
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
+                      got_Q) != expected) {
                 selftest_print("vas_Q: flexure_damping[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Q Q", Q, 2116);
+            failures += selftest_painted("vas_Q Q", got_Q, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             bending.flexure_damping[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, got_Q) != BS_OK) {
                 selftest_print("vas_Q: flexure_damping[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -628,19 +642,20 @@ int test_vas_Q(void)
             bending.flexure_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            selftest_paint(got_Q, 2116);
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
+                      got_Q) != expected) {
                 selftest_print("vas_Q: flexure_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Q Q", Q, 2116);
+            failures += selftest_painted("vas_Q Q", got_Q, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             bending.flexure_noise[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, got_Q) != BS_OK) {
                 selftest_print("vas_Q: flexure_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -657,19 +672,20 @@ int test_vas_Q(void)
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            selftest_paint(got_Q, 2116);
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
+                      got_Q) != expected) {
                 selftest_print("vas_Q: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Q Q", Q, 2116);
+            failures += selftest_painted("vas_Q Q", got_Q, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, got_Q) != BS_OK) {
                 selftest_print("vas_Q: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -686,19 +702,20 @@ int test_vas_Q(void)
             triads.accel_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            selftest_paint(got_Q, 2116);
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
+                      got_Q) != expected) {
                 selftest_print("vas_Q: accel_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Q Q", Q, 2116);
+            failures += selftest_painted("vas_Q Q", got_Q, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             triads.accel_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, got_Q) != BS_OK) {
                 selftest_print("vas_Q: accel_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -717,12 +734,13 @@ int test_vas_Q(void)
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            selftest_paint(got_Q, 2116);
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
+                      got_Q) != expected) {
                 selftest_print("vas_Q: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Q Q", Q, 2116);
+            failures += selftest_painted("vas_Q Q", got_Q, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[6] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1),
@@ -731,7 +749,7 @@ int test_vas_Q(void)
                                              BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, got_Q) != BS_OK) {
                 selftest_print("vas_Q: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -748,19 +766,20 @@ int test_vas_Q(void)
             triads.accel_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            selftest_paint(got_Q, 2116);
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
+                      got_Q) != expected) {
                 selftest_print("vas_Q: accel_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Q Q", Q, 2116);
+            failures += selftest_painted("vas_Q Q", got_Q, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             triads.accel_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, got_Q) != BS_OK) {
                 selftest_print("vas_Q: accel_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -777,19 +796,20 @@ int test_vas_Q(void)
             biases.gyro_bias_beta[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            selftest_paint(got_Q, 2116);
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
+                      got_Q) != expected) {
                 selftest_print("vas_Q: gyro_bias_beta[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Q Q", Q, 2116);
+            failures += selftest_painted("vas_Q Q", got_Q, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             biases.gyro_bias_beta[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, got_Q) != BS_OK) {
                 selftest_print("vas_Q: gyro_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -806,19 +826,20 @@ int test_vas_Q(void)
             biases.accel_bias_beta[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                   : (bad == 1) ? selftest_infinity()
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Q, 2116);
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != expected) {
+            selftest_paint(got_Q, 2116);
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
+                      got_Q) != expected) {
                 selftest_print("vas_Q: accel_bias_beta[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Q Q", Q, 2116);
+            failures += selftest_painted("vas_Q Q", got_Q, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
             biases.accel_bias_beta[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, Q) != BS_OK) {
+            if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, got_Q) != BS_OK) {
                 selftest_print("vas_Q: accel_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -826,24 +847,29 @@ int test_vas_Q(void)
     }
     set_point(0, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
     failures += (vas_Q(0, &corrected_imu, &noise, &bending, &triads, &biases,
-                       Q) != BS_NULL_POINTER);
-    failures += (vas_Q(&nav, 0, &noise, &bending, &triads, &biases, Q) != BS_NULL_POINTER);
-    failures += (vas_Q(&nav, &corrected_imu, 0, &bending, &triads, &biases, Q) != BS_NULL_POINTER);
-    failures += (vas_Q(&nav, &corrected_imu, &noise, 0, &triads, &biases, Q) != BS_NULL_POINTER);
-    failures += (vas_Q(&nav, &corrected_imu, &noise, &bending, 0, &biases, Q) != BS_NULL_POINTER);
-    failures += (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, 0, Q) != BS_NULL_POINTER);
+                       got_Q) != BS_NULL_POINTER);
+    failures += (vas_Q(&nav, 0, &noise, &bending, &triads, &biases, got_Q) != BS_NULL_POINTER);
+    failures += (vas_Q(&nav, &corrected_imu, 0, &bending, &triads, &biases,
+                       got_Q) != BS_NULL_POINTER);
+    failures += (vas_Q(&nav, &corrected_imu, &noise, 0, &triads, &biases,
+                       got_Q) != BS_NULL_POINTER);
+    failures += (vas_Q(&nav, &corrected_imu, &noise, &bending, 0, &biases,
+                       got_Q) != BS_NULL_POINTER);
+    failures += (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, 0,
+                       got_Q) != BS_NULL_POINTER);
     failures += (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
                        0) != BS_NULL_POINTER);
     failures += (vas_Q_nz(0, &corrected_imu, &noise, &bending, &triads, &biases,
-                          Q) != BS_NULL_POINTER);
-    failures += (vas_Q_nz(&nav, 0, &noise, &bending, &triads, &biases, Q) != BS_NULL_POINTER);
+                          got_Q) != BS_NULL_POINTER);
+    failures += (vas_Q_nz(&nav, 0, &noise, &bending, &triads, &biases, got_Q) != BS_NULL_POINTER);
     failures += (vas_Q_nz(&nav, &corrected_imu, 0, &bending, &triads, &biases,
-                          Q) != BS_NULL_POINTER);
-    failures += (vas_Q_nz(&nav, &corrected_imu, &noise, 0, &triads, &biases, Q) != BS_NULL_POINTER);
+                          got_Q) != BS_NULL_POINTER);
+    failures += (vas_Q_nz(&nav, &corrected_imu, &noise, 0, &triads, &biases,
+                          got_Q) != BS_NULL_POINTER);
     failures += (vas_Q_nz(&nav, &corrected_imu, &noise, &bending, 0, &biases,
-                          Q) != BS_NULL_POINTER);
+                          got_Q) != BS_NULL_POINTER);
     failures += (vas_Q_nz(&nav, &corrected_imu, &noise, &bending, &triads, 0,
-                          Q) != BS_NULL_POINTER);
+                          got_Q) != BS_NULL_POINTER);
     failures += (vas_Q_nz(&nav, &corrected_imu, &noise, &bending, &triads, &biases,
                           0) != BS_NULL_POINTER);
     return failures;

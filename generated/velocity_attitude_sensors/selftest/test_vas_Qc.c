@@ -127,14 +127,15 @@ int test_vas_Qc(void)
     vas_noise noise = {0};
     vas_bending bending = {0};
     vas_triads triads = {0};
-    bs_real Qc[2116];
+    bs_real got_Qc[2116];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &noise, &bending, &triads);
-        if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
+        if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("vas_Qc Qc", v, Qc, 2116, out_Qc[v], tol_Qc[v], at_Qc, 31, 0);
+        failures += selftest_compare("vas_Qc Qc", v, got_Qc, 2116, out_Qc[v], tol_Qc[v], at_Qc, 31,
+                                     0);
     }
     /* q_b2n_wxyz: each component in turn NaN, infinite, beyond either end of its box; and at the
      * ends. */
@@ -147,12 +148,12 @@ int test_vas_Qc(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Qc, 2116);
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
+            selftest_paint(got_Qc, 2116);
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != expected) {
                 selftest_print("vas_Qc: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Qc Qc", Qc, 2116);
+            failures += selftest_painted("vas_Qc Qc", got_Qc, 2116);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -162,7 +163,7 @@ int test_vas_Qc(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != BS_OK) {
                 selftest_print("vas_Qc: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -175,7 +176,7 @@ int test_vas_Qc(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OUT_OF_RANGE) {
+        if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != BS_OUT_OF_RANGE) {
             selftest_print("vas_Qc: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -191,19 +192,19 @@ int test_vas_Qc(void)
             noise.gyro_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Qc, 2116);
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
+            selftest_paint(got_Qc, 2116);
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != expected) {
                 selftest_print("vas_Qc: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Qc Qc", Qc, 2116);
+            failures += selftest_painted("vas_Qc Qc", got_Qc, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &noise, &bending, &triads);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != BS_OK) {
                 selftest_print("vas_Qc: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -220,19 +221,19 @@ int test_vas_Qc(void)
             noise.accel_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Qc, 2116);
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
+            selftest_paint(got_Qc, 2116);
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != expected) {
                 selftest_print("vas_Qc: accel_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Qc Qc", Qc, 2116);
+            failures += selftest_painted("vas_Qc Qc", got_Qc, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
             set_point(0, &nav, &noise, &bending, &triads);
             noise.accel_noise[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != BS_OK) {
                 selftest_print("vas_Qc: accel_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -249,19 +250,19 @@ int test_vas_Qc(void)
             noise.gyro_bias_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Qc, 2116);
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
+            selftest_paint(got_Qc, 2116);
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != expected) {
                 selftest_print("vas_Qc: gyro_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Qc Qc", Qc, 2116);
+            failures += selftest_painted("vas_Qc Qc", got_Qc, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &noise, &bending, &triads);
             noise.gyro_bias_noise[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != BS_OK) {
                 selftest_print("vas_Qc: gyro_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -278,19 +279,19 @@ int test_vas_Qc(void)
             noise.accel_bias_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                   : (bad == 1) ? selftest_infinity()
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Qc, 2116);
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
+            selftest_paint(got_Qc, 2116);
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != expected) {
                 selftest_print("vas_Qc: accel_bias_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Qc Qc", Qc, 2116);
+            failures += selftest_painted("vas_Qc Qc", got_Qc, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
             set_point(0, &nav, &noise, &bending, &triads);
             noise.accel_bias_noise[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != BS_OK) {
                 selftest_print("vas_Qc: accel_bias_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -307,19 +308,19 @@ int test_vas_Qc(void)
             noise.mu_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Qc, 2116);
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
+            selftest_paint(got_Qc, 2116);
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != expected) {
                 selftest_print("vas_Qc: mu_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Qc Qc", Qc, 2116);
+            failures += selftest_painted("vas_Qc Qc", got_Qc, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &noise, &bending, &triads);
             noise.mu_noise[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != BS_OK) {
                 selftest_print("vas_Qc: mu_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -336,19 +337,19 @@ int test_vas_Qc(void)
             noise.tau_noise = (bs_real)((bad == 0) ? selftest_nan()
                                         : (bad == 1) ? selftest_infinity()
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Qc, 2116);
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
+            selftest_paint(got_Qc, 2116);
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != expected) {
                 selftest_print("vas_Qc: tau_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Qc Qc", Qc, 2116);
+            failures += selftest_painted("vas_Qc Qc", got_Qc, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(0.0) };
             static const bs_real high[1] = { BS_REAL(0.1) };
             set_point(0, &nav, &noise, &bending, &triads);
             noise.tau_noise = (end == 0) ? low[i] : high[i];
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != BS_OK) {
                 selftest_print("vas_Qc: tau_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -365,19 +366,19 @@ int test_vas_Qc(void)
             bending.flexure_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Qc, 2116);
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
+            selftest_paint(got_Qc, 2116);
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != expected) {
                 selftest_print("vas_Qc: flexure_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Qc Qc", Qc, 2116);
+            failures += selftest_painted("vas_Qc Qc", got_Qc, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &noise, &bending, &triads);
             bending.flexure_noise[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != BS_OK) {
                 selftest_print("vas_Qc: flexure_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -394,19 +395,19 @@ int test_vas_Qc(void)
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Qc, 2116);
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
+            selftest_paint(got_Qc, 2116);
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != expected) {
                 selftest_print("vas_Qc: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Qc Qc", Qc, 2116);
+            failures += selftest_painted("vas_Qc Qc", got_Qc, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &noise, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != BS_OK) {
                 selftest_print("vas_Qc: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -423,19 +424,19 @@ int test_vas_Qc(void)
             triads.accel_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Qc, 2116);
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
+            selftest_paint(got_Qc, 2116);
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != expected) {
                 selftest_print("vas_Qc: accel_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Qc Qc", Qc, 2116);
+            failures += selftest_painted("vas_Qc Qc", got_Qc, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &noise, &bending, &triads);
             triads.accel_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != BS_OK) {
                 selftest_print("vas_Qc: accel_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -454,12 +455,12 @@ int test_vas_Qc(void)
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Qc, 2116);
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
+            selftest_paint(got_Qc, 2116);
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != expected) {
                 selftest_print("vas_Qc: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Qc Qc", Qc, 2116);
+            failures += selftest_painted("vas_Qc Qc", got_Qc, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[6] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1),
@@ -468,7 +469,7 @@ int test_vas_Qc(void)
                                              BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &noise, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != BS_OK) {
                 selftest_print("vas_Qc: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -485,34 +486,34 @@ int test_vas_Qc(void)
             triads.accel_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Qc, 2116);
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != expected) {
+            selftest_paint(got_Qc, 2116);
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != expected) {
                 selftest_print("vas_Qc: accel_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_Qc Qc", Qc, 2116);
+            failures += selftest_painted("vas_Qc Qc", got_Qc, 2116);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &noise, &bending, &triads);
             triads.accel_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_Qc(&nav, &noise, &bending, &triads, Qc) != BS_OK) {
+            if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != BS_OK) {
                 selftest_print("vas_Qc: accel_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &noise, &bending, &triads);
-    failures += (vas_Qc(0, &noise, &bending, &triads, Qc) != BS_NULL_POINTER);
-    failures += (vas_Qc(&nav, 0, &bending, &triads, Qc) != BS_NULL_POINTER);
-    failures += (vas_Qc(&nav, &noise, 0, &triads, Qc) != BS_NULL_POINTER);
-    failures += (vas_Qc(&nav, &noise, &bending, 0, Qc) != BS_NULL_POINTER);
+    failures += (vas_Qc(0, &noise, &bending, &triads, got_Qc) != BS_NULL_POINTER);
+    failures += (vas_Qc(&nav, 0, &bending, &triads, got_Qc) != BS_NULL_POINTER);
+    failures += (vas_Qc(&nav, &noise, 0, &triads, got_Qc) != BS_NULL_POINTER);
+    failures += (vas_Qc(&nav, &noise, &bending, 0, got_Qc) != BS_NULL_POINTER);
     failures += (vas_Qc(&nav, &noise, &bending, &triads, 0) != BS_NULL_POINTER);
-    failures += (vas_Qc_nz(0, &noise, &bending, &triads, Qc) != BS_NULL_POINTER);
-    failures += (vas_Qc_nz(&nav, 0, &bending, &triads, Qc) != BS_NULL_POINTER);
-    failures += (vas_Qc_nz(&nav, &noise, 0, &triads, Qc) != BS_NULL_POINTER);
-    failures += (vas_Qc_nz(&nav, &noise, &bending, 0, Qc) != BS_NULL_POINTER);
+    failures += (vas_Qc_nz(0, &noise, &bending, &triads, got_Qc) != BS_NULL_POINTER);
+    failures += (vas_Qc_nz(&nav, 0, &bending, &triads, got_Qc) != BS_NULL_POINTER);
+    failures += (vas_Qc_nz(&nav, &noise, 0, &triads, got_Qc) != BS_NULL_POINTER);
+    failures += (vas_Qc_nz(&nav, &noise, &bending, 0, got_Qc) != BS_NULL_POINTER);
     failures += (vas_Qc_nz(&nav, &noise, &bending, &triads, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -105,14 +105,14 @@ int test_vas_dcm_H(void)
     vas_corrected_imu corrected_imu = {0};
     vas_bending bending = {0};
     vas_triads triads = {0};
-    bs_real H[138];
+    bs_real got_H[138];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &bending, &triads);
-        if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OK) {
+        if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, got_H) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("vas_dcm_H H", v, H, 138, out_H[v], tol_H[v], at_H, 24, 0);
+        failures += selftest_compare("vas_dcm_H H", v, got_H, 138, out_H[v], tol_H[v], at_H, 24, 0);
     }
     /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -125,12 +125,12 @@ int test_vas_dcm_H(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
-            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != expected) {
+            selftest_paint(got_H, 138);
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, got_H) != expected) {
                 selftest_print("vas_dcm_H: lat_lon_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_dcm_H H", H, 138);
+            failures += selftest_painted("vas_dcm_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -139,7 +139,7 @@ int test_vas_dcm_H(void)
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
             set_point(0, &nav, &corrected_imu, &bending, &triads);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
-            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OK) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, got_H) != BS_OK) {
                 selftest_print("vas_dcm_H: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -154,19 +154,19 @@ int test_vas_dcm_H(void)
             set_point(0, &nav, &corrected_imu, &bending, &triads);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
-            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != expected) {
+            selftest_paint(got_H, 138);
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, got_H) != expected) {
                 selftest_print("vas_dcm_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_dcm_H H", H, 138);
+            failures += selftest_painted("vas_dcm_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu, &bending, &triads);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OK) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, got_H) != BS_OK) {
                 selftest_print("vas_dcm_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -183,12 +183,12 @@ int test_vas_dcm_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
-            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != expected) {
+            selftest_paint(got_H, 138);
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, got_H) != expected) {
                 selftest_print("vas_dcm_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_dcm_H H", H, 138);
+            failures += selftest_painted("vas_dcm_H H", got_H, 138);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -198,7 +198,7 @@ int test_vas_dcm_H(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OK) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, got_H) != BS_OK) {
                 selftest_print("vas_dcm_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -211,7 +211,7 @@ int test_vas_dcm_H(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OUT_OF_RANGE) {
+        if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, got_H) != BS_OUT_OF_RANGE) {
             selftest_print("vas_dcm_H: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -227,12 +227,12 @@ int test_vas_dcm_H(void)
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
-            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != expected) {
+            selftest_paint(got_H, 138);
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, got_H) != expected) {
                 selftest_print("vas_dcm_H: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_dcm_H H", H, 138);
+            failures += selftest_painted("vas_dcm_H H", got_H, 138);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -242,7 +242,7 @@ int test_vas_dcm_H(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OK) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, got_H) != BS_OK) {
                 selftest_print("vas_dcm_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -255,7 +255,7 @@ int test_vas_dcm_H(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OUT_OF_RANGE) {
+        if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, got_H) != BS_OUT_OF_RANGE) {
             selftest_print("vas_dcm_H: q_b2m_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -271,19 +271,19 @@ int test_vas_dcm_H(void)
             corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
-            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != expected) {
+            selftest_paint(got_H, 138);
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, got_H) != expected) {
                 selftest_print("vas_dcm_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_dcm_H H", H, 138);
+            failures += selftest_painted("vas_dcm_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
             set_point(0, &nav, &corrected_imu, &bending, &triads);
             corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OK) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, got_H) != BS_OK) {
                 selftest_print("vas_dcm_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -300,19 +300,19 @@ int test_vas_dcm_H(void)
             bending.flexure[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
-            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != expected) {
+            selftest_paint(got_H, 138);
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, got_H) != expected) {
                 selftest_print("vas_dcm_H: flexure[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_dcm_H H", H, 138);
+            failures += selftest_painted("vas_dcm_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &bending, &triads);
             bending.flexure[i] = (end == 0) ? low[i] : high[i];
-            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OK) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, got_H) != BS_OK) {
                 selftest_print("vas_dcm_H: flexure[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -329,19 +329,19 @@ int test_vas_dcm_H(void)
             bending.flexure_rate[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
-            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != expected) {
+            selftest_paint(got_H, 138);
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, got_H) != expected) {
                 selftest_print("vas_dcm_H: flexure_rate[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_dcm_H H", H, 138);
+            failures += selftest_painted("vas_dcm_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
             set_point(0, &nav, &corrected_imu, &bending, &triads);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
-            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OK) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, got_H) != BS_OK) {
                 selftest_print("vas_dcm_H: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -358,19 +358,19 @@ int test_vas_dcm_H(void)
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
-            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != expected) {
+            selftest_paint(got_H, 138);
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, got_H) != expected) {
                 selftest_print("vas_dcm_H: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_dcm_H H", H, 138);
+            failures += selftest_painted("vas_dcm_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OK) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, got_H) != BS_OK) {
                 selftest_print("vas_dcm_H: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -389,12 +389,12 @@ int test_vas_dcm_H(void)
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
-            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != expected) {
+            selftest_paint(got_H, 138);
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, got_H) != expected) {
                 selftest_print("vas_dcm_H: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_dcm_H H", H, 138);
+            failures += selftest_painted("vas_dcm_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[6] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1),
@@ -403,22 +403,22 @@ int test_vas_dcm_H(void)
                                              BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, H) != BS_OK) {
+            if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, got_H) != BS_OK) {
                 selftest_print("vas_dcm_H: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &corrected_imu, &bending, &triads);
-    failures += (vas_dcm_H(0, &corrected_imu, &bending, &triads, H) != BS_NULL_POINTER);
-    failures += (vas_dcm_H(&nav, 0, &bending, &triads, H) != BS_NULL_POINTER);
-    failures += (vas_dcm_H(&nav, &corrected_imu, 0, &triads, H) != BS_NULL_POINTER);
-    failures += (vas_dcm_H(&nav, &corrected_imu, &bending, 0, H) != BS_NULL_POINTER);
+    failures += (vas_dcm_H(0, &corrected_imu, &bending, &triads, got_H) != BS_NULL_POINTER);
+    failures += (vas_dcm_H(&nav, 0, &bending, &triads, got_H) != BS_NULL_POINTER);
+    failures += (vas_dcm_H(&nav, &corrected_imu, 0, &triads, got_H) != BS_NULL_POINTER);
+    failures += (vas_dcm_H(&nav, &corrected_imu, &bending, 0, got_H) != BS_NULL_POINTER);
     failures += (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, 0) != BS_NULL_POINTER);
-    failures += (vas_dcm_H_nz(0, &corrected_imu, &bending, &triads, H) != BS_NULL_POINTER);
-    failures += (vas_dcm_H_nz(&nav, 0, &bending, &triads, H) != BS_NULL_POINTER);
-    failures += (vas_dcm_H_nz(&nav, &corrected_imu, 0, &triads, H) != BS_NULL_POINTER);
-    failures += (vas_dcm_H_nz(&nav, &corrected_imu, &bending, 0, H) != BS_NULL_POINTER);
+    failures += (vas_dcm_H_nz(0, &corrected_imu, &bending, &triads, got_H) != BS_NULL_POINTER);
+    failures += (vas_dcm_H_nz(&nav, 0, &bending, &triads, got_H) != BS_NULL_POINTER);
+    failures += (vas_dcm_H_nz(&nav, &corrected_imu, 0, &triads, got_H) != BS_NULL_POINTER);
+    failures += (vas_dcm_H_nz(&nav, &corrected_imu, &bending, 0, got_H) != BS_NULL_POINTER);
     failures += (vas_dcm_H_nz(&nav, &corrected_imu, &bending, &triads, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -120,14 +120,14 @@ int test_vas_euler_z(void)
     vas_master master = {0};
     vas_bending bending = {0};
     vas_triads triads = {0};
-    bs_real z[3];
+    bs_real got_z[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &master, &bending, &triads);
-        if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
+        if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, got_z) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("vas_euler_z z", v, z, 3, out_z[v], tol_z[v], at_z, 3, 7U);
+        failures += selftest_compare("vas_euler_z z", v, got_z, 3, out_z[v], tol_z[v], at_z, 3, 7U);
     }
     /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -140,13 +140,13 @@ int test_vas_euler_z(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, got_z) != expected) {
                 selftest_print("vas_euler_z: lat_lon_height[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_euler_z z", z, 3);
+            failures += selftest_painted("vas_euler_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -155,7 +155,7 @@ int test_vas_euler_z(void)
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
             set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
-            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, got_z) != BS_OK) {
                 selftest_print("vas_euler_z: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -170,19 +170,19 @@ int test_vas_euler_z(void)
             set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, got_z) != expected) {
                 selftest_print("vas_euler_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_euler_z z", z, 3);
+            failures += selftest_painted("vas_euler_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, got_z) != BS_OK) {
                 selftest_print("vas_euler_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -199,12 +199,12 @@ int test_vas_euler_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, got_z) != expected) {
                 selftest_print("vas_euler_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_euler_z z", z, 3);
+            failures += selftest_painted("vas_euler_z z", got_z, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -214,7 +214,7 @@ int test_vas_euler_z(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, got_z) != BS_OK) {
                 selftest_print("vas_euler_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -227,7 +227,8 @@ int test_vas_euler_z(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OUT_OF_RANGE) {
+        if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads,
+                        got_z) != BS_OUT_OF_RANGE) {
             selftest_print("vas_euler_z: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -244,12 +245,12 @@ int test_vas_euler_z(void)
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, got_z) != expected) {
                 selftest_print("vas_euler_z: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_euler_z z", z, 3);
+            failures += selftest_painted("vas_euler_z z", got_z, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -259,7 +260,7 @@ int test_vas_euler_z(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, got_z) != BS_OK) {
                 selftest_print("vas_euler_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -272,7 +273,8 @@ int test_vas_euler_z(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OUT_OF_RANGE) {
+        if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads,
+                        got_z) != BS_OUT_OF_RANGE) {
             selftest_print("vas_euler_z: q_b2m_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -289,19 +291,19 @@ int test_vas_euler_z(void)
             corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, got_z) != expected) {
                 selftest_print("vas_euler_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_euler_z z", z, 3);
+            failures += selftest_painted("vas_euler_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
             set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, got_z) != BS_OK) {
                 selftest_print("vas_euler_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -320,12 +322,12 @@ int test_vas_euler_z(void)
             master.euler_m[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, got_z) != expected) {
                 selftest_print("vas_euler_z: euler_m[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_euler_z z", z, 3);
+            failures += selftest_painted("vas_euler_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-3.141592653589793),
@@ -336,7 +338,7 @@ int test_vas_euler_z(void)
                                              BS_REAL(3.141592653589793) };
             set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             master.euler_m[i] = (end == 0) ? low[i] : high[i];
-            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, got_z) != BS_OK) {
                 selftest_print("vas_euler_z: euler_m[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -351,19 +353,19 @@ int test_vas_euler_z(void)
             set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             master.lag = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, got_z) != expected) {
                 selftest_print("vas_euler_z: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_euler_z z", z, 3);
+            failures += selftest_painted("vas_euler_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
             static const bs_real high[1] = { BS_REAL(1.0) };
             set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             master.lag = (end == 0) ? low[i] : high[i];
-            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, got_z) != BS_OK) {
                 selftest_print("vas_euler_z: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -380,19 +382,19 @@ int test_vas_euler_z(void)
             bending.flexure[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, got_z) != expected) {
                 selftest_print("vas_euler_z: flexure[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_euler_z z", z, 3);
+            failures += selftest_painted("vas_euler_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             bending.flexure[i] = (end == 0) ? low[i] : high[i];
-            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, got_z) != BS_OK) {
                 selftest_print("vas_euler_z: flexure[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -409,19 +411,19 @@ int test_vas_euler_z(void)
             bending.flexure_rate[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, got_z) != expected) {
                 selftest_print("vas_euler_z: flexure_rate[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_euler_z z", z, 3);
+            failures += selftest_painted("vas_euler_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
             set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
-            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, got_z) != BS_OK) {
                 selftest_print("vas_euler_z: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -438,19 +440,19 @@ int test_vas_euler_z(void)
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, got_z) != expected) {
                 selftest_print("vas_euler_z: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_euler_z z", z, 3);
+            failures += selftest_painted("vas_euler_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, got_z) != BS_OK) {
                 selftest_print("vas_euler_z: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -469,12 +471,12 @@ int test_vas_euler_z(void)
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, got_z) != expected) {
                 selftest_print("vas_euler_z: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_euler_z z", z, 3);
+            failures += selftest_painted("vas_euler_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[6] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1),
@@ -483,18 +485,19 @@ int test_vas_euler_z(void)
                                              BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, z) != BS_OK) {
+            if (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads, got_z) != BS_OK) {
                 selftest_print("vas_euler_z: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &corrected_imu, &master, &bending, &triads);
-    failures += (vas_euler_z(0, &corrected_imu, &master, &bending, &triads, z) != BS_NULL_POINTER);
-    failures += (vas_euler_z(&nav, 0, &master, &bending, &triads, z) != BS_NULL_POINTER);
-    failures += (vas_euler_z(&nav, &corrected_imu, 0, &bending, &triads, z) != BS_NULL_POINTER);
-    failures += (vas_euler_z(&nav, &corrected_imu, &master, 0, &triads, z) != BS_NULL_POINTER);
-    failures += (vas_euler_z(&nav, &corrected_imu, &master, &bending, 0, z) != BS_NULL_POINTER);
+    failures += (vas_euler_z(0, &corrected_imu, &master, &bending, &triads,
+                             got_z) != BS_NULL_POINTER);
+    failures += (vas_euler_z(&nav, 0, &master, &bending, &triads, got_z) != BS_NULL_POINTER);
+    failures += (vas_euler_z(&nav, &corrected_imu, 0, &bending, &triads, got_z) != BS_NULL_POINTER);
+    failures += (vas_euler_z(&nav, &corrected_imu, &master, 0, &triads, got_z) != BS_NULL_POINTER);
+    failures += (vas_euler_z(&nav, &corrected_imu, &master, &bending, 0, got_z) != BS_NULL_POINTER);
     failures += (vas_euler_z(&nav, &corrected_imu, &master, &bending, &triads,
                              0) != BS_NULL_POINTER);
     return failures;

@@ -147,22 +147,22 @@ int test_vas_expected(void)
     vas_mounting mounting = {0};
     vas_bending bending = {0};
     vas_triads triads = {0};
-    bs_real v_m_n[3];
-    bs_real q_m2n_wxyz[4];
-    bs_real omega_nb_n[3];
+    bs_real got_v_m_n[3];
+    bs_real got_q_m2n_wxyz[4];
+    bs_real got_omega_nb_n[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &mounting, &bending, &triads);
-        if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                         omega_nb_n) != BS_OK) {
+        if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                         got_q_m2n_wxyz, got_omega_nb_n) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("vas_expected v_m_n", v, v_m_n, 3, out_v_m_n[v], tol_v_m_n[v],
-                                     at_v_m_n, 3, 0);
-        failures += selftest_compare("vas_expected q_m2n_wxyz", v, q_m2n_wxyz, 4, out_q_m2n_wxyz[v],
-                                     tol_q_m2n_wxyz[v], at_q_m2n_wxyz, 4, 0);
-        failures += selftest_compare("vas_expected omega_nb_n", v, omega_nb_n, 3, out_omega_nb_n[v],
-                                     tol_omega_nb_n[v], at_omega_nb_n, 3, 0);
+        failures += selftest_compare("vas_expected v_m_n", v, got_v_m_n, 3, out_v_m_n[v],
+                                     tol_v_m_n[v], at_v_m_n, 3, 0);
+        failures += selftest_compare("vas_expected q_m2n_wxyz", v, got_q_m2n_wxyz, 4,
+                                     out_q_m2n_wxyz[v], tol_q_m2n_wxyz[v], at_q_m2n_wxyz, 4, 0);
+        failures += selftest_compare("vas_expected omega_nb_n", v, got_omega_nb_n, 3,
+                                     out_omega_nb_n[v], tol_omega_nb_n[v], at_omega_nb_n, 3, 0);
     }
     /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -175,18 +175,18 @@ int test_vas_expected(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_m_n, 3);
-            selftest_paint(q_m2n_wxyz, 4);
-            selftest_paint(omega_nb_n, 3);
-            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != expected) {
+            selftest_paint(got_v_m_n, 3);
+            selftest_paint(got_q_m2n_wxyz, 4);
+            selftest_paint(got_omega_nb_n, 3);
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                             got_q_m2n_wxyz, got_omega_nb_n) != expected) {
                 selftest_print("vas_expected: lat_lon_height[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_expected v_m_n", v_m_n, 3);
-            failures += selftest_painted("vas_expected q_m2n_wxyz", q_m2n_wxyz, 4);
-            failures += selftest_painted("vas_expected omega_nb_n", omega_nb_n, 3);
+            failures += selftest_painted("vas_expected v_m_n", got_v_m_n, 3);
+            failures += selftest_painted("vas_expected q_m2n_wxyz", got_q_m2n_wxyz, 4);
+            failures += selftest_painted("vas_expected omega_nb_n", got_omega_nb_n, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -195,8 +195,8 @@ int test_vas_expected(void)
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
             set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
-            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != BS_OK) {
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                             got_q_m2n_wxyz, got_omega_nb_n) != BS_OK) {
                 selftest_print("vas_expected: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -211,25 +211,25 @@ int test_vas_expected(void)
             set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_m_n, 3);
-            selftest_paint(q_m2n_wxyz, 4);
-            selftest_paint(omega_nb_n, 3);
-            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != expected) {
+            selftest_paint(got_v_m_n, 3);
+            selftest_paint(got_q_m2n_wxyz, 4);
+            selftest_paint(got_omega_nb_n, 3);
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                             got_q_m2n_wxyz, got_omega_nb_n) != expected) {
                 selftest_print("vas_expected: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_expected v_m_n", v_m_n, 3);
-            failures += selftest_painted("vas_expected q_m2n_wxyz", q_m2n_wxyz, 4);
-            failures += selftest_painted("vas_expected omega_nb_n", omega_nb_n, 3);
+            failures += selftest_painted("vas_expected v_m_n", got_v_m_n, 3);
+            failures += selftest_painted("vas_expected q_m2n_wxyz", got_q_m2n_wxyz, 4);
+            failures += selftest_painted("vas_expected omega_nb_n", got_omega_nb_n, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != BS_OK) {
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                             got_q_m2n_wxyz, got_omega_nb_n) != BS_OK) {
                 selftest_print("vas_expected: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -246,17 +246,17 @@ int test_vas_expected(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_m_n, 3);
-            selftest_paint(q_m2n_wxyz, 4);
-            selftest_paint(omega_nb_n, 3);
-            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != expected) {
+            selftest_paint(got_v_m_n, 3);
+            selftest_paint(got_q_m2n_wxyz, 4);
+            selftest_paint(got_omega_nb_n, 3);
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                             got_q_m2n_wxyz, got_omega_nb_n) != expected) {
                 selftest_print("vas_expected: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_expected v_m_n", v_m_n, 3);
-            failures += selftest_painted("vas_expected q_m2n_wxyz", q_m2n_wxyz, 4);
-            failures += selftest_painted("vas_expected omega_nb_n", omega_nb_n, 3);
+            failures += selftest_painted("vas_expected v_m_n", got_v_m_n, 3);
+            failures += selftest_painted("vas_expected q_m2n_wxyz", got_q_m2n_wxyz, 4);
+            failures += selftest_painted("vas_expected omega_nb_n", got_omega_nb_n, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -266,8 +266,8 @@ int test_vas_expected(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != BS_OK) {
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                             got_q_m2n_wxyz, got_omega_nb_n) != BS_OK) {
                 selftest_print("vas_expected: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -280,8 +280,8 @@ int test_vas_expected(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                         omega_nb_n) != BS_OUT_OF_RANGE) {
+        if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                         got_q_m2n_wxyz, got_omega_nb_n) != BS_OUT_OF_RANGE) {
             selftest_print("vas_expected: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -298,17 +298,17 @@ int test_vas_expected(void)
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_m_n, 3);
-            selftest_paint(q_m2n_wxyz, 4);
-            selftest_paint(omega_nb_n, 3);
-            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != expected) {
+            selftest_paint(got_v_m_n, 3);
+            selftest_paint(got_q_m2n_wxyz, 4);
+            selftest_paint(got_omega_nb_n, 3);
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                             got_q_m2n_wxyz, got_omega_nb_n) != expected) {
                 selftest_print("vas_expected: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_expected v_m_n", v_m_n, 3);
-            failures += selftest_painted("vas_expected q_m2n_wxyz", q_m2n_wxyz, 4);
-            failures += selftest_painted("vas_expected omega_nb_n", omega_nb_n, 3);
+            failures += selftest_painted("vas_expected v_m_n", got_v_m_n, 3);
+            failures += selftest_painted("vas_expected q_m2n_wxyz", got_q_m2n_wxyz, 4);
+            failures += selftest_painted("vas_expected omega_nb_n", got_omega_nb_n, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -318,8 +318,8 @@ int test_vas_expected(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != BS_OK) {
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                             got_q_m2n_wxyz, got_omega_nb_n) != BS_OK) {
                 selftest_print("vas_expected: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -332,8 +332,8 @@ int test_vas_expected(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                         omega_nb_n) != BS_OUT_OF_RANGE) {
+        if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                         got_q_m2n_wxyz, got_omega_nb_n) != BS_OUT_OF_RANGE) {
             selftest_print("vas_expected: q_b2m_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -350,25 +350,25 @@ int test_vas_expected(void)
             corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_m_n, 3);
-            selftest_paint(q_m2n_wxyz, 4);
-            selftest_paint(omega_nb_n, 3);
-            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != expected) {
+            selftest_paint(got_v_m_n, 3);
+            selftest_paint(got_q_m2n_wxyz, 4);
+            selftest_paint(got_omega_nb_n, 3);
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                             got_q_m2n_wxyz, got_omega_nb_n) != expected) {
                 selftest_print("vas_expected: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_expected v_m_n", v_m_n, 3);
-            failures += selftest_painted("vas_expected q_m2n_wxyz", q_m2n_wxyz, 4);
-            failures += selftest_painted("vas_expected omega_nb_n", omega_nb_n, 3);
+            failures += selftest_painted("vas_expected v_m_n", got_v_m_n, 3);
+            failures += selftest_painted("vas_expected q_m2n_wxyz", got_q_m2n_wxyz, 4);
+            failures += selftest_painted("vas_expected omega_nb_n", got_omega_nb_n, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
             set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != BS_OK) {
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                             got_q_m2n_wxyz, got_omega_nb_n) != BS_OK) {
                 selftest_print("vas_expected: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -385,25 +385,25 @@ int test_vas_expected(void)
             mounting.lever_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_m_n, 3);
-            selftest_paint(q_m2n_wxyz, 4);
-            selftest_paint(omega_nb_n, 3);
-            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != expected) {
+            selftest_paint(got_v_m_n, 3);
+            selftest_paint(got_q_m2n_wxyz, 4);
+            selftest_paint(got_omega_nb_n, 3);
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                             got_q_m2n_wxyz, got_omega_nb_n) != expected) {
                 selftest_print("vas_expected: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_expected v_m_n", v_m_n, 3);
-            failures += selftest_painted("vas_expected q_m2n_wxyz", q_m2n_wxyz, 4);
-            failures += selftest_painted("vas_expected omega_nb_n", omega_nb_n, 3);
+            failures += selftest_painted("vas_expected v_m_n", got_v_m_n, 3);
+            failures += selftest_painted("vas_expected q_m2n_wxyz", got_q_m2n_wxyz, 4);
+            failures += selftest_painted("vas_expected omega_nb_n", got_omega_nb_n, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
             set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             mounting.lever_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != BS_OK) {
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                             got_q_m2n_wxyz, got_omega_nb_n) != BS_OK) {
                 selftest_print("vas_expected: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -420,25 +420,25 @@ int test_vas_expected(void)
             bending.flexure[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_m_n, 3);
-            selftest_paint(q_m2n_wxyz, 4);
-            selftest_paint(omega_nb_n, 3);
-            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != expected) {
+            selftest_paint(got_v_m_n, 3);
+            selftest_paint(got_q_m2n_wxyz, 4);
+            selftest_paint(got_omega_nb_n, 3);
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                             got_q_m2n_wxyz, got_omega_nb_n) != expected) {
                 selftest_print("vas_expected: flexure[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_expected v_m_n", v_m_n, 3);
-            failures += selftest_painted("vas_expected q_m2n_wxyz", q_m2n_wxyz, 4);
-            failures += selftest_painted("vas_expected omega_nb_n", omega_nb_n, 3);
+            failures += selftest_painted("vas_expected v_m_n", got_v_m_n, 3);
+            failures += selftest_painted("vas_expected q_m2n_wxyz", got_q_m2n_wxyz, 4);
+            failures += selftest_painted("vas_expected omega_nb_n", got_omega_nb_n, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             bending.flexure[i] = (end == 0) ? low[i] : high[i];
-            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != BS_OK) {
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                             got_q_m2n_wxyz, got_omega_nb_n) != BS_OK) {
                 selftest_print("vas_expected: flexure[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -455,25 +455,25 @@ int test_vas_expected(void)
             bending.flexure_rate[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_m_n, 3);
-            selftest_paint(q_m2n_wxyz, 4);
-            selftest_paint(omega_nb_n, 3);
-            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != expected) {
+            selftest_paint(got_v_m_n, 3);
+            selftest_paint(got_q_m2n_wxyz, 4);
+            selftest_paint(got_omega_nb_n, 3);
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                             got_q_m2n_wxyz, got_omega_nb_n) != expected) {
                 selftest_print("vas_expected: flexure_rate[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_expected v_m_n", v_m_n, 3);
-            failures += selftest_painted("vas_expected q_m2n_wxyz", q_m2n_wxyz, 4);
-            failures += selftest_painted("vas_expected omega_nb_n", omega_nb_n, 3);
+            failures += selftest_painted("vas_expected v_m_n", got_v_m_n, 3);
+            failures += selftest_painted("vas_expected q_m2n_wxyz", got_q_m2n_wxyz, 4);
+            failures += selftest_painted("vas_expected omega_nb_n", got_omega_nb_n, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
             set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
-            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != BS_OK) {
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                             got_q_m2n_wxyz, got_omega_nb_n) != BS_OK) {
                 selftest_print("vas_expected: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -490,25 +490,25 @@ int test_vas_expected(void)
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_m_n, 3);
-            selftest_paint(q_m2n_wxyz, 4);
-            selftest_paint(omega_nb_n, 3);
-            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != expected) {
+            selftest_paint(got_v_m_n, 3);
+            selftest_paint(got_q_m2n_wxyz, 4);
+            selftest_paint(got_omega_nb_n, 3);
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                             got_q_m2n_wxyz, got_omega_nb_n) != expected) {
                 selftest_print("vas_expected: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_expected v_m_n", v_m_n, 3);
-            failures += selftest_painted("vas_expected q_m2n_wxyz", q_m2n_wxyz, 4);
-            failures += selftest_painted("vas_expected omega_nb_n", omega_nb_n, 3);
+            failures += selftest_painted("vas_expected v_m_n", got_v_m_n, 3);
+            failures += selftest_painted("vas_expected q_m2n_wxyz", got_q_m2n_wxyz, 4);
+            failures += selftest_painted("vas_expected omega_nb_n", got_omega_nb_n, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != BS_OK) {
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                             got_q_m2n_wxyz, got_omega_nb_n) != BS_OK) {
                 selftest_print("vas_expected: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -527,17 +527,17 @@ int test_vas_expected(void)
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_m_n, 3);
-            selftest_paint(q_m2n_wxyz, 4);
-            selftest_paint(omega_nb_n, 3);
-            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != expected) {
+            selftest_paint(got_v_m_n, 3);
+            selftest_paint(got_q_m2n_wxyz, 4);
+            selftest_paint(got_omega_nb_n, 3);
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                             got_q_m2n_wxyz, got_omega_nb_n) != expected) {
                 selftest_print("vas_expected: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_expected v_m_n", v_m_n, 3);
-            failures += selftest_painted("vas_expected q_m2n_wxyz", q_m2n_wxyz, 4);
-            failures += selftest_painted("vas_expected omega_nb_n", omega_nb_n, 3);
+            failures += selftest_painted("vas_expected v_m_n", got_v_m_n, 3);
+            failures += selftest_painted("vas_expected q_m2n_wxyz", got_q_m2n_wxyz, 4);
+            failures += selftest_painted("vas_expected omega_nb_n", got_omega_nb_n, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[6] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1),
@@ -546,29 +546,29 @@ int test_vas_expected(void)
                                              BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                             omega_nb_n) != BS_OK) {
+            if (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                             got_q_m2n_wxyz, got_omega_nb_n) != BS_OK) {
                 selftest_print("vas_expected: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &corrected_imu, &mounting, &bending, &triads);
-    failures += (vas_expected(0, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                              omega_nb_n) != BS_NULL_POINTER);
-    failures += (vas_expected(&nav, 0, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                              omega_nb_n) != BS_NULL_POINTER);
-    failures += (vas_expected(&nav, &corrected_imu, 0, &bending, &triads, v_m_n, q_m2n_wxyz,
-                              omega_nb_n) != BS_NULL_POINTER);
-    failures += (vas_expected(&nav, &corrected_imu, &mounting, 0, &triads, v_m_n, q_m2n_wxyz,
-                              omega_nb_n) != BS_NULL_POINTER);
-    failures += (vas_expected(&nav, &corrected_imu, &mounting, &bending, 0, v_m_n, q_m2n_wxyz,
-                              omega_nb_n) != BS_NULL_POINTER);
-    failures += (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, 0, q_m2n_wxyz,
-                              omega_nb_n) != BS_NULL_POINTER);
-    failures += (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, 0,
-                              omega_nb_n) != BS_NULL_POINTER);
-    failures += (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, v_m_n, q_m2n_wxyz,
-                              0) != BS_NULL_POINTER);
+    failures += (vas_expected(0, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                              got_q_m2n_wxyz, got_omega_nb_n) != BS_NULL_POINTER);
+    failures += (vas_expected(&nav, 0, &mounting, &bending, &triads, got_v_m_n, got_q_m2n_wxyz,
+                              got_omega_nb_n) != BS_NULL_POINTER);
+    failures += (vas_expected(&nav, &corrected_imu, 0, &bending, &triads, got_v_m_n, got_q_m2n_wxyz,
+                              got_omega_nb_n) != BS_NULL_POINTER);
+    failures += (vas_expected(&nav, &corrected_imu, &mounting, 0, &triads, got_v_m_n,
+                              got_q_m2n_wxyz, got_omega_nb_n) != BS_NULL_POINTER);
+    failures += (vas_expected(&nav, &corrected_imu, &mounting, &bending, 0, got_v_m_n,
+                              got_q_m2n_wxyz, got_omega_nb_n) != BS_NULL_POINTER);
+    failures += (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, 0, got_q_m2n_wxyz,
+                              got_omega_nb_n) != BS_NULL_POINTER);
+    failures += (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n, 0,
+                              got_omega_nb_n) != BS_NULL_POINTER);
+    failures += (vas_expected(&nav, &corrected_imu, &mounting, &bending, &triads, got_v_m_n,
+                              got_q_m2n_wxyz, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -395,61 +395,62 @@ int test_vas_feedback(void)
     vas_bending bending = {0};
     vas_triads triads = {0};
     vas_biases biases = {0};
-    bs_real v_n[3];
-    bs_real q_b2n_wxyz[4];
-    bs_real gyro_bias[3];
-    bs_real accel_bias[3];
-    bs_real q_b2m_wxyz[4];
-    bs_real tau[1];
-    bs_real lever_b[3];
-    bs_real flexure[3];
-    bs_real flexure_rate[3];
-    bs_real gyro_scale[3];
-    bs_real accel_scale[3];
-    bs_real gyro_axes[6];
-    bs_real accel_axes[3];
-    bs_real gyro_turn_on[3];
-    bs_real accel_turn_on[3];
+    bs_real got_v_n[3];
+    bs_real got_q_b2n_wxyz[4];
+    bs_real got_gyro_bias[3];
+    bs_real got_accel_bias[3];
+    bs_real got_q_b2m_wxyz[4];
+    bs_real got_tau[1];
+    bs_real got_lever_b[3];
+    bs_real got_flexure[3];
+    bs_real got_flexure_rate[3];
+    bs_real got_gyro_scale[3];
+    bs_real got_accel_scale[3];
+    bs_real got_gyro_axes[6];
+    bs_real got_accel_axes[3];
+    bs_real got_gyro_turn_on[3];
+    bs_real got_accel_turn_on[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, x, &nav, &mounting, &bending, &triads, &biases);
-        if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz, gyro_bias,
-                         accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate, gyro_scale,
-                         accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                         accel_turn_on) != BS_OK) {
+        if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n, got_q_b2n_wxyz,
+                         got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b,
+                         got_flexure, got_flexure_rate, got_gyro_scale, got_accel_scale,
+                         got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                         got_accel_turn_on) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("vas_feedback v_n", v, v_n, 3, out_v_n[v], tol_v_n[v], at_v_n,
-                                     3, 0);
-        failures += selftest_compare("vas_feedback q_b2n_wxyz", v, q_b2n_wxyz, 4, out_q_b2n_wxyz[v],
-                                     tol_q_b2n_wxyz[v], at_q_b2n_wxyz, 4, 0);
-        failures += selftest_compare("vas_feedback gyro_bias", v, gyro_bias, 3, out_gyro_bias[v],
-                                     tol_gyro_bias[v], at_gyro_bias, 3, 0);
-        failures += selftest_compare("vas_feedback accel_bias", v, accel_bias, 3, out_accel_bias[v],
-                                     tol_accel_bias[v], at_accel_bias, 3, 0);
-        failures += selftest_compare("vas_feedback q_b2m_wxyz", v, q_b2m_wxyz, 4, out_q_b2m_wxyz[v],
-                                     tol_q_b2m_wxyz[v], at_q_b2m_wxyz, 4, 0);
-        failures += selftest_compare("vas_feedback tau", v, tau, 1, out_tau[v], tol_tau[v], at_tau,
-                                     1, 0);
-        failures += selftest_compare("vas_feedback lever_b", v, lever_b, 3, out_lever_b[v],
+        failures += selftest_compare("vas_feedback v_n", v, got_v_n, 3, out_v_n[v], tol_v_n[v],
+                                     at_v_n, 3, 0);
+        failures += selftest_compare("vas_feedback q_b2n_wxyz", v, got_q_b2n_wxyz, 4,
+                                     out_q_b2n_wxyz[v], tol_q_b2n_wxyz[v], at_q_b2n_wxyz, 4, 0);
+        failures += selftest_compare("vas_feedback gyro_bias", v, got_gyro_bias, 3,
+                                     out_gyro_bias[v], tol_gyro_bias[v], at_gyro_bias, 3, 0);
+        failures += selftest_compare("vas_feedback accel_bias", v, got_accel_bias, 3,
+                                     out_accel_bias[v], tol_accel_bias[v], at_accel_bias, 3, 0);
+        failures += selftest_compare("vas_feedback q_b2m_wxyz", v, got_q_b2m_wxyz, 4,
+                                     out_q_b2m_wxyz[v], tol_q_b2m_wxyz[v], at_q_b2m_wxyz, 4, 0);
+        failures += selftest_compare("vas_feedback tau", v, got_tau, 1, out_tau[v], tol_tau[v],
+                                     at_tau, 1, 0);
+        failures += selftest_compare("vas_feedback lever_b", v, got_lever_b, 3, out_lever_b[v],
                                      tol_lever_b[v], at_lever_b, 3, 0);
-        failures += selftest_compare("vas_feedback flexure", v, flexure, 3, out_flexure[v],
+        failures += selftest_compare("vas_feedback flexure", v, got_flexure, 3, out_flexure[v],
                                      tol_flexure[v], at_flexure, 3, 0);
-        failures += selftest_compare("vas_feedback flexure_rate", v, flexure_rate, 3,
+        failures += selftest_compare("vas_feedback flexure_rate", v, got_flexure_rate, 3,
                                      out_flexure_rate[v], tol_flexure_rate[v], at_flexure_rate, 3,
                                      0);
-        failures += selftest_compare("vas_feedback gyro_scale", v, gyro_scale, 3, out_gyro_scale[v],
-                                     tol_gyro_scale[v], at_gyro_scale, 3, 0);
-        failures += selftest_compare("vas_feedback accel_scale", v, accel_scale, 3,
+        failures += selftest_compare("vas_feedback gyro_scale", v, got_gyro_scale, 3,
+                                     out_gyro_scale[v], tol_gyro_scale[v], at_gyro_scale, 3, 0);
+        failures += selftest_compare("vas_feedback accel_scale", v, got_accel_scale, 3,
                                      out_accel_scale[v], tol_accel_scale[v], at_accel_scale, 3, 0);
-        failures += selftest_compare("vas_feedback gyro_axes", v, gyro_axes, 6, out_gyro_axes[v],
-                                     tol_gyro_axes[v], at_gyro_axes, 6, 0);
-        failures += selftest_compare("vas_feedback accel_axes", v, accel_axes, 3, out_accel_axes[v],
-                                     tol_accel_axes[v], at_accel_axes, 3, 0);
-        failures += selftest_compare("vas_feedback gyro_turn_on", v, gyro_turn_on, 3,
+        failures += selftest_compare("vas_feedback gyro_axes", v, got_gyro_axes, 6,
+                                     out_gyro_axes[v], tol_gyro_axes[v], at_gyro_axes, 6, 0);
+        failures += selftest_compare("vas_feedback accel_axes", v, got_accel_axes, 3,
+                                     out_accel_axes[v], tol_accel_axes[v], at_accel_axes, 3, 0);
+        failures += selftest_compare("vas_feedback gyro_turn_on", v, got_gyro_turn_on, 3,
                                      out_gyro_turn_on[v], tol_gyro_turn_on[v], at_gyro_turn_on, 3,
                                      0);
-        failures += selftest_compare("vas_feedback accel_turn_on", v, accel_turn_on, 3,
+        failures += selftest_compare("vas_feedback accel_turn_on", v, got_accel_turn_on, 3,
                                      out_accel_turn_on[v], tol_accel_turn_on[v], at_accel_turn_on,
                                      3, 0);
     }
@@ -481,43 +482,44 @@ int test_vas_feedback(void)
             set_point(0, x, &nav, &mounting, &bending, &triads, &biases);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_scale, 3);
-            selftest_paint(accel_scale, 3);
-            selftest_paint(gyro_axes, 6);
-            selftest_paint(accel_axes, 3);
-            selftest_paint(gyro_turn_on, 3);
-            selftest_paint(accel_turn_on, 3);
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_scale, 3);
+            selftest_paint(got_accel_scale, 3);
+            selftest_paint(got_gyro_axes, 6);
+            selftest_paint(got_accel_axes, 3);
+            selftest_paint(got_gyro_turn_on, 3);
+            selftest_paint(got_accel_turn_on, 3);
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != expected) {
                 selftest_print("vas_feedback: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_feedback v_n", v_n, 3);
-            failures += selftest_painted("vas_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("vas_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("vas_feedback tau", tau, 1);
-            failures += selftest_painted("vas_feedback lever_b", lever_b, 3);
-            failures += selftest_painted("vas_feedback flexure", flexure, 3);
-            failures += selftest_painted("vas_feedback flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_feedback gyro_scale", gyro_scale, 3);
-            failures += selftest_painted("vas_feedback accel_scale", accel_scale, 3);
-            failures += selftest_painted("vas_feedback gyro_axes", gyro_axes, 6);
-            failures += selftest_painted("vas_feedback accel_axes", accel_axes, 3);
-            failures += selftest_painted("vas_feedback gyro_turn_on", gyro_turn_on, 3);
-            failures += selftest_painted("vas_feedback accel_turn_on", accel_turn_on, 3);
+            failures += selftest_painted("vas_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("vas_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("vas_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("vas_feedback tau", got_tau, 1);
+            failures += selftest_painted("vas_feedback lever_b", got_lever_b, 3);
+            failures += selftest_painted("vas_feedback flexure", got_flexure, 3);
+            failures += selftest_painted("vas_feedback flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_feedback gyro_scale", got_gyro_scale, 3);
+            failures += selftest_painted("vas_feedback accel_scale", got_accel_scale, 3);
+            failures += selftest_painted("vas_feedback gyro_axes", got_gyro_axes, 6);
+            failures += selftest_painted("vas_feedback accel_axes", got_accel_axes, 3);
+            failures += selftest_painted("vas_feedback gyro_turn_on", got_gyro_turn_on, 3);
+            failures += selftest_painted("vas_feedback accel_turn_on", got_accel_turn_on, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[46] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5),
@@ -560,10 +562,11 @@ int test_vas_feedback(void)
                                               BS_REAL(1.0), BS_REAL(1.0) };
             set_point(0, x, &nav, &mounting, &bending, &triads, &biases);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != BS_OK) {
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != BS_OK) {
                 selftest_print("vas_feedback: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -578,53 +581,55 @@ int test_vas_feedback(void)
             set_point(0, x, &nav, &mounting, &bending, &triads, &biases);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_scale, 3);
-            selftest_paint(accel_scale, 3);
-            selftest_paint(gyro_axes, 6);
-            selftest_paint(accel_axes, 3);
-            selftest_paint(gyro_turn_on, 3);
-            selftest_paint(accel_turn_on, 3);
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_scale, 3);
+            selftest_paint(got_accel_scale, 3);
+            selftest_paint(got_gyro_axes, 6);
+            selftest_paint(got_accel_axes, 3);
+            selftest_paint(got_gyro_turn_on, 3);
+            selftest_paint(got_accel_turn_on, 3);
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != expected) {
                 selftest_print("vas_feedback: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_feedback v_n", v_n, 3);
-            failures += selftest_painted("vas_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("vas_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("vas_feedback tau", tau, 1);
-            failures += selftest_painted("vas_feedback lever_b", lever_b, 3);
-            failures += selftest_painted("vas_feedback flexure", flexure, 3);
-            failures += selftest_painted("vas_feedback flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_feedback gyro_scale", gyro_scale, 3);
-            failures += selftest_painted("vas_feedback accel_scale", accel_scale, 3);
-            failures += selftest_painted("vas_feedback gyro_axes", gyro_axes, 6);
-            failures += selftest_painted("vas_feedback accel_axes", accel_axes, 3);
-            failures += selftest_painted("vas_feedback gyro_turn_on", gyro_turn_on, 3);
-            failures += selftest_painted("vas_feedback accel_turn_on", accel_turn_on, 3);
+            failures += selftest_painted("vas_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("vas_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("vas_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("vas_feedback tau", got_tau, 1);
+            failures += selftest_painted("vas_feedback lever_b", got_lever_b, 3);
+            failures += selftest_painted("vas_feedback flexure", got_flexure, 3);
+            failures += selftest_painted("vas_feedback flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_feedback gyro_scale", got_gyro_scale, 3);
+            failures += selftest_painted("vas_feedback accel_scale", got_accel_scale, 3);
+            failures += selftest_painted("vas_feedback gyro_axes", got_gyro_axes, 6);
+            failures += selftest_painted("vas_feedback accel_axes", got_accel_axes, 3);
+            failures += selftest_painted("vas_feedback gyro_turn_on", got_gyro_turn_on, 3);
+            failures += selftest_painted("vas_feedback accel_turn_on", got_accel_turn_on, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, x, &nav, &mounting, &bending, &triads, &biases);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != BS_OK) {
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != BS_OK) {
                 selftest_print("vas_feedback: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -641,43 +646,44 @@ int test_vas_feedback(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_scale, 3);
-            selftest_paint(accel_scale, 3);
-            selftest_paint(gyro_axes, 6);
-            selftest_paint(accel_axes, 3);
-            selftest_paint(gyro_turn_on, 3);
-            selftest_paint(accel_turn_on, 3);
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_scale, 3);
+            selftest_paint(got_accel_scale, 3);
+            selftest_paint(got_gyro_axes, 6);
+            selftest_paint(got_accel_axes, 3);
+            selftest_paint(got_gyro_turn_on, 3);
+            selftest_paint(got_accel_turn_on, 3);
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != expected) {
                 selftest_print("vas_feedback: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_feedback v_n", v_n, 3);
-            failures += selftest_painted("vas_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("vas_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("vas_feedback tau", tau, 1);
-            failures += selftest_painted("vas_feedback lever_b", lever_b, 3);
-            failures += selftest_painted("vas_feedback flexure", flexure, 3);
-            failures += selftest_painted("vas_feedback flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_feedback gyro_scale", gyro_scale, 3);
-            failures += selftest_painted("vas_feedback accel_scale", accel_scale, 3);
-            failures += selftest_painted("vas_feedback gyro_axes", gyro_axes, 6);
-            failures += selftest_painted("vas_feedback accel_axes", accel_axes, 3);
-            failures += selftest_painted("vas_feedback gyro_turn_on", gyro_turn_on, 3);
-            failures += selftest_painted("vas_feedback accel_turn_on", accel_turn_on, 3);
+            failures += selftest_painted("vas_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("vas_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("vas_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("vas_feedback tau", got_tau, 1);
+            failures += selftest_painted("vas_feedback lever_b", got_lever_b, 3);
+            failures += selftest_painted("vas_feedback flexure", got_flexure, 3);
+            failures += selftest_painted("vas_feedback flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_feedback gyro_scale", got_gyro_scale, 3);
+            failures += selftest_painted("vas_feedback accel_scale", got_accel_scale, 3);
+            failures += selftest_painted("vas_feedback gyro_axes", got_gyro_axes, 6);
+            failures += selftest_painted("vas_feedback accel_axes", got_accel_axes, 3);
+            failures += selftest_painted("vas_feedback gyro_turn_on", got_gyro_turn_on, 3);
+            failures += selftest_painted("vas_feedback accel_turn_on", got_accel_turn_on, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -687,10 +693,11 @@ int test_vas_feedback(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != BS_OK) {
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != BS_OK) {
                 selftest_print("vas_feedback: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -703,10 +710,11 @@ int test_vas_feedback(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz, gyro_bias,
-                         accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate, gyro_scale,
-                         accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                         accel_turn_on) != BS_OUT_OF_RANGE) {
+        if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n, got_q_b2n_wxyz,
+                         got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b,
+                         got_flexure, got_flexure_rate, got_gyro_scale, got_accel_scale,
+                         got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                         got_accel_turn_on) != BS_OUT_OF_RANGE) {
             selftest_print("vas_feedback: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -725,43 +733,44 @@ int test_vas_feedback(void)
             nav.gyro_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_scale, 3);
-            selftest_paint(accel_scale, 3);
-            selftest_paint(gyro_axes, 6);
-            selftest_paint(accel_axes, 3);
-            selftest_paint(gyro_turn_on, 3);
-            selftest_paint(accel_turn_on, 3);
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_scale, 3);
+            selftest_paint(got_accel_scale, 3);
+            selftest_paint(got_gyro_axes, 6);
+            selftest_paint(got_accel_axes, 3);
+            selftest_paint(got_gyro_turn_on, 3);
+            selftest_paint(got_accel_turn_on, 3);
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != expected) {
                 selftest_print("vas_feedback: gyro_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_feedback v_n", v_n, 3);
-            failures += selftest_painted("vas_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("vas_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("vas_feedback tau", tau, 1);
-            failures += selftest_painted("vas_feedback lever_b", lever_b, 3);
-            failures += selftest_painted("vas_feedback flexure", flexure, 3);
-            failures += selftest_painted("vas_feedback flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_feedback gyro_scale", gyro_scale, 3);
-            failures += selftest_painted("vas_feedback accel_scale", accel_scale, 3);
-            failures += selftest_painted("vas_feedback gyro_axes", gyro_axes, 6);
-            failures += selftest_painted("vas_feedback accel_axes", accel_axes, 3);
-            failures += selftest_painted("vas_feedback gyro_turn_on", gyro_turn_on, 3);
-            failures += selftest_painted("vas_feedback accel_turn_on", accel_turn_on, 3);
+            failures += selftest_painted("vas_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("vas_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("vas_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("vas_feedback tau", got_tau, 1);
+            failures += selftest_painted("vas_feedback lever_b", got_lever_b, 3);
+            failures += selftest_painted("vas_feedback flexure", got_flexure, 3);
+            failures += selftest_painted("vas_feedback flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_feedback gyro_scale", got_gyro_scale, 3);
+            failures += selftest_painted("vas_feedback accel_scale", got_accel_scale, 3);
+            failures += selftest_painted("vas_feedback gyro_axes", got_gyro_axes, 6);
+            failures += selftest_painted("vas_feedback accel_axes", got_accel_axes, 3);
+            failures += selftest_painted("vas_feedback gyro_turn_on", got_gyro_turn_on, 3);
+            failures += selftest_painted("vas_feedback accel_turn_on", got_accel_turn_on, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.017453292519943295),
@@ -772,10 +781,11 @@ int test_vas_feedback(void)
                                              BS_REAL(0.017453292519943295) };
             set_point(0, x, &nav, &mounting, &bending, &triads, &biases);
             nav.gyro_bias[i] = (end == 0) ? low[i] : high[i];
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != BS_OK) {
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != BS_OK) {
                 selftest_print("vas_feedback: gyro_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -792,53 +802,55 @@ int test_vas_feedback(void)
             nav.accel_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_scale, 3);
-            selftest_paint(accel_scale, 3);
-            selftest_paint(gyro_axes, 6);
-            selftest_paint(accel_axes, 3);
-            selftest_paint(gyro_turn_on, 3);
-            selftest_paint(accel_turn_on, 3);
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_scale, 3);
+            selftest_paint(got_accel_scale, 3);
+            selftest_paint(got_gyro_axes, 6);
+            selftest_paint(got_accel_axes, 3);
+            selftest_paint(got_gyro_turn_on, 3);
+            selftest_paint(got_accel_turn_on, 3);
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != expected) {
                 selftest_print("vas_feedback: accel_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_feedback v_n", v_n, 3);
-            failures += selftest_painted("vas_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("vas_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("vas_feedback tau", tau, 1);
-            failures += selftest_painted("vas_feedback lever_b", lever_b, 3);
-            failures += selftest_painted("vas_feedback flexure", flexure, 3);
-            failures += selftest_painted("vas_feedback flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_feedback gyro_scale", gyro_scale, 3);
-            failures += selftest_painted("vas_feedback accel_scale", accel_scale, 3);
-            failures += selftest_painted("vas_feedback gyro_axes", gyro_axes, 6);
-            failures += selftest_painted("vas_feedback accel_axes", accel_axes, 3);
-            failures += selftest_painted("vas_feedback gyro_turn_on", gyro_turn_on, 3);
-            failures += selftest_painted("vas_feedback accel_turn_on", accel_turn_on, 3);
+            failures += selftest_painted("vas_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("vas_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("vas_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("vas_feedback tau", got_tau, 1);
+            failures += selftest_painted("vas_feedback lever_b", got_lever_b, 3);
+            failures += selftest_painted("vas_feedback flexure", got_flexure, 3);
+            failures += selftest_painted("vas_feedback flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_feedback gyro_scale", got_gyro_scale, 3);
+            failures += selftest_painted("vas_feedback accel_scale", got_accel_scale, 3);
+            failures += selftest_painted("vas_feedback gyro_axes", got_gyro_axes, 6);
+            failures += selftest_painted("vas_feedback accel_axes", got_accel_axes, 3);
+            failures += selftest_painted("vas_feedback gyro_turn_on", got_gyro_turn_on, 3);
+            failures += selftest_painted("vas_feedback accel_turn_on", got_accel_turn_on, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
             set_point(0, x, &nav, &mounting, &bending, &triads, &biases);
             nav.accel_bias[i] = (end == 0) ? low[i] : high[i];
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != BS_OK) {
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != BS_OK) {
                 selftest_print("vas_feedback: accel_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -855,43 +867,44 @@ int test_vas_feedback(void)
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_scale, 3);
-            selftest_paint(accel_scale, 3);
-            selftest_paint(gyro_axes, 6);
-            selftest_paint(accel_axes, 3);
-            selftest_paint(gyro_turn_on, 3);
-            selftest_paint(accel_turn_on, 3);
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_scale, 3);
+            selftest_paint(got_accel_scale, 3);
+            selftest_paint(got_gyro_axes, 6);
+            selftest_paint(got_accel_axes, 3);
+            selftest_paint(got_gyro_turn_on, 3);
+            selftest_paint(got_accel_turn_on, 3);
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != expected) {
                 selftest_print("vas_feedback: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_feedback v_n", v_n, 3);
-            failures += selftest_painted("vas_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("vas_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("vas_feedback tau", tau, 1);
-            failures += selftest_painted("vas_feedback lever_b", lever_b, 3);
-            failures += selftest_painted("vas_feedback flexure", flexure, 3);
-            failures += selftest_painted("vas_feedback flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_feedback gyro_scale", gyro_scale, 3);
-            failures += selftest_painted("vas_feedback accel_scale", accel_scale, 3);
-            failures += selftest_painted("vas_feedback gyro_axes", gyro_axes, 6);
-            failures += selftest_painted("vas_feedback accel_axes", accel_axes, 3);
-            failures += selftest_painted("vas_feedback gyro_turn_on", gyro_turn_on, 3);
-            failures += selftest_painted("vas_feedback accel_turn_on", accel_turn_on, 3);
+            failures += selftest_painted("vas_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("vas_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("vas_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("vas_feedback tau", got_tau, 1);
+            failures += selftest_painted("vas_feedback lever_b", got_lever_b, 3);
+            failures += selftest_painted("vas_feedback flexure", got_flexure, 3);
+            failures += selftest_painted("vas_feedback flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_feedback gyro_scale", got_gyro_scale, 3);
+            failures += selftest_painted("vas_feedback accel_scale", got_accel_scale, 3);
+            failures += selftest_painted("vas_feedback gyro_axes", got_gyro_axes, 6);
+            failures += selftest_painted("vas_feedback accel_axes", got_accel_axes, 3);
+            failures += selftest_painted("vas_feedback gyro_turn_on", got_gyro_turn_on, 3);
+            failures += selftest_painted("vas_feedback accel_turn_on", got_accel_turn_on, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -901,10 +914,11 @@ int test_vas_feedback(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != BS_OK) {
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != BS_OK) {
                 selftest_print("vas_feedback: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -917,10 +931,11 @@ int test_vas_feedback(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz, gyro_bias,
-                         accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate, gyro_scale,
-                         accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                         accel_turn_on) != BS_OUT_OF_RANGE) {
+        if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n, got_q_b2n_wxyz,
+                         got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b,
+                         got_flexure, got_flexure_rate, got_gyro_scale, got_accel_scale,
+                         got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                         got_accel_turn_on) != BS_OUT_OF_RANGE) {
             selftest_print("vas_feedback: q_b2m_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -935,53 +950,55 @@ int test_vas_feedback(void)
             set_point(0, x, &nav, &mounting, &bending, &triads, &biases);
             nav.tau = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_scale, 3);
-            selftest_paint(accel_scale, 3);
-            selftest_paint(gyro_axes, 6);
-            selftest_paint(accel_axes, 3);
-            selftest_paint(gyro_turn_on, 3);
-            selftest_paint(accel_turn_on, 3);
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_scale, 3);
+            selftest_paint(got_accel_scale, 3);
+            selftest_paint(got_gyro_axes, 6);
+            selftest_paint(got_accel_axes, 3);
+            selftest_paint(got_gyro_turn_on, 3);
+            selftest_paint(got_accel_turn_on, 3);
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != expected) {
                 selftest_print("vas_feedback: tau[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_feedback v_n", v_n, 3);
-            failures += selftest_painted("vas_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("vas_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("vas_feedback tau", tau, 1);
-            failures += selftest_painted("vas_feedback lever_b", lever_b, 3);
-            failures += selftest_painted("vas_feedback flexure", flexure, 3);
-            failures += selftest_painted("vas_feedback flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_feedback gyro_scale", gyro_scale, 3);
-            failures += selftest_painted("vas_feedback accel_scale", accel_scale, 3);
-            failures += selftest_painted("vas_feedback gyro_axes", gyro_axes, 6);
-            failures += selftest_painted("vas_feedback accel_axes", accel_axes, 3);
-            failures += selftest_painted("vas_feedback gyro_turn_on", gyro_turn_on, 3);
-            failures += selftest_painted("vas_feedback accel_turn_on", accel_turn_on, 3);
+            failures += selftest_painted("vas_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("vas_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("vas_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("vas_feedback tau", got_tau, 1);
+            failures += selftest_painted("vas_feedback lever_b", got_lever_b, 3);
+            failures += selftest_painted("vas_feedback flexure", got_flexure, 3);
+            failures += selftest_painted("vas_feedback flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_feedback gyro_scale", got_gyro_scale, 3);
+            failures += selftest_painted("vas_feedback accel_scale", got_accel_scale, 3);
+            failures += selftest_painted("vas_feedback gyro_axes", got_gyro_axes, 6);
+            failures += selftest_painted("vas_feedback accel_axes", got_accel_axes, 3);
+            failures += selftest_painted("vas_feedback gyro_turn_on", got_gyro_turn_on, 3);
+            failures += selftest_painted("vas_feedback accel_turn_on", got_accel_turn_on, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
             static const bs_real high[1] = { BS_REAL(1.0) };
             set_point(0, x, &nav, &mounting, &bending, &triads, &biases);
             nav.tau = (end == 0) ? low[i] : high[i];
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != BS_OK) {
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != BS_OK) {
                 selftest_print("vas_feedback: tau[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -998,53 +1015,55 @@ int test_vas_feedback(void)
             mounting.lever_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_scale, 3);
-            selftest_paint(accel_scale, 3);
-            selftest_paint(gyro_axes, 6);
-            selftest_paint(accel_axes, 3);
-            selftest_paint(gyro_turn_on, 3);
-            selftest_paint(accel_turn_on, 3);
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_scale, 3);
+            selftest_paint(got_accel_scale, 3);
+            selftest_paint(got_gyro_axes, 6);
+            selftest_paint(got_accel_axes, 3);
+            selftest_paint(got_gyro_turn_on, 3);
+            selftest_paint(got_accel_turn_on, 3);
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != expected) {
                 selftest_print("vas_feedback: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_feedback v_n", v_n, 3);
-            failures += selftest_painted("vas_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("vas_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("vas_feedback tau", tau, 1);
-            failures += selftest_painted("vas_feedback lever_b", lever_b, 3);
-            failures += selftest_painted("vas_feedback flexure", flexure, 3);
-            failures += selftest_painted("vas_feedback flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_feedback gyro_scale", gyro_scale, 3);
-            failures += selftest_painted("vas_feedback accel_scale", accel_scale, 3);
-            failures += selftest_painted("vas_feedback gyro_axes", gyro_axes, 6);
-            failures += selftest_painted("vas_feedback accel_axes", accel_axes, 3);
-            failures += selftest_painted("vas_feedback gyro_turn_on", gyro_turn_on, 3);
-            failures += selftest_painted("vas_feedback accel_turn_on", accel_turn_on, 3);
+            failures += selftest_painted("vas_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("vas_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("vas_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("vas_feedback tau", got_tau, 1);
+            failures += selftest_painted("vas_feedback lever_b", got_lever_b, 3);
+            failures += selftest_painted("vas_feedback flexure", got_flexure, 3);
+            failures += selftest_painted("vas_feedback flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_feedback gyro_scale", got_gyro_scale, 3);
+            failures += selftest_painted("vas_feedback accel_scale", got_accel_scale, 3);
+            failures += selftest_painted("vas_feedback gyro_axes", got_gyro_axes, 6);
+            failures += selftest_painted("vas_feedback accel_axes", got_accel_axes, 3);
+            failures += selftest_painted("vas_feedback gyro_turn_on", got_gyro_turn_on, 3);
+            failures += selftest_painted("vas_feedback accel_turn_on", got_accel_turn_on, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
             static const bs_real high[3] = { BS_REAL(100.0), BS_REAL(100.0), BS_REAL(100.0) };
             set_point(0, x, &nav, &mounting, &bending, &triads, &biases);
             mounting.lever_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != BS_OK) {
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != BS_OK) {
                 selftest_print("vas_feedback: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1061,53 +1080,55 @@ int test_vas_feedback(void)
             bending.flexure[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_scale, 3);
-            selftest_paint(accel_scale, 3);
-            selftest_paint(gyro_axes, 6);
-            selftest_paint(accel_axes, 3);
-            selftest_paint(gyro_turn_on, 3);
-            selftest_paint(accel_turn_on, 3);
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_scale, 3);
+            selftest_paint(got_accel_scale, 3);
+            selftest_paint(got_gyro_axes, 6);
+            selftest_paint(got_accel_axes, 3);
+            selftest_paint(got_gyro_turn_on, 3);
+            selftest_paint(got_accel_turn_on, 3);
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != expected) {
                 selftest_print("vas_feedback: flexure[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_feedback v_n", v_n, 3);
-            failures += selftest_painted("vas_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("vas_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("vas_feedback tau", tau, 1);
-            failures += selftest_painted("vas_feedback lever_b", lever_b, 3);
-            failures += selftest_painted("vas_feedback flexure", flexure, 3);
-            failures += selftest_painted("vas_feedback flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_feedback gyro_scale", gyro_scale, 3);
-            failures += selftest_painted("vas_feedback accel_scale", accel_scale, 3);
-            failures += selftest_painted("vas_feedback gyro_axes", gyro_axes, 6);
-            failures += selftest_painted("vas_feedback accel_axes", accel_axes, 3);
-            failures += selftest_painted("vas_feedback gyro_turn_on", gyro_turn_on, 3);
-            failures += selftest_painted("vas_feedback accel_turn_on", accel_turn_on, 3);
+            failures += selftest_painted("vas_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("vas_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("vas_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("vas_feedback tau", got_tau, 1);
+            failures += selftest_painted("vas_feedback lever_b", got_lever_b, 3);
+            failures += selftest_painted("vas_feedback flexure", got_flexure, 3);
+            failures += selftest_painted("vas_feedback flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_feedback gyro_scale", got_gyro_scale, 3);
+            failures += selftest_painted("vas_feedback accel_scale", got_accel_scale, 3);
+            failures += selftest_painted("vas_feedback gyro_axes", got_gyro_axes, 6);
+            failures += selftest_painted("vas_feedback accel_axes", got_accel_axes, 3);
+            failures += selftest_painted("vas_feedback gyro_turn_on", got_gyro_turn_on, 3);
+            failures += selftest_painted("vas_feedback accel_turn_on", got_accel_turn_on, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, x, &nav, &mounting, &bending, &triads, &biases);
             bending.flexure[i] = (end == 0) ? low[i] : high[i];
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != BS_OK) {
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != BS_OK) {
                 selftest_print("vas_feedback: flexure[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1124,53 +1145,55 @@ int test_vas_feedback(void)
             bending.flexure_rate[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_scale, 3);
-            selftest_paint(accel_scale, 3);
-            selftest_paint(gyro_axes, 6);
-            selftest_paint(accel_axes, 3);
-            selftest_paint(gyro_turn_on, 3);
-            selftest_paint(accel_turn_on, 3);
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_scale, 3);
+            selftest_paint(got_accel_scale, 3);
+            selftest_paint(got_gyro_axes, 6);
+            selftest_paint(got_accel_axes, 3);
+            selftest_paint(got_gyro_turn_on, 3);
+            selftest_paint(got_accel_turn_on, 3);
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != expected) {
                 selftest_print("vas_feedback: flexure_rate[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_feedback v_n", v_n, 3);
-            failures += selftest_painted("vas_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("vas_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("vas_feedback tau", tau, 1);
-            failures += selftest_painted("vas_feedback lever_b", lever_b, 3);
-            failures += selftest_painted("vas_feedback flexure", flexure, 3);
-            failures += selftest_painted("vas_feedback flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_feedback gyro_scale", gyro_scale, 3);
-            failures += selftest_painted("vas_feedback accel_scale", accel_scale, 3);
-            failures += selftest_painted("vas_feedback gyro_axes", gyro_axes, 6);
-            failures += selftest_painted("vas_feedback accel_axes", accel_axes, 3);
-            failures += selftest_painted("vas_feedback gyro_turn_on", gyro_turn_on, 3);
-            failures += selftest_painted("vas_feedback accel_turn_on", accel_turn_on, 3);
+            failures += selftest_painted("vas_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("vas_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("vas_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("vas_feedback tau", got_tau, 1);
+            failures += selftest_painted("vas_feedback lever_b", got_lever_b, 3);
+            failures += selftest_painted("vas_feedback flexure", got_flexure, 3);
+            failures += selftest_painted("vas_feedback flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_feedback gyro_scale", got_gyro_scale, 3);
+            failures += selftest_painted("vas_feedback accel_scale", got_accel_scale, 3);
+            failures += selftest_painted("vas_feedback gyro_axes", got_gyro_axes, 6);
+            failures += selftest_painted("vas_feedback accel_axes", got_accel_axes, 3);
+            failures += selftest_painted("vas_feedback gyro_turn_on", got_gyro_turn_on, 3);
+            failures += selftest_painted("vas_feedback accel_turn_on", got_accel_turn_on, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
             set_point(0, x, &nav, &mounting, &bending, &triads, &biases);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != BS_OK) {
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != BS_OK) {
                 selftest_print("vas_feedback: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1187,53 +1210,55 @@ int test_vas_feedback(void)
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_scale, 3);
-            selftest_paint(accel_scale, 3);
-            selftest_paint(gyro_axes, 6);
-            selftest_paint(accel_axes, 3);
-            selftest_paint(gyro_turn_on, 3);
-            selftest_paint(accel_turn_on, 3);
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_scale, 3);
+            selftest_paint(got_accel_scale, 3);
+            selftest_paint(got_gyro_axes, 6);
+            selftest_paint(got_accel_axes, 3);
+            selftest_paint(got_gyro_turn_on, 3);
+            selftest_paint(got_accel_turn_on, 3);
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != expected) {
                 selftest_print("vas_feedback: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_feedback v_n", v_n, 3);
-            failures += selftest_painted("vas_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("vas_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("vas_feedback tau", tau, 1);
-            failures += selftest_painted("vas_feedback lever_b", lever_b, 3);
-            failures += selftest_painted("vas_feedback flexure", flexure, 3);
-            failures += selftest_painted("vas_feedback flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_feedback gyro_scale", gyro_scale, 3);
-            failures += selftest_painted("vas_feedback accel_scale", accel_scale, 3);
-            failures += selftest_painted("vas_feedback gyro_axes", gyro_axes, 6);
-            failures += selftest_painted("vas_feedback accel_axes", accel_axes, 3);
-            failures += selftest_painted("vas_feedback gyro_turn_on", gyro_turn_on, 3);
-            failures += selftest_painted("vas_feedback accel_turn_on", accel_turn_on, 3);
+            failures += selftest_painted("vas_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("vas_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("vas_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("vas_feedback tau", got_tau, 1);
+            failures += selftest_painted("vas_feedback lever_b", got_lever_b, 3);
+            failures += selftest_painted("vas_feedback flexure", got_flexure, 3);
+            failures += selftest_painted("vas_feedback flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_feedback gyro_scale", got_gyro_scale, 3);
+            failures += selftest_painted("vas_feedback accel_scale", got_accel_scale, 3);
+            failures += selftest_painted("vas_feedback gyro_axes", got_gyro_axes, 6);
+            failures += selftest_painted("vas_feedback accel_axes", got_accel_axes, 3);
+            failures += selftest_painted("vas_feedback gyro_turn_on", got_gyro_turn_on, 3);
+            failures += selftest_painted("vas_feedback accel_turn_on", got_accel_turn_on, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, x, &nav, &mounting, &bending, &triads, &biases);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != BS_OK) {
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != BS_OK) {
                 selftest_print("vas_feedback: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1250,53 +1275,55 @@ int test_vas_feedback(void)
             triads.accel_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_scale, 3);
-            selftest_paint(accel_scale, 3);
-            selftest_paint(gyro_axes, 6);
-            selftest_paint(accel_axes, 3);
-            selftest_paint(gyro_turn_on, 3);
-            selftest_paint(accel_turn_on, 3);
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_scale, 3);
+            selftest_paint(got_accel_scale, 3);
+            selftest_paint(got_gyro_axes, 6);
+            selftest_paint(got_accel_axes, 3);
+            selftest_paint(got_gyro_turn_on, 3);
+            selftest_paint(got_accel_turn_on, 3);
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != expected) {
                 selftest_print("vas_feedback: accel_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_feedback v_n", v_n, 3);
-            failures += selftest_painted("vas_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("vas_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("vas_feedback tau", tau, 1);
-            failures += selftest_painted("vas_feedback lever_b", lever_b, 3);
-            failures += selftest_painted("vas_feedback flexure", flexure, 3);
-            failures += selftest_painted("vas_feedback flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_feedback gyro_scale", gyro_scale, 3);
-            failures += selftest_painted("vas_feedback accel_scale", accel_scale, 3);
-            failures += selftest_painted("vas_feedback gyro_axes", gyro_axes, 6);
-            failures += selftest_painted("vas_feedback accel_axes", accel_axes, 3);
-            failures += selftest_painted("vas_feedback gyro_turn_on", gyro_turn_on, 3);
-            failures += selftest_painted("vas_feedback accel_turn_on", accel_turn_on, 3);
+            failures += selftest_painted("vas_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("vas_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("vas_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("vas_feedback tau", got_tau, 1);
+            failures += selftest_painted("vas_feedback lever_b", got_lever_b, 3);
+            failures += selftest_painted("vas_feedback flexure", got_flexure, 3);
+            failures += selftest_painted("vas_feedback flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_feedback gyro_scale", got_gyro_scale, 3);
+            failures += selftest_painted("vas_feedback accel_scale", got_accel_scale, 3);
+            failures += selftest_painted("vas_feedback gyro_axes", got_gyro_axes, 6);
+            failures += selftest_painted("vas_feedback accel_axes", got_accel_axes, 3);
+            failures += selftest_painted("vas_feedback gyro_turn_on", got_gyro_turn_on, 3);
+            failures += selftest_painted("vas_feedback accel_turn_on", got_accel_turn_on, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, x, &nav, &mounting, &bending, &triads, &biases);
             triads.accel_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != BS_OK) {
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != BS_OK) {
                 selftest_print("vas_feedback: accel_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1315,43 +1342,44 @@ int test_vas_feedback(void)
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_scale, 3);
-            selftest_paint(accel_scale, 3);
-            selftest_paint(gyro_axes, 6);
-            selftest_paint(accel_axes, 3);
-            selftest_paint(gyro_turn_on, 3);
-            selftest_paint(accel_turn_on, 3);
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_scale, 3);
+            selftest_paint(got_accel_scale, 3);
+            selftest_paint(got_gyro_axes, 6);
+            selftest_paint(got_accel_axes, 3);
+            selftest_paint(got_gyro_turn_on, 3);
+            selftest_paint(got_accel_turn_on, 3);
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != expected) {
                 selftest_print("vas_feedback: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_feedback v_n", v_n, 3);
-            failures += selftest_painted("vas_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("vas_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("vas_feedback tau", tau, 1);
-            failures += selftest_painted("vas_feedback lever_b", lever_b, 3);
-            failures += selftest_painted("vas_feedback flexure", flexure, 3);
-            failures += selftest_painted("vas_feedback flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_feedback gyro_scale", gyro_scale, 3);
-            failures += selftest_painted("vas_feedback accel_scale", accel_scale, 3);
-            failures += selftest_painted("vas_feedback gyro_axes", gyro_axes, 6);
-            failures += selftest_painted("vas_feedback accel_axes", accel_axes, 3);
-            failures += selftest_painted("vas_feedback gyro_turn_on", gyro_turn_on, 3);
-            failures += selftest_painted("vas_feedback accel_turn_on", accel_turn_on, 3);
+            failures += selftest_painted("vas_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("vas_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("vas_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("vas_feedback tau", got_tau, 1);
+            failures += selftest_painted("vas_feedback lever_b", got_lever_b, 3);
+            failures += selftest_painted("vas_feedback flexure", got_flexure, 3);
+            failures += selftest_painted("vas_feedback flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_feedback gyro_scale", got_gyro_scale, 3);
+            failures += selftest_painted("vas_feedback accel_scale", got_accel_scale, 3);
+            failures += selftest_painted("vas_feedback gyro_axes", got_gyro_axes, 6);
+            failures += selftest_painted("vas_feedback accel_axes", got_accel_axes, 3);
+            failures += selftest_painted("vas_feedback gyro_turn_on", got_gyro_turn_on, 3);
+            failures += selftest_painted("vas_feedback accel_turn_on", got_accel_turn_on, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[6] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1),
@@ -1360,10 +1388,11 @@ int test_vas_feedback(void)
                                              BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, x, &nav, &mounting, &bending, &triads, &biases);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != BS_OK) {
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != BS_OK) {
                 selftest_print("vas_feedback: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1380,53 +1409,55 @@ int test_vas_feedback(void)
             triads.accel_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_scale, 3);
-            selftest_paint(accel_scale, 3);
-            selftest_paint(gyro_axes, 6);
-            selftest_paint(accel_axes, 3);
-            selftest_paint(gyro_turn_on, 3);
-            selftest_paint(accel_turn_on, 3);
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_scale, 3);
+            selftest_paint(got_accel_scale, 3);
+            selftest_paint(got_gyro_axes, 6);
+            selftest_paint(got_accel_axes, 3);
+            selftest_paint(got_gyro_turn_on, 3);
+            selftest_paint(got_accel_turn_on, 3);
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != expected) {
                 selftest_print("vas_feedback: accel_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_feedback v_n", v_n, 3);
-            failures += selftest_painted("vas_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("vas_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("vas_feedback tau", tau, 1);
-            failures += selftest_painted("vas_feedback lever_b", lever_b, 3);
-            failures += selftest_painted("vas_feedback flexure", flexure, 3);
-            failures += selftest_painted("vas_feedback flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_feedback gyro_scale", gyro_scale, 3);
-            failures += selftest_painted("vas_feedback accel_scale", accel_scale, 3);
-            failures += selftest_painted("vas_feedback gyro_axes", gyro_axes, 6);
-            failures += selftest_painted("vas_feedback accel_axes", accel_axes, 3);
-            failures += selftest_painted("vas_feedback gyro_turn_on", gyro_turn_on, 3);
-            failures += selftest_painted("vas_feedback accel_turn_on", accel_turn_on, 3);
+            failures += selftest_painted("vas_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("vas_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("vas_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("vas_feedback tau", got_tau, 1);
+            failures += selftest_painted("vas_feedback lever_b", got_lever_b, 3);
+            failures += selftest_painted("vas_feedback flexure", got_flexure, 3);
+            failures += selftest_painted("vas_feedback flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_feedback gyro_scale", got_gyro_scale, 3);
+            failures += selftest_painted("vas_feedback accel_scale", got_accel_scale, 3);
+            failures += selftest_painted("vas_feedback gyro_axes", got_gyro_axes, 6);
+            failures += selftest_painted("vas_feedback accel_axes", got_accel_axes, 3);
+            failures += selftest_painted("vas_feedback gyro_turn_on", got_gyro_turn_on, 3);
+            failures += selftest_painted("vas_feedback accel_turn_on", got_accel_turn_on, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, x, &nav, &mounting, &bending, &triads, &biases);
             triads.accel_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != BS_OK) {
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != BS_OK) {
                 selftest_print("vas_feedback: accel_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1445,43 +1476,44 @@ int test_vas_feedback(void)
             biases.gyro_turn_on[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                : (bad == 1) ? selftest_infinity()
                                                : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_scale, 3);
-            selftest_paint(accel_scale, 3);
-            selftest_paint(gyro_axes, 6);
-            selftest_paint(accel_axes, 3);
-            selftest_paint(gyro_turn_on, 3);
-            selftest_paint(accel_turn_on, 3);
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_scale, 3);
+            selftest_paint(got_accel_scale, 3);
+            selftest_paint(got_gyro_axes, 6);
+            selftest_paint(got_accel_axes, 3);
+            selftest_paint(got_gyro_turn_on, 3);
+            selftest_paint(got_accel_turn_on, 3);
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != expected) {
                 selftest_print("vas_feedback: gyro_turn_on[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_feedback v_n", v_n, 3);
-            failures += selftest_painted("vas_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("vas_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("vas_feedback tau", tau, 1);
-            failures += selftest_painted("vas_feedback lever_b", lever_b, 3);
-            failures += selftest_painted("vas_feedback flexure", flexure, 3);
-            failures += selftest_painted("vas_feedback flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_feedback gyro_scale", gyro_scale, 3);
-            failures += selftest_painted("vas_feedback accel_scale", accel_scale, 3);
-            failures += selftest_painted("vas_feedback gyro_axes", gyro_axes, 6);
-            failures += selftest_painted("vas_feedback accel_axes", accel_axes, 3);
-            failures += selftest_painted("vas_feedback gyro_turn_on", gyro_turn_on, 3);
-            failures += selftest_painted("vas_feedback accel_turn_on", accel_turn_on, 3);
+            failures += selftest_painted("vas_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("vas_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("vas_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("vas_feedback tau", got_tau, 1);
+            failures += selftest_painted("vas_feedback lever_b", got_lever_b, 3);
+            failures += selftest_painted("vas_feedback flexure", got_flexure, 3);
+            failures += selftest_painted("vas_feedback flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_feedback gyro_scale", got_gyro_scale, 3);
+            failures += selftest_painted("vas_feedback accel_scale", got_accel_scale, 3);
+            failures += selftest_painted("vas_feedback gyro_axes", got_gyro_axes, 6);
+            failures += selftest_painted("vas_feedback accel_axes", got_accel_axes, 3);
+            failures += selftest_painted("vas_feedback gyro_turn_on", got_gyro_turn_on, 3);
+            failures += selftest_painted("vas_feedback accel_turn_on", got_accel_turn_on, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.017453292519943295),
@@ -1492,10 +1524,11 @@ int test_vas_feedback(void)
                                              BS_REAL(0.017453292519943295) };
             set_point(0, x, &nav, &mounting, &bending, &triads, &biases);
             biases.gyro_turn_on[i] = (end == 0) ? low[i] : high[i];
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != BS_OK) {
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != BS_OK) {
                 selftest_print("vas_feedback: gyro_turn_on[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1512,143 +1545,166 @@ int test_vas_feedback(void)
             biases.accel_turn_on[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
-            selftest_paint(q_b2m_wxyz, 4);
-            selftest_paint(tau, 1);
-            selftest_paint(lever_b, 3);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_scale, 3);
-            selftest_paint(accel_scale, 3);
-            selftest_paint(gyro_axes, 6);
-            selftest_paint(accel_axes, 3);
-            selftest_paint(gyro_turn_on, 3);
-            selftest_paint(accel_turn_on, 3);
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
+            selftest_paint(got_q_b2m_wxyz, 4);
+            selftest_paint(got_tau, 1);
+            selftest_paint(got_lever_b, 3);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_scale, 3);
+            selftest_paint(got_accel_scale, 3);
+            selftest_paint(got_gyro_axes, 6);
+            selftest_paint(got_accel_axes, 3);
+            selftest_paint(got_gyro_turn_on, 3);
+            selftest_paint(got_accel_turn_on, 3);
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != expected) {
                 selftest_print("vas_feedback: accel_turn_on[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_feedback v_n", v_n, 3);
-            failures += selftest_painted("vas_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_feedback gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_feedback accel_bias", accel_bias, 3);
-            failures += selftest_painted("vas_feedback q_b2m_wxyz", q_b2m_wxyz, 4);
-            failures += selftest_painted("vas_feedback tau", tau, 1);
-            failures += selftest_painted("vas_feedback lever_b", lever_b, 3);
-            failures += selftest_painted("vas_feedback flexure", flexure, 3);
-            failures += selftest_painted("vas_feedback flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_feedback gyro_scale", gyro_scale, 3);
-            failures += selftest_painted("vas_feedback accel_scale", accel_scale, 3);
-            failures += selftest_painted("vas_feedback gyro_axes", gyro_axes, 6);
-            failures += selftest_painted("vas_feedback accel_axes", accel_axes, 3);
-            failures += selftest_painted("vas_feedback gyro_turn_on", gyro_turn_on, 3);
-            failures += selftest_painted("vas_feedback accel_turn_on", accel_turn_on, 3);
+            failures += selftest_painted("vas_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("vas_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_feedback gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_feedback accel_bias", got_accel_bias, 3);
+            failures += selftest_painted("vas_feedback q_b2m_wxyz", got_q_b2m_wxyz, 4);
+            failures += selftest_painted("vas_feedback tau", got_tau, 1);
+            failures += selftest_painted("vas_feedback lever_b", got_lever_b, 3);
+            failures += selftest_painted("vas_feedback flexure", got_flexure, 3);
+            failures += selftest_painted("vas_feedback flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_feedback gyro_scale", got_gyro_scale, 3);
+            failures += selftest_painted("vas_feedback accel_scale", got_accel_scale, 3);
+            failures += selftest_painted("vas_feedback gyro_axes", got_gyro_axes, 6);
+            failures += selftest_painted("vas_feedback accel_axes", got_accel_axes, 3);
+            failures += selftest_painted("vas_feedback gyro_turn_on", got_gyro_turn_on, 3);
+            failures += selftest_painted("vas_feedback accel_turn_on", got_accel_turn_on, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
             set_point(0, x, &nav, &mounting, &bending, &triads, &biases);
             biases.accel_turn_on[i] = (end == 0) ? low[i] : high[i];
-            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                             gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                             gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                             accel_turn_on) != BS_OK) {
+            if (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                             got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                             got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                             got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                             got_accel_turn_on) != BS_OK) {
                 selftest_print("vas_feedback: accel_turn_on[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, x, &nav, &mounting, &bending, &triads, &biases);
-    failures += (vas_feedback(0, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure,
-                              flexure_rate, gyro_scale, accel_scale, gyro_axes, accel_axes,
-                              gyro_turn_on, accel_turn_on) != BS_NULL_POINTER);
-    failures += (vas_feedback(x, 0, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure,
-                              flexure_rate, gyro_scale, accel_scale, gyro_axes, accel_axes,
-                              gyro_turn_on, accel_turn_on) != BS_NULL_POINTER);
-    failures += (vas_feedback(x, &nav, 0, &bending, &triads, &biases, v_n, q_b2n_wxyz, gyro_bias,
-                              accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                              accel_turn_on) != BS_NULL_POINTER);
-    failures += (vas_feedback(x, &nav, &mounting, 0, &triads, &biases, v_n, q_b2n_wxyz, gyro_bias,
-                              accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                              accel_turn_on) != BS_NULL_POINTER);
-    failures += (vas_feedback(x, &nav, &mounting, &bending, 0, &biases, v_n, q_b2n_wxyz, gyro_bias,
-                              accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                              accel_turn_on) != BS_NULL_POINTER);
-    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, 0, v_n, q_b2n_wxyz, gyro_bias,
-                              accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                              accel_turn_on) != BS_NULL_POINTER);
-    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, 0, q_b2n_wxyz,
-                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure,
-                              flexure_rate, gyro_scale, accel_scale, gyro_axes, accel_axes,
-                              gyro_turn_on, accel_turn_on) != BS_NULL_POINTER);
-    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, 0, gyro_bias,
-                              accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                              accel_turn_on) != BS_NULL_POINTER);
-    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz, 0,
-                              accel_bias, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                              accel_turn_on) != BS_NULL_POINTER);
-    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                              gyro_bias, 0, q_b2m_wxyz, tau, lever_b, flexure, flexure_rate,
-                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                              accel_turn_on) != BS_NULL_POINTER);
-    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                              gyro_bias, accel_bias, 0, tau, lever_b, flexure, flexure_rate,
-                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                              accel_turn_on) != BS_NULL_POINTER);
-    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                              gyro_bias, accel_bias, q_b2m_wxyz, 0, lever_b, flexure, flexure_rate,
-                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                              accel_turn_on) != BS_NULL_POINTER);
-    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                              gyro_bias, accel_bias, q_b2m_wxyz, tau, 0, flexure, flexure_rate,
-                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                              accel_turn_on) != BS_NULL_POINTER);
-    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, 0, flexure_rate,
-                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                              accel_turn_on) != BS_NULL_POINTER);
-    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure, 0,
-                              gyro_scale, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                              accel_turn_on) != BS_NULL_POINTER);
-    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure,
-                              flexure_rate, 0, accel_scale, gyro_axes, accel_axes, gyro_turn_on,
-                              accel_turn_on) != BS_NULL_POINTER);
-    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure,
-                              flexure_rate, gyro_scale, 0, gyro_axes, accel_axes, gyro_turn_on,
-                              accel_turn_on) != BS_NULL_POINTER);
-    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure,
-                              flexure_rate, gyro_scale, accel_scale, 0, accel_axes, gyro_turn_on,
-                              accel_turn_on) != BS_NULL_POINTER);
-    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure,
-                              flexure_rate, gyro_scale, accel_scale, gyro_axes, 0, gyro_turn_on,
-                              accel_turn_on) != BS_NULL_POINTER);
-    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure,
-                              flexure_rate, gyro_scale, accel_scale, gyro_axes, accel_axes, 0,
-                              accel_turn_on) != BS_NULL_POINTER);
-    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, v_n, q_b2n_wxyz,
-                              gyro_bias, accel_bias, q_b2m_wxyz, tau, lever_b, flexure,
-                              flexure_rate, gyro_scale, accel_scale, gyro_axes, accel_axes,
-                              gyro_turn_on, 0) != BS_NULL_POINTER);
+    failures += (vas_feedback(0, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                              got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz,
+                              got_tau, got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                              got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                              got_accel_turn_on) != BS_NULL_POINTER);
+    failures += (vas_feedback(x, 0, &mounting, &bending, &triads, &biases, got_v_n, got_q_b2n_wxyz,
+                              got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b,
+                              got_flexure, got_flexure_rate, got_gyro_scale, got_accel_scale,
+                              got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                              got_accel_turn_on) != BS_NULL_POINTER);
+    failures += (vas_feedback(x, &nav, 0, &bending, &triads, &biases, got_v_n, got_q_b2n_wxyz,
+                              got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b,
+                              got_flexure, got_flexure_rate, got_gyro_scale, got_accel_scale,
+                              got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                              got_accel_turn_on) != BS_NULL_POINTER);
+    failures += (vas_feedback(x, &nav, &mounting, 0, &triads, &biases, got_v_n, got_q_b2n_wxyz,
+                              got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b,
+                              got_flexure, got_flexure_rate, got_gyro_scale, got_accel_scale,
+                              got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                              got_accel_turn_on) != BS_NULL_POINTER);
+    failures += (vas_feedback(x, &nav, &mounting, &bending, 0, &biases, got_v_n, got_q_b2n_wxyz,
+                              got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b,
+                              got_flexure, got_flexure_rate, got_gyro_scale, got_accel_scale,
+                              got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                              got_accel_turn_on) != BS_NULL_POINTER);
+    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, 0, got_v_n, got_q_b2n_wxyz,
+                              got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b,
+                              got_flexure, got_flexure_rate, got_gyro_scale, got_accel_scale,
+                              got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                              got_accel_turn_on) != BS_NULL_POINTER);
+    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, 0, got_q_b2n_wxyz,
+                              got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b,
+                              got_flexure, got_flexure_rate, got_gyro_scale, got_accel_scale,
+                              got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                              got_accel_turn_on) != BS_NULL_POINTER);
+    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n, 0,
+                              got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, got_tau, got_lever_b,
+                              got_flexure, got_flexure_rate, got_gyro_scale, got_accel_scale,
+                              got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                              got_accel_turn_on) != BS_NULL_POINTER);
+    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                              got_q_b2n_wxyz, 0, got_accel_bias, got_q_b2m_wxyz, got_tau,
+                              got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                              got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                              got_accel_turn_on) != BS_NULL_POINTER);
+    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                              got_q_b2n_wxyz, got_gyro_bias, 0, got_q_b2m_wxyz, got_tau,
+                              got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                              got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                              got_accel_turn_on) != BS_NULL_POINTER);
+    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                              got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, 0, got_tau,
+                              got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                              got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                              got_accel_turn_on) != BS_NULL_POINTER);
+    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                              got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz, 0,
+                              got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                              got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                              got_accel_turn_on) != BS_NULL_POINTER);
+    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                              got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz,
+                              got_tau, 0, got_flexure, got_flexure_rate, got_gyro_scale,
+                              got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                              got_accel_turn_on) != BS_NULL_POINTER);
+    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                              got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz,
+                              got_tau, got_lever_b, 0, got_flexure_rate, got_gyro_scale,
+                              got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                              got_accel_turn_on) != BS_NULL_POINTER);
+    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                              got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz,
+                              got_tau, got_lever_b, got_flexure, 0, got_gyro_scale, got_accel_scale,
+                              got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                              got_accel_turn_on) != BS_NULL_POINTER);
+    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                              got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz,
+                              got_tau, got_lever_b, got_flexure, got_flexure_rate, 0,
+                              got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                              got_accel_turn_on) != BS_NULL_POINTER);
+    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                              got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz,
+                              got_tau, got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                              0, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                              got_accel_turn_on) != BS_NULL_POINTER);
+    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                              got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz,
+                              got_tau, got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                              got_accel_scale, 0, got_accel_axes, got_gyro_turn_on,
+                              got_accel_turn_on) != BS_NULL_POINTER);
+    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                              got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz,
+                              got_tau, got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                              got_accel_scale, got_gyro_axes, 0, got_gyro_turn_on,
+                              got_accel_turn_on) != BS_NULL_POINTER);
+    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                              got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz,
+                              got_tau, got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                              got_accel_scale, got_gyro_axes, got_accel_axes, 0,
+                              got_accel_turn_on) != BS_NULL_POINTER);
+    failures += (vas_feedback(x, &nav, &mounting, &bending, &triads, &biases, got_v_n,
+                              got_q_b2n_wxyz, got_gyro_bias, got_accel_bias, got_q_b2m_wxyz,
+                              got_tau, got_lever_b, got_flexure, got_flexure_rate, got_gyro_scale,
+                              got_accel_scale, got_gyro_axes, got_accel_axes, got_gyro_turn_on,
+                              0) != BS_NULL_POINTER);
     return failures;
 }

@@ -225,15 +225,15 @@ int test_vas_quaternion_H(void)
     vas_master master = {0};
     vas_bending bending = {0};
     vas_triads triads = {0};
-    bs_real H[138];
+    bs_real got_H[138];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, x, &nav, &corrected_imu, &master, &bending, &triads);
-        if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
+        if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, got_H) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("vas_quaternion_H H", v, H, 138, out_H[v], tol_H[v], at_H, 75,
-                                     0);
+        failures += selftest_compare("vas_quaternion_H H", v, got_H, 138, out_H[v], tol_H[v], at_H,
+                                     75, 0);
     }
     /* x: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
     for (int i = 0; i < 46; ++i) {
@@ -263,13 +263,13 @@ int test_vas_quaternion_H(void)
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
+            selftest_paint(got_H, 138);
             if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 H) != expected) {
+                                 got_H) != expected) {
                 selftest_print("vas_quaternion_H: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_H H", H, 138);
+            failures += selftest_painted("vas_quaternion_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[46] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5),
@@ -312,7 +312,8 @@ int test_vas_quaternion_H(void)
                                               BS_REAL(1.0), BS_REAL(1.0) };
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_H) != BS_OK) {
                 selftest_print("vas_quaternion_H: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -329,14 +330,14 @@ int test_vas_quaternion_H(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
+            selftest_paint(got_H, 138);
             if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 H) != expected) {
+                                 got_H) != expected) {
                 selftest_print("vas_quaternion_H: lat_lon_height[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_H H", H, 138);
+            failures += selftest_painted("vas_quaternion_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -345,7 +346,8 @@ int test_vas_quaternion_H(void)
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_H) != BS_OK) {
                 selftest_print("vas_quaternion_H: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -360,20 +362,21 @@ int test_vas_quaternion_H(void)
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
+            selftest_paint(got_H, 138);
             if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 H) != expected) {
+                                 got_H) != expected) {
                 selftest_print("vas_quaternion_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_H H", H, 138);
+            failures += selftest_painted("vas_quaternion_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_H) != BS_OK) {
                 selftest_print("vas_quaternion_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -390,14 +393,14 @@ int test_vas_quaternion_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
+            selftest_paint(got_H, 138);
             if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 H) != expected) {
+                                 got_H) != expected) {
                 selftest_print("vas_quaternion_H: q_b2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_H H", H, 138);
+            failures += selftest_painted("vas_quaternion_H H", got_H, 138);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -407,7 +410,8 @@ int test_vas_quaternion_H(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_H) != BS_OK) {
                 selftest_print("vas_quaternion_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -421,7 +425,7 @@ int test_vas_quaternion_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
-                             H) != BS_OUT_OF_RANGE) {
+                             got_H) != BS_OUT_OF_RANGE) {
             selftest_print("vas_quaternion_H: q_b2n_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -438,14 +442,14 @@ int test_vas_quaternion_H(void)
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
+            selftest_paint(got_H, 138);
             if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 H) != expected) {
+                                 got_H) != expected) {
                 selftest_print("vas_quaternion_H: q_b2m_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_H H", H, 138);
+            failures += selftest_painted("vas_quaternion_H H", got_H, 138);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -455,7 +459,8 @@ int test_vas_quaternion_H(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_H) != BS_OK) {
                 selftest_print("vas_quaternion_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -469,7 +474,7 @@ int test_vas_quaternion_H(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
-                             H) != BS_OUT_OF_RANGE) {
+                             got_H) != BS_OUT_OF_RANGE) {
             selftest_print("vas_quaternion_H: q_b2m_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -486,21 +491,22 @@ int test_vas_quaternion_H(void)
             corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
+            selftest_paint(got_H, 138);
             if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 H) != expected) {
+                                 got_H) != expected) {
                 selftest_print("vas_quaternion_H: omega_ib_b[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_H H", H, 138);
+            failures += selftest_painted("vas_quaternion_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_H) != BS_OK) {
                 selftest_print("vas_quaternion_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -517,14 +523,14 @@ int test_vas_quaternion_H(void)
             master.q_m2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
+            selftest_paint(got_H, 138);
             if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 H) != expected) {
+                                 got_H) != expected) {
                 selftest_print("vas_quaternion_H: q_m2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_H H", H, 138);
+            failures += selftest_painted("vas_quaternion_H H", got_H, 138);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -534,7 +540,8 @@ int test_vas_quaternion_H(void)
             for (int j = 0; j < 4; ++j) {
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_H) != BS_OK) {
                 selftest_print("vas_quaternion_H: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -548,7 +555,7 @@ int test_vas_quaternion_H(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
-                             H) != BS_OUT_OF_RANGE) {
+                             got_H) != BS_OUT_OF_RANGE) {
             selftest_print("vas_quaternion_H: q_m2n_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -563,20 +570,21 @@ int test_vas_quaternion_H(void)
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             master.lag = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
+            selftest_paint(got_H, 138);
             if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 H) != expected) {
+                                 got_H) != expected) {
                 selftest_print("vas_quaternion_H: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_H H", H, 138);
+            failures += selftest_painted("vas_quaternion_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
             static const bs_real high[1] = { BS_REAL(1.0) };
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             master.lag = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_H) != BS_OK) {
                 selftest_print("vas_quaternion_H: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -593,20 +601,21 @@ int test_vas_quaternion_H(void)
             bending.flexure[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
+            selftest_paint(got_H, 138);
             if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 H) != expected) {
+                                 got_H) != expected) {
                 selftest_print("vas_quaternion_H: flexure[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_H H", H, 138);
+            failures += selftest_painted("vas_quaternion_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             bending.flexure[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_H) != BS_OK) {
                 selftest_print("vas_quaternion_H: flexure[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -623,21 +632,22 @@ int test_vas_quaternion_H(void)
             bending.flexure_rate[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
+            selftest_paint(got_H, 138);
             if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 H) != expected) {
+                                 got_H) != expected) {
                 selftest_print("vas_quaternion_H: flexure_rate[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_H H", H, 138);
+            failures += selftest_painted("vas_quaternion_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_H) != BS_OK) {
                 selftest_print("vas_quaternion_H: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -654,21 +664,22 @@ int test_vas_quaternion_H(void)
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
+            selftest_paint(got_H, 138);
             if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 H) != expected) {
+                                 got_H) != expected) {
                 selftest_print("vas_quaternion_H: gyro_scale[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_H H", H, 138);
+            failures += selftest_painted("vas_quaternion_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_H) != BS_OK) {
                 selftest_print("vas_quaternion_H: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -687,14 +698,14 @@ int test_vas_quaternion_H(void)
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
+            selftest_paint(got_H, 138);
             if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 H) != expected) {
+                                 got_H) != expected) {
                 selftest_print("vas_quaternion_H: gyro_axes[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_H H", H, 138);
+            failures += selftest_painted("vas_quaternion_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[6] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1),
@@ -703,7 +714,8 @@ int test_vas_quaternion_H(void)
                                              BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, H) != BS_OK) {
+            if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_H) != BS_OK) {
                 selftest_print("vas_quaternion_H: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -711,29 +723,31 @@ int test_vas_quaternion_H(void)
     }
     set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
     failures += (vas_quaternion_H(0, &nav, &corrected_imu, &master, &bending, &triads,
-                                  H) != BS_NULL_POINTER);
+                                  got_H) != BS_NULL_POINTER);
     failures += (vas_quaternion_H(x, 0, &corrected_imu, &master, &bending, &triads,
-                                  H) != BS_NULL_POINTER);
-    failures += (vas_quaternion_H(x, &nav, 0, &master, &bending, &triads, H) != BS_NULL_POINTER);
+                                  got_H) != BS_NULL_POINTER);
+    failures += (vas_quaternion_H(x, &nav, 0, &master, &bending, &triads,
+                                  got_H) != BS_NULL_POINTER);
     failures += (vas_quaternion_H(x, &nav, &corrected_imu, 0, &bending, &triads,
-                                  H) != BS_NULL_POINTER);
+                                  got_H) != BS_NULL_POINTER);
     failures += (vas_quaternion_H(x, &nav, &corrected_imu, &master, 0, &triads,
-                                  H) != BS_NULL_POINTER);
+                                  got_H) != BS_NULL_POINTER);
     failures += (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, 0,
-                                  H) != BS_NULL_POINTER);
+                                  got_H) != BS_NULL_POINTER);
     failures += (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads,
                                   0) != BS_NULL_POINTER);
     failures += (vas_quaternion_H_nz(0, &nav, &corrected_imu, &master, &bending, &triads,
-                                     H) != BS_NULL_POINTER);
+                                     got_H) != BS_NULL_POINTER);
     failures += (vas_quaternion_H_nz(x, 0, &corrected_imu, &master, &bending, &triads,
-                                     H) != BS_NULL_POINTER);
-    failures += (vas_quaternion_H_nz(x, &nav, 0, &master, &bending, &triads, H) != BS_NULL_POINTER);
+                                     got_H) != BS_NULL_POINTER);
+    failures += (vas_quaternion_H_nz(x, &nav, 0, &master, &bending, &triads,
+                                     got_H) != BS_NULL_POINTER);
     failures += (vas_quaternion_H_nz(x, &nav, &corrected_imu, 0, &bending, &triads,
-                                     H) != BS_NULL_POINTER);
+                                     got_H) != BS_NULL_POINTER);
     failures += (vas_quaternion_H_nz(x, &nav, &corrected_imu, &master, 0, &triads,
-                                     H) != BS_NULL_POINTER);
+                                     got_H) != BS_NULL_POINTER);
     failures += (vas_quaternion_H_nz(x, &nav, &corrected_imu, &master, &bending, 0,
-                                     H) != BS_NULL_POINTER);
+                                     got_H) != BS_NULL_POINTER);
     failures += (vas_quaternion_H_nz(x, &nav, &corrected_imu, &master, &bending, &triads,
                                      0) != BS_NULL_POINTER);
     return failures;

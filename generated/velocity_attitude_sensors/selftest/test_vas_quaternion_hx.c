@@ -160,14 +160,15 @@ int test_vas_quaternion_h(void)
     vas_master master = {0};
     vas_bending bending = {0};
     vas_triads triads = {0};
-    bs_real h[3];
+    bs_real got_h[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, x, &nav, &corrected_imu, &master, &bending, &triads);
-        if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
+        if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, got_h) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("vas_quaternion_h h", v, h, 3, out_h[v], tol_h[v], at_h, 3, 0);
+        failures += selftest_compare("vas_quaternion_h h", v, got_h, 3, out_h[v], tol_h[v], at_h, 3,
+                                     0);
     }
     /* x: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
     for (int i = 0; i < 46; ++i) {
@@ -197,13 +198,13 @@ int test_vas_quaternion_h(void)
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
+            selftest_paint(got_h, 3);
             if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 h) != expected) {
+                                 got_h) != expected) {
                 selftest_print("vas_quaternion_h: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_h h", h, 3);
+            failures += selftest_painted("vas_quaternion_h h", got_h, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[46] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5),
@@ -246,7 +247,8 @@ int test_vas_quaternion_h(void)
                                               BS_REAL(1.0), BS_REAL(1.0) };
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_h) != BS_OK) {
                 selftest_print("vas_quaternion_h: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -263,14 +265,14 @@ int test_vas_quaternion_h(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
+            selftest_paint(got_h, 3);
             if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 h) != expected) {
+                                 got_h) != expected) {
                 selftest_print("vas_quaternion_h: lat_lon_height[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_h h", h, 3);
+            failures += selftest_painted("vas_quaternion_h h", got_h, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -279,7 +281,8 @@ int test_vas_quaternion_h(void)
                                              BS_REAL(6.283185307179586), BS_REAL(30000.0) };
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_h) != BS_OK) {
                 selftest_print("vas_quaternion_h: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -294,20 +297,21 @@ int test_vas_quaternion_h(void)
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
+            selftest_paint(got_h, 3);
             if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 h) != expected) {
+                                 got_h) != expected) {
                 selftest_print("vas_quaternion_h: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_h h", h, 3);
+            failures += selftest_painted("vas_quaternion_h h", got_h, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_h) != BS_OK) {
                 selftest_print("vas_quaternion_h: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -324,14 +328,14 @@ int test_vas_quaternion_h(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
+            selftest_paint(got_h, 3);
             if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 h) != expected) {
+                                 got_h) != expected) {
                 selftest_print("vas_quaternion_h: q_b2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_h h", h, 3);
+            failures += selftest_painted("vas_quaternion_h h", got_h, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -341,7 +345,8 @@ int test_vas_quaternion_h(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_h) != BS_OK) {
                 selftest_print("vas_quaternion_h: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -355,7 +360,7 @@ int test_vas_quaternion_h(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
-                             h) != BS_OUT_OF_RANGE) {
+                             got_h) != BS_OUT_OF_RANGE) {
             selftest_print("vas_quaternion_h: q_b2n_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -372,14 +377,14 @@ int test_vas_quaternion_h(void)
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
+            selftest_paint(got_h, 3);
             if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 h) != expected) {
+                                 got_h) != expected) {
                 selftest_print("vas_quaternion_h: q_b2m_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_h h", h, 3);
+            failures += selftest_painted("vas_quaternion_h h", got_h, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -389,7 +394,8 @@ int test_vas_quaternion_h(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_h) != BS_OK) {
                 selftest_print("vas_quaternion_h: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -403,7 +409,7 @@ int test_vas_quaternion_h(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
-                             h) != BS_OUT_OF_RANGE) {
+                             got_h) != BS_OUT_OF_RANGE) {
             selftest_print("vas_quaternion_h: q_b2m_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -420,21 +426,22 @@ int test_vas_quaternion_h(void)
             corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
+            selftest_paint(got_h, 3);
             if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 h) != expected) {
+                                 got_h) != expected) {
                 selftest_print("vas_quaternion_h: omega_ib_b[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_h h", h, 3);
+            failures += selftest_painted("vas_quaternion_h h", got_h, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_h) != BS_OK) {
                 selftest_print("vas_quaternion_h: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -451,14 +458,14 @@ int test_vas_quaternion_h(void)
             master.q_m2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
+            selftest_paint(got_h, 3);
             if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 h) != expected) {
+                                 got_h) != expected) {
                 selftest_print("vas_quaternion_h: q_m2n_wxyz[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_h h", h, 3);
+            failures += selftest_painted("vas_quaternion_h h", got_h, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -468,7 +475,8 @@ int test_vas_quaternion_h(void)
             for (int j = 0; j < 4; ++j) {
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_h) != BS_OK) {
                 selftest_print("vas_quaternion_h: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -482,7 +490,7 @@ int test_vas_quaternion_h(void)
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
-                             h) != BS_OUT_OF_RANGE) {
+                             got_h) != BS_OUT_OF_RANGE) {
             selftest_print("vas_quaternion_h: q_m2n_wxyz of norm %d outside its range not "
                            "refused\n", end);
             ++failures;
@@ -497,20 +505,21 @@ int test_vas_quaternion_h(void)
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             master.lag = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
+            selftest_paint(got_h, 3);
             if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 h) != expected) {
+                                 got_h) != expected) {
                 selftest_print("vas_quaternion_h: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_h h", h, 3);
+            failures += selftest_painted("vas_quaternion_h h", got_h, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
             static const bs_real high[1] = { BS_REAL(1.0) };
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             master.lag = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_h) != BS_OK) {
                 selftest_print("vas_quaternion_h: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -527,20 +536,21 @@ int test_vas_quaternion_h(void)
             bending.flexure[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
+            selftest_paint(got_h, 3);
             if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 h) != expected) {
+                                 got_h) != expected) {
                 selftest_print("vas_quaternion_h: flexure[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_h h", h, 3);
+            failures += selftest_painted("vas_quaternion_h h", got_h, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             bending.flexure[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_h) != BS_OK) {
                 selftest_print("vas_quaternion_h: flexure[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -557,21 +567,22 @@ int test_vas_quaternion_h(void)
             bending.flexure_rate[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
+            selftest_paint(got_h, 3);
             if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 h) != expected) {
+                                 got_h) != expected) {
                 selftest_print("vas_quaternion_h: flexure_rate[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_h h", h, 3);
+            failures += selftest_painted("vas_quaternion_h h", got_h, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
             static const bs_real high[3] = { BS_REAL(1.0), BS_REAL(1.0), BS_REAL(1.0) };
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_h) != BS_OK) {
                 selftest_print("vas_quaternion_h: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -588,21 +599,22 @@ int test_vas_quaternion_h(void)
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
+            selftest_paint(got_h, 3);
             if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 h) != expected) {
+                                 got_h) != expected) {
                 selftest_print("vas_quaternion_h: gyro_scale[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_h h", h, 3);
+            failures += selftest_painted("vas_quaternion_h h", got_h, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_h) != BS_OK) {
                 selftest_print("vas_quaternion_h: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -621,14 +633,14 @@ int test_vas_quaternion_h(void)
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
+            selftest_paint(got_h, 3);
             if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
-                                 h) != expected) {
+                                 got_h) != expected) {
                 selftest_print("vas_quaternion_h: gyro_axes[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_quaternion_h h", h, 3);
+            failures += selftest_painted("vas_quaternion_h h", got_h, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[6] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1),
@@ -637,7 +649,8 @@ int test_vas_quaternion_h(void)
                                              BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
-            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads, h) != BS_OK) {
+            if (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
+                                 got_h) != BS_OK) {
                 selftest_print("vas_quaternion_h: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -645,16 +658,17 @@ int test_vas_quaternion_h(void)
     }
     set_point(0, x, &nav, &corrected_imu, &master, &bending, &triads);
     failures += (vas_quaternion_h(0, &nav, &corrected_imu, &master, &bending, &triads,
-                                  h) != BS_NULL_POINTER);
+                                  got_h) != BS_NULL_POINTER);
     failures += (vas_quaternion_h(x, 0, &corrected_imu, &master, &bending, &triads,
-                                  h) != BS_NULL_POINTER);
-    failures += (vas_quaternion_h(x, &nav, 0, &master, &bending, &triads, h) != BS_NULL_POINTER);
+                                  got_h) != BS_NULL_POINTER);
+    failures += (vas_quaternion_h(x, &nav, 0, &master, &bending, &triads,
+                                  got_h) != BS_NULL_POINTER);
     failures += (vas_quaternion_h(x, &nav, &corrected_imu, 0, &bending, &triads,
-                                  h) != BS_NULL_POINTER);
+                                  got_h) != BS_NULL_POINTER);
     failures += (vas_quaternion_h(x, &nav, &corrected_imu, &master, 0, &triads,
-                                  h) != BS_NULL_POINTER);
+                                  got_h) != BS_NULL_POINTER);
     failures += (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, 0,
-                                  h) != BS_NULL_POINTER);
+                                  got_h) != BS_NULL_POINTER);
     failures += (vas_quaternion_h(x, &nav, &corrected_imu, &master, &bending, &triads,
                                   0) != BS_NULL_POINTER);
     return failures;

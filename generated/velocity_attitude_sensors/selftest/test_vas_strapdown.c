@@ -301,36 +301,36 @@ int test_vas_strapdown(void)
     vas_bending bending = {0};
     vas_triads triads = {0};
     vas_biases biases = {0};
-    bs_real lat_lon_height[3];
-    bs_real v_n[3];
-    bs_real q_b2n_wxyz[4];
-    bs_real flexure[3];
-    bs_real flexure_rate[3];
-    bs_real gyro_bias[3];
-    bs_real accel_bias[3];
+    bs_real got_lat_lon_height[3];
+    bs_real got_v_n[3];
+    bs_real got_q_b2n_wxyz[4];
+    bs_real got_flexure[3];
+    bs_real got_flexure_rate[3];
+    bs_real got_gyro_bias[3];
+    bs_real got_accel_bias[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
         if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                          lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                          accel_bias) != BS_OK) {
+                          got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                          got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("vas_strapdown lat_lon_height", v, lat_lon_height, 3,
+        failures += selftest_compare("vas_strapdown lat_lon_height", v, got_lat_lon_height, 3,
                                      out_lat_lon_height[v], tol_lat_lon_height[v],
                                      at_lat_lon_height, 3, 0);
-        failures += selftest_compare("vas_strapdown v_n", v, v_n, 3, out_v_n[v], tol_v_n[v], at_v_n,
-                                     3, 0);
-        failures += selftest_compare("vas_strapdown q_b2n_wxyz", v, q_b2n_wxyz, 4,
+        failures += selftest_compare("vas_strapdown v_n", v, got_v_n, 3, out_v_n[v], tol_v_n[v],
+                                     at_v_n, 3, 0);
+        failures += selftest_compare("vas_strapdown q_b2n_wxyz", v, got_q_b2n_wxyz, 4,
                                      out_q_b2n_wxyz[v], tol_q_b2n_wxyz[v], at_q_b2n_wxyz, 4, 0);
-        failures += selftest_compare("vas_strapdown flexure", v, flexure, 3, out_flexure[v],
+        failures += selftest_compare("vas_strapdown flexure", v, got_flexure, 3, out_flexure[v],
                                      tol_flexure[v], at_flexure, 3, 0);
-        failures += selftest_compare("vas_strapdown flexure_rate", v, flexure_rate, 3,
+        failures += selftest_compare("vas_strapdown flexure_rate", v, got_flexure_rate, 3,
                                      out_flexure_rate[v], tol_flexure_rate[v], at_flexure_rate, 3,
                                      0);
-        failures += selftest_compare("vas_strapdown gyro_bias", v, gyro_bias, 3, out_gyro_bias[v],
-                                     tol_gyro_bias[v], at_gyro_bias, 3, 0);
-        failures += selftest_compare("vas_strapdown accel_bias", v, accel_bias, 3,
+        failures += selftest_compare("vas_strapdown gyro_bias", v, got_gyro_bias, 3,
+                                     out_gyro_bias[v], tol_gyro_bias[v], at_gyro_bias, 3, 0);
+        failures += selftest_compare("vas_strapdown accel_bias", v, got_accel_bias, 3,
                                      out_accel_bias[v], tol_accel_bias[v], at_accel_bias, 3, 0);
     }
     /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
@@ -344,27 +344,27 @@ int test_vas_strapdown(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lat_lon_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
+            selftest_paint(got_lat_lon_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != expected) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != expected) {
                 selftest_print("vas_strapdown: lat_lon_height[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
-            failures += selftest_painted("vas_strapdown v_n", v_n, 3);
-            failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_strapdown flexure", flexure, 3);
-            failures += selftest_painted("vas_strapdown flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_strapdown gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_strapdown accel_bias", accel_bias, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", got_lat_lon_height, 3);
+            failures += selftest_painted("vas_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("vas_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_strapdown flexure", got_flexure, 3);
+            failures += selftest_painted("vas_strapdown flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_strapdown gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_strapdown accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -374,8 +374,8 @@ int test_vas_strapdown(void)
             set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != BS_OK) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -390,26 +390,26 @@ int test_vas_strapdown(void)
             set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lat_lon_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
+            selftest_paint(got_lat_lon_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != expected) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != expected) {
                 selftest_print("vas_strapdown: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
-            failures += selftest_painted("vas_strapdown v_n", v_n, 3);
-            failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_strapdown flexure", flexure, 3);
-            failures += selftest_painted("vas_strapdown flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_strapdown gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_strapdown accel_bias", accel_bias, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", got_lat_lon_height, 3);
+            failures += selftest_painted("vas_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("vas_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_strapdown flexure", got_flexure, 3);
+            failures += selftest_painted("vas_strapdown flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_strapdown gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_strapdown accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
@@ -417,8 +417,8 @@ int test_vas_strapdown(void)
             set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != BS_OK) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -435,26 +435,26 @@ int test_vas_strapdown(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lat_lon_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
+            selftest_paint(got_lat_lon_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != expected) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != expected) {
                 selftest_print("vas_strapdown: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
-            failures += selftest_painted("vas_strapdown v_n", v_n, 3);
-            failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_strapdown flexure", flexure, 3);
-            failures += selftest_painted("vas_strapdown flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_strapdown gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_strapdown accel_bias", accel_bias, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", got_lat_lon_height, 3);
+            failures += selftest_painted("vas_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("vas_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_strapdown flexure", got_flexure, 3);
+            failures += selftest_painted("vas_strapdown flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_strapdown gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_strapdown accel_bias", got_accel_bias, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -465,8 +465,8 @@ int test_vas_strapdown(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != BS_OK) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -480,8 +480,8 @@ int test_vas_strapdown(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                          lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                          accel_bias) != BS_OUT_OF_RANGE) {
+                          got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                          got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OUT_OF_RANGE) {
             selftest_print("vas_strapdown: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -500,26 +500,26 @@ int test_vas_strapdown(void)
             nav.gyro_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lat_lon_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
+            selftest_paint(got_lat_lon_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != expected) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != expected) {
                 selftest_print("vas_strapdown: gyro_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
-            failures += selftest_painted("vas_strapdown v_n", v_n, 3);
-            failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_strapdown flexure", flexure, 3);
-            failures += selftest_painted("vas_strapdown flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_strapdown gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_strapdown accel_bias", accel_bias, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", got_lat_lon_height, 3);
+            failures += selftest_painted("vas_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("vas_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_strapdown flexure", got_flexure, 3);
+            failures += selftest_painted("vas_strapdown flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_strapdown gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_strapdown accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.017453292519943295),
@@ -531,8 +531,8 @@ int test_vas_strapdown(void)
             set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             nav.gyro_bias[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != BS_OK) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: gyro_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -549,26 +549,26 @@ int test_vas_strapdown(void)
             nav.accel_bias[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lat_lon_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
+            selftest_paint(got_lat_lon_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != expected) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != expected) {
                 selftest_print("vas_strapdown: accel_bias[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
-            failures += selftest_painted("vas_strapdown v_n", v_n, 3);
-            failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_strapdown flexure", flexure, 3);
-            failures += selftest_painted("vas_strapdown flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_strapdown gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_strapdown accel_bias", accel_bias, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", got_lat_lon_height, 3);
+            failures += selftest_painted("vas_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("vas_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_strapdown flexure", got_flexure, 3);
+            failures += selftest_painted("vas_strapdown flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_strapdown gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_strapdown accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
@@ -576,8 +576,8 @@ int test_vas_strapdown(void)
             set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             nav.accel_bias[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != BS_OK) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: accel_bias[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -593,26 +593,26 @@ int test_vas_strapdown(void)
             corrected_imu.dt = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lat_lon_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
+            selftest_paint(got_lat_lon_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != expected) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != expected) {
                 selftest_print("vas_strapdown: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
-            failures += selftest_painted("vas_strapdown v_n", v_n, 3);
-            failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_strapdown flexure", flexure, 3);
-            failures += selftest_painted("vas_strapdown flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_strapdown gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_strapdown accel_bias", accel_bias, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", got_lat_lon_height, 3);
+            failures += selftest_painted("vas_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("vas_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_strapdown flexure", got_flexure, 3);
+            failures += selftest_painted("vas_strapdown flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_strapdown gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_strapdown accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
@@ -620,8 +620,8 @@ int test_vas_strapdown(void)
             set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             corrected_imu.dt = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != BS_OK) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -638,26 +638,26 @@ int test_vas_strapdown(void)
             increments.dtheta_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                   : (bad == 1) ? selftest_infinity()
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lat_lon_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
+            selftest_paint(got_lat_lon_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != expected) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != expected) {
                 selftest_print("vas_strapdown: dtheta_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
-            failures += selftest_painted("vas_strapdown v_n", v_n, 3);
-            failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_strapdown flexure", flexure, 3);
-            failures += selftest_painted("vas_strapdown flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_strapdown gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_strapdown accel_bias", accel_bias, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", got_lat_lon_height, 3);
+            failures += selftest_painted("vas_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("vas_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_strapdown flexure", got_flexure, 3);
+            failures += selftest_painted("vas_strapdown flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_strapdown gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_strapdown accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
@@ -665,8 +665,8 @@ int test_vas_strapdown(void)
             set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             increments.dtheta_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != BS_OK) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: dtheta_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -682,26 +682,26 @@ int test_vas_strapdown(void)
             increments.dv_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lat_lon_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
+            selftest_paint(got_lat_lon_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != expected) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != expected) {
                 selftest_print("vas_strapdown: dv_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
-            failures += selftest_painted("vas_strapdown v_n", v_n, 3);
-            failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_strapdown flexure", flexure, 3);
-            failures += selftest_painted("vas_strapdown flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_strapdown gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_strapdown accel_bias", accel_bias, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", got_lat_lon_height, 3);
+            failures += selftest_painted("vas_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("vas_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_strapdown flexure", got_flexure, 3);
+            failures += selftest_painted("vas_strapdown flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_strapdown gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_strapdown accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
@@ -709,8 +709,8 @@ int test_vas_strapdown(void)
             set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             increments.dv_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != BS_OK) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: dv_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -727,27 +727,27 @@ int test_vas_strapdown(void)
             increments.dtheta_before[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lat_lon_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
+            selftest_paint(got_lat_lon_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != expected) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != expected) {
                 selftest_print("vas_strapdown: dtheta_before[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
-            failures += selftest_painted("vas_strapdown v_n", v_n, 3);
-            failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_strapdown flexure", flexure, 3);
-            failures += selftest_painted("vas_strapdown flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_strapdown gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_strapdown accel_bias", accel_bias, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", got_lat_lon_height, 3);
+            failures += selftest_painted("vas_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("vas_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_strapdown flexure", got_flexure, 3);
+            failures += selftest_painted("vas_strapdown flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_strapdown gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_strapdown accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
@@ -755,8 +755,8 @@ int test_vas_strapdown(void)
             set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             increments.dtheta_before[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != BS_OK) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: dtheta_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -773,26 +773,26 @@ int test_vas_strapdown(void)
             increments.dv_before[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lat_lon_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
+            selftest_paint(got_lat_lon_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != expected) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != expected) {
                 selftest_print("vas_strapdown: dv_before[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
-            failures += selftest_painted("vas_strapdown v_n", v_n, 3);
-            failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_strapdown flexure", flexure, 3);
-            failures += selftest_painted("vas_strapdown flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_strapdown gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_strapdown accel_bias", accel_bias, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", got_lat_lon_height, 3);
+            failures += selftest_painted("vas_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("vas_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_strapdown flexure", got_flexure, 3);
+            failures += selftest_painted("vas_strapdown flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_strapdown gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_strapdown accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
@@ -800,8 +800,8 @@ int test_vas_strapdown(void)
             set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             increments.dv_before[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != BS_OK) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: dv_before[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -818,26 +818,26 @@ int test_vas_strapdown(void)
             bending.flexure[i] = (bs_real)((bad == 0) ? selftest_nan()
                                            : (bad == 1) ? selftest_infinity()
                                            : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lat_lon_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
+            selftest_paint(got_lat_lon_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != expected) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != expected) {
                 selftest_print("vas_strapdown: flexure[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
-            failures += selftest_painted("vas_strapdown v_n", v_n, 3);
-            failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_strapdown flexure", flexure, 3);
-            failures += selftest_painted("vas_strapdown flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_strapdown gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_strapdown accel_bias", accel_bias, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", got_lat_lon_height, 3);
+            failures += selftest_painted("vas_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("vas_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_strapdown flexure", got_flexure, 3);
+            failures += selftest_painted("vas_strapdown flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_strapdown gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_strapdown accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
@@ -845,8 +845,8 @@ int test_vas_strapdown(void)
             set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             bending.flexure[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != BS_OK) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: flexure[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -863,27 +863,27 @@ int test_vas_strapdown(void)
             bending.flexure_rate[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lat_lon_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
+            selftest_paint(got_lat_lon_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != expected) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != expected) {
                 selftest_print("vas_strapdown: flexure_rate[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
-            failures += selftest_painted("vas_strapdown v_n", v_n, 3);
-            failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_strapdown flexure", flexure, 3);
-            failures += selftest_painted("vas_strapdown flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_strapdown gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_strapdown accel_bias", accel_bias, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", got_lat_lon_height, 3);
+            failures += selftest_painted("vas_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("vas_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_strapdown flexure", got_flexure, 3);
+            failures += selftest_painted("vas_strapdown flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_strapdown gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_strapdown accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
@@ -891,8 +891,8 @@ int test_vas_strapdown(void)
             set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != BS_OK) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -909,27 +909,27 @@ int test_vas_strapdown(void)
             bending.flexure_omega[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lat_lon_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
+            selftest_paint(got_lat_lon_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != expected) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != expected) {
                 selftest_print("vas_strapdown: flexure_omega[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
-            failures += selftest_painted("vas_strapdown v_n", v_n, 3);
-            failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_strapdown flexure", flexure, 3);
-            failures += selftest_painted("vas_strapdown flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_strapdown gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_strapdown accel_bias", accel_bias, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", got_lat_lon_height, 3);
+            failures += selftest_painted("vas_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("vas_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_strapdown flexure", got_flexure, 3);
+            failures += selftest_painted("vas_strapdown flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_strapdown gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_strapdown accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.01), BS_REAL(0.01), BS_REAL(0.01) };
@@ -937,8 +937,8 @@ int test_vas_strapdown(void)
             set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             bending.flexure_omega[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != BS_OK) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: flexure_omega[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -955,27 +955,27 @@ int test_vas_strapdown(void)
             bending.flexure_damping[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                    : (bad == 1) ? selftest_infinity()
                                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lat_lon_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
+            selftest_paint(got_lat_lon_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != expected) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != expected) {
                 selftest_print("vas_strapdown: flexure_damping[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
-            failures += selftest_painted("vas_strapdown v_n", v_n, 3);
-            failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_strapdown flexure", flexure, 3);
-            failures += selftest_painted("vas_strapdown flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_strapdown gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_strapdown accel_bias", accel_bias, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", got_lat_lon_height, 3);
+            failures += selftest_painted("vas_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("vas_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_strapdown flexure", got_flexure, 3);
+            failures += selftest_painted("vas_strapdown flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_strapdown gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_strapdown accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
@@ -983,8 +983,8 @@ int test_vas_strapdown(void)
             set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             bending.flexure_damping[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != BS_OK) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: flexure_damping[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1001,26 +1001,26 @@ int test_vas_strapdown(void)
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lat_lon_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
+            selftest_paint(got_lat_lon_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != expected) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != expected) {
                 selftest_print("vas_strapdown: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
-            failures += selftest_painted("vas_strapdown v_n", v_n, 3);
-            failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_strapdown flexure", flexure, 3);
-            failures += selftest_painted("vas_strapdown flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_strapdown gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_strapdown accel_bias", accel_bias, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", got_lat_lon_height, 3);
+            failures += selftest_painted("vas_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("vas_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_strapdown flexure", got_flexure, 3);
+            failures += selftest_painted("vas_strapdown flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_strapdown gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_strapdown accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
@@ -1028,8 +1028,8 @@ int test_vas_strapdown(void)
             set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != BS_OK) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1046,26 +1046,26 @@ int test_vas_strapdown(void)
             triads.accel_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lat_lon_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
+            selftest_paint(got_lat_lon_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != expected) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != expected) {
                 selftest_print("vas_strapdown: accel_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
-            failures += selftest_painted("vas_strapdown v_n", v_n, 3);
-            failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_strapdown flexure", flexure, 3);
-            failures += selftest_painted("vas_strapdown flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_strapdown gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_strapdown accel_bias", accel_bias, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", got_lat_lon_height, 3);
+            failures += selftest_painted("vas_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("vas_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_strapdown flexure", got_flexure, 3);
+            failures += selftest_painted("vas_strapdown flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_strapdown gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_strapdown accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
@@ -1073,8 +1073,8 @@ int test_vas_strapdown(void)
             set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             triads.accel_scale[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != BS_OK) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: accel_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1093,26 +1093,26 @@ int test_vas_strapdown(void)
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lat_lon_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
+            selftest_paint(got_lat_lon_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != expected) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != expected) {
                 selftest_print("vas_strapdown: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
-            failures += selftest_painted("vas_strapdown v_n", v_n, 3);
-            failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_strapdown flexure", flexure, 3);
-            failures += selftest_painted("vas_strapdown flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_strapdown gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_strapdown accel_bias", accel_bias, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", got_lat_lon_height, 3);
+            failures += selftest_painted("vas_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("vas_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_strapdown flexure", got_flexure, 3);
+            failures += selftest_painted("vas_strapdown flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_strapdown gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_strapdown accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[6] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1),
@@ -1122,8 +1122,8 @@ int test_vas_strapdown(void)
             set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != BS_OK) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1140,26 +1140,26 @@ int test_vas_strapdown(void)
             triads.accel_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lat_lon_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
+            selftest_paint(got_lat_lon_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != expected) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != expected) {
                 selftest_print("vas_strapdown: accel_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
-            failures += selftest_painted("vas_strapdown v_n", v_n, 3);
-            failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_strapdown flexure", flexure, 3);
-            failures += selftest_painted("vas_strapdown flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_strapdown gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_strapdown accel_bias", accel_bias, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", got_lat_lon_height, 3);
+            failures += selftest_painted("vas_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("vas_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_strapdown flexure", got_flexure, 3);
+            failures += selftest_painted("vas_strapdown flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_strapdown gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_strapdown accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
@@ -1167,8 +1167,8 @@ int test_vas_strapdown(void)
             set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             triads.accel_axes[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != BS_OK) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: accel_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1187,27 +1187,27 @@ int test_vas_strapdown(void)
             biases.gyro_turn_on[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                : (bad == 1) ? selftest_infinity()
                                                : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lat_lon_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
+            selftest_paint(got_lat_lon_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != expected) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != expected) {
                 selftest_print("vas_strapdown: gyro_turn_on[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
-            failures += selftest_painted("vas_strapdown v_n", v_n, 3);
-            failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_strapdown flexure", flexure, 3);
-            failures += selftest_painted("vas_strapdown flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_strapdown gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_strapdown accel_bias", accel_bias, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", got_lat_lon_height, 3);
+            failures += selftest_painted("vas_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("vas_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_strapdown flexure", got_flexure, 3);
+            failures += selftest_painted("vas_strapdown flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_strapdown gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_strapdown accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.017453292519943295),
@@ -1219,8 +1219,8 @@ int test_vas_strapdown(void)
             set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             biases.gyro_turn_on[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != BS_OK) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: gyro_turn_on[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1237,27 +1237,27 @@ int test_vas_strapdown(void)
             biases.accel_turn_on[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lat_lon_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
+            selftest_paint(got_lat_lon_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != expected) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != expected) {
                 selftest_print("vas_strapdown: accel_turn_on[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
-            failures += selftest_painted("vas_strapdown v_n", v_n, 3);
-            failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_strapdown flexure", flexure, 3);
-            failures += selftest_painted("vas_strapdown flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_strapdown gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_strapdown accel_bias", accel_bias, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", got_lat_lon_height, 3);
+            failures += selftest_painted("vas_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("vas_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_strapdown flexure", got_flexure, 3);
+            failures += selftest_painted("vas_strapdown flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_strapdown gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_strapdown accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
@@ -1265,8 +1265,8 @@ int test_vas_strapdown(void)
             set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             biases.accel_turn_on[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != BS_OK) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: accel_turn_on[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1283,27 +1283,27 @@ int test_vas_strapdown(void)
             biases.gyro_bias_beta[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                  : (bad == 1) ? selftest_infinity()
                                                  : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lat_lon_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
+            selftest_paint(got_lat_lon_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != expected) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != expected) {
                 selftest_print("vas_strapdown: gyro_bias_beta[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
-            failures += selftest_painted("vas_strapdown v_n", v_n, 3);
-            failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_strapdown flexure", flexure, 3);
-            failures += selftest_painted("vas_strapdown flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_strapdown gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_strapdown accel_bias", accel_bias, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", got_lat_lon_height, 3);
+            failures += selftest_painted("vas_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("vas_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_strapdown flexure", got_flexure, 3);
+            failures += selftest_painted("vas_strapdown flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_strapdown gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_strapdown accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
@@ -1311,8 +1311,8 @@ int test_vas_strapdown(void)
             set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             biases.gyro_bias_beta[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != BS_OK) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: gyro_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1329,27 +1329,27 @@ int test_vas_strapdown(void)
             biases.accel_bias_beta[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                   : (bad == 1) ? selftest_infinity()
                                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(lat_lon_height, 3);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(flexure, 3);
-            selftest_paint(flexure_rate, 3);
-            selftest_paint(gyro_bias, 3);
-            selftest_paint(accel_bias, 3);
+            selftest_paint(got_lat_lon_height, 3);
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_flexure, 3);
+            selftest_paint(got_flexure_rate, 3);
+            selftest_paint(got_gyro_bias, 3);
+            selftest_paint(got_accel_bias, 3);
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != expected) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != expected) {
                 selftest_print("vas_strapdown: accel_bias_beta[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_strapdown lat_lon_height", lat_lon_height, 3);
-            failures += selftest_painted("vas_strapdown v_n", v_n, 3);
-            failures += selftest_painted("vas_strapdown q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vas_strapdown flexure", flexure, 3);
-            failures += selftest_painted("vas_strapdown flexure_rate", flexure_rate, 3);
-            failures += selftest_painted("vas_strapdown gyro_bias", gyro_bias, 3);
-            failures += selftest_painted("vas_strapdown accel_bias", accel_bias, 3);
+            failures += selftest_painted("vas_strapdown lat_lon_height", got_lat_lon_height, 3);
+            failures += selftest_painted("vas_strapdown v_n", got_v_n, 3);
+            failures += selftest_painted("vas_strapdown q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vas_strapdown flexure", got_flexure, 3);
+            failures += selftest_painted("vas_strapdown flexure_rate", got_flexure_rate, 3);
+            failures += selftest_painted("vas_strapdown gyro_bias", got_gyro_bias, 3);
+            failures += selftest_painted("vas_strapdown accel_bias", got_accel_bias, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
@@ -1357,8 +1357,8 @@ int test_vas_strapdown(void)
             set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
             biases.accel_bias_beta[i] = (end == 0) ? low[i] : high[i];
             if (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                              lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                              accel_bias) != BS_OK) {
+                              got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                              got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_OK) {
                 selftest_print("vas_strapdown: accel_bias_beta[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -1366,43 +1366,43 @@ int test_vas_strapdown(void)
     }
     set_point(0, &nav, &corrected_imu, &increments, &bending, &triads, &biases);
     failures += (vas_strapdown(0, &corrected_imu, &increments, &bending, &triads, &biases,
-                               lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                               accel_bias) != BS_NULL_POINTER);
-    failures += (vas_strapdown(&nav, 0, &increments, &bending, &triads, &biases, lat_lon_height,
-                               v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                               accel_bias) != BS_NULL_POINTER);
-    failures += (vas_strapdown(&nav, &corrected_imu, 0, &bending, &triads, &biases, lat_lon_height,
-                               v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                               accel_bias) != BS_NULL_POINTER);
+                               got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                               got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_NULL_POINTER);
+    failures += (vas_strapdown(&nav, 0, &increments, &bending, &triads, &biases, got_lat_lon_height,
+                               got_v_n, got_q_b2n_wxyz, got_flexure, got_flexure_rate,
+                               got_gyro_bias, got_accel_bias) != BS_NULL_POINTER);
+    failures += (vas_strapdown(&nav, &corrected_imu, 0, &bending, &triads, &biases,
+                               got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                               got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_NULL_POINTER);
     failures += (vas_strapdown(&nav, &corrected_imu, &increments, 0, &triads, &biases,
-                               lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                               accel_bias) != BS_NULL_POINTER);
+                               got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                               got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_NULL_POINTER);
     failures += (vas_strapdown(&nav, &corrected_imu, &increments, &bending, 0, &biases,
-                               lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                               accel_bias) != BS_NULL_POINTER);
+                               got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                               got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_NULL_POINTER);
     failures += (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, 0,
-                               lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                               accel_bias) != BS_NULL_POINTER);
+                               got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                               got_flexure_rate, got_gyro_bias, got_accel_bias) != BS_NULL_POINTER);
     failures += (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases, 0,
-                               v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                               accel_bias) != BS_NULL_POINTER);
+                               got_v_n, got_q_b2n_wxyz, got_flexure, got_flexure_rate,
+                               got_gyro_bias, got_accel_bias) != BS_NULL_POINTER);
     failures += (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                               lat_lon_height, 0, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                               accel_bias) != BS_NULL_POINTER);
+                               got_lat_lon_height, 0, got_q_b2n_wxyz, got_flexure, got_flexure_rate,
+                               got_gyro_bias, got_accel_bias) != BS_NULL_POINTER);
     failures += (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                               lat_lon_height, v_n, 0, flexure, flexure_rate, gyro_bias,
-                               accel_bias) != BS_NULL_POINTER);
+                               got_lat_lon_height, got_v_n, 0, got_flexure, got_flexure_rate,
+                               got_gyro_bias, got_accel_bias) != BS_NULL_POINTER);
     failures += (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                               lat_lon_height, v_n, q_b2n_wxyz, 0, flexure_rate, gyro_bias,
-                               accel_bias) != BS_NULL_POINTER);
+                               got_lat_lon_height, got_v_n, got_q_b2n_wxyz, 0, got_flexure_rate,
+                               got_gyro_bias, got_accel_bias) != BS_NULL_POINTER);
     failures += (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                               lat_lon_height, v_n, q_b2n_wxyz, flexure, 0, gyro_bias,
-                               accel_bias) != BS_NULL_POINTER);
+                               got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure, 0,
+                               got_gyro_bias, got_accel_bias) != BS_NULL_POINTER);
     failures += (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                               lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, 0,
-                               accel_bias) != BS_NULL_POINTER);
+                               got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                               got_flexure_rate, 0, got_accel_bias) != BS_NULL_POINTER);
     failures += (vas_strapdown(&nav, &corrected_imu, &increments, &bending, &triads, &biases,
-                               lat_lon_height, v_n, q_b2n_wxyz, flexure, flexure_rate, gyro_bias,
-                               0) != BS_NULL_POINTER);
+                               got_lat_lon_height, got_v_n, got_q_b2n_wxyz, got_flexure,
+                               got_flexure_rate, got_gyro_bias, 0) != BS_NULL_POINTER);
     return failures;
 }

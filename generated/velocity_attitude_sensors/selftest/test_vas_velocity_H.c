@@ -120,16 +120,16 @@ int test_vas_velocity_H(void)
     vas_master master = {0};
     vas_bending bending = {0};
     vas_triads triads = {0};
-    bs_real H[138];
+    bs_real got_H[138];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
         if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                           H) != BS_OK) {
+                           got_H) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("vas_velocity_H H", v, H, 138, out_H[v], tol_H[v], at_H, 78,
-                                     0);
+        failures += selftest_compare("vas_velocity_H H", v, got_H, 138, out_H[v], tol_H[v], at_H,
+                                     78, 0);
     }
     /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -142,14 +142,14 @@ int test_vas_velocity_H(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
+            selftest_paint(got_H, 138);
             if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               H) != expected) {
+                               got_H) != expected) {
                 selftest_print("vas_velocity_H: lat_lon_height[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_velocity_H H", H, 138);
+            failures += selftest_painted("vas_velocity_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -159,7 +159,7 @@ int test_vas_velocity_H(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               H) != BS_OK) {
+                               got_H) != BS_OK) {
                 selftest_print("vas_velocity_H: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -174,13 +174,13 @@ int test_vas_velocity_H(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
+            selftest_paint(got_H, 138);
             if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               H) != expected) {
+                               got_H) != expected) {
                 selftest_print("vas_velocity_H: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_velocity_H H", H, 138);
+            failures += selftest_painted("vas_velocity_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
@@ -188,7 +188,7 @@ int test_vas_velocity_H(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               H) != BS_OK) {
+                               got_H) != BS_OK) {
                 selftest_print("vas_velocity_H: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -205,13 +205,13 @@ int test_vas_velocity_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
+            selftest_paint(got_H, 138);
             if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               H) != expected) {
+                               got_H) != expected) {
                 selftest_print("vas_velocity_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_velocity_H H", H, 138);
+            failures += selftest_painted("vas_velocity_H H", got_H, 138);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -222,7 +222,7 @@ int test_vas_velocity_H(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               H) != BS_OK) {
+                               got_H) != BS_OK) {
                 selftest_print("vas_velocity_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -236,7 +236,7 @@ int test_vas_velocity_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                           H) != BS_OUT_OF_RANGE) {
+                           got_H) != BS_OUT_OF_RANGE) {
             selftest_print("vas_velocity_H: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -253,13 +253,13 @@ int test_vas_velocity_H(void)
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
+            selftest_paint(got_H, 138);
             if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               H) != expected) {
+                               got_H) != expected) {
                 selftest_print("vas_velocity_H: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_velocity_H H", H, 138);
+            failures += selftest_painted("vas_velocity_H H", got_H, 138);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -270,7 +270,7 @@ int test_vas_velocity_H(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               H) != BS_OK) {
+                               got_H) != BS_OK) {
                 selftest_print("vas_velocity_H: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -284,7 +284,7 @@ int test_vas_velocity_H(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                           H) != BS_OUT_OF_RANGE) {
+                           got_H) != BS_OUT_OF_RANGE) {
             selftest_print("vas_velocity_H: q_b2m_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -301,13 +301,13 @@ int test_vas_velocity_H(void)
             corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
+            selftest_paint(got_H, 138);
             if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               H) != expected) {
+                               got_H) != expected) {
                 selftest_print("vas_velocity_H: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_velocity_H H", H, 138);
+            failures += selftest_painted("vas_velocity_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
@@ -315,7 +315,7 @@ int test_vas_velocity_H(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               H) != BS_OK) {
+                               got_H) != BS_OK) {
                 selftest_print("vas_velocity_H: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -332,13 +332,13 @@ int test_vas_velocity_H(void)
             mounting.lever_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
+            selftest_paint(got_H, 138);
             if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               H) != expected) {
+                               got_H) != expected) {
                 selftest_print("vas_velocity_H: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_velocity_H H", H, 138);
+            failures += selftest_painted("vas_velocity_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
@@ -346,7 +346,7 @@ int test_vas_velocity_H(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             mounting.lever_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               H) != BS_OK) {
+                               got_H) != BS_OK) {
                 selftest_print("vas_velocity_H: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -361,13 +361,13 @@ int test_vas_velocity_H(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             master.a_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                       : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
+            selftest_paint(got_H, 138);
             if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               H) != expected) {
+                               got_H) != expected) {
                 selftest_print("vas_velocity_H: a_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_velocity_H H", H, 138);
+            failures += selftest_painted("vas_velocity_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
@@ -375,7 +375,7 @@ int test_vas_velocity_H(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             master.a_n[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               H) != BS_OK) {
+                               got_H) != BS_OK) {
                 selftest_print("vas_velocity_H: a_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -392,14 +392,14 @@ int test_vas_velocity_H(void)
             bending.flexure_rate[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
+            selftest_paint(got_H, 138);
             if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               H) != expected) {
+                               got_H) != expected) {
                 selftest_print("vas_velocity_H: flexure_rate[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_velocity_H H", H, 138);
+            failures += selftest_painted("vas_velocity_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
@@ -407,7 +407,7 @@ int test_vas_velocity_H(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               H) != BS_OK) {
+                               got_H) != BS_OK) {
                 selftest_print("vas_velocity_H: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -424,13 +424,13 @@ int test_vas_velocity_H(void)
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
+            selftest_paint(got_H, 138);
             if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               H) != expected) {
+                               got_H) != expected) {
                 selftest_print("vas_velocity_H: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_velocity_H H", H, 138);
+            failures += selftest_painted("vas_velocity_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
@@ -438,7 +438,7 @@ int test_vas_velocity_H(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               H) != BS_OK) {
+                               got_H) != BS_OK) {
                 selftest_print("vas_velocity_H: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -457,13 +457,13 @@ int test_vas_velocity_H(void)
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 138);
+            selftest_paint(got_H, 138);
             if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               H) != expected) {
+                               got_H) != expected) {
                 selftest_print("vas_velocity_H: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_velocity_H H", H, 138);
+            failures += selftest_painted("vas_velocity_H H", got_H, 138);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[6] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1),
@@ -473,7 +473,7 @@ int test_vas_velocity_H(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               H) != BS_OK) {
+                               got_H) != BS_OK) {
                 selftest_print("vas_velocity_H: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -481,31 +481,31 @@ int test_vas_velocity_H(void)
     }
     set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
     failures += (vas_velocity_H(0, &corrected_imu, &mounting, &master, &bending, &triads,
-                                H) != BS_NULL_POINTER);
+                                got_H) != BS_NULL_POINTER);
     failures += (vas_velocity_H(&nav, 0, &mounting, &master, &bending, &triads,
-                                H) != BS_NULL_POINTER);
+                                got_H) != BS_NULL_POINTER);
     failures += (vas_velocity_H(&nav, &corrected_imu, 0, &master, &bending, &triads,
-                                H) != BS_NULL_POINTER);
+                                got_H) != BS_NULL_POINTER);
     failures += (vas_velocity_H(&nav, &corrected_imu, &mounting, 0, &bending, &triads,
-                                H) != BS_NULL_POINTER);
+                                got_H) != BS_NULL_POINTER);
     failures += (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, 0, &triads,
-                                H) != BS_NULL_POINTER);
+                                got_H) != BS_NULL_POINTER);
     failures += (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, 0,
-                                H) != BS_NULL_POINTER);
+                                got_H) != BS_NULL_POINTER);
     failures += (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
                                 0) != BS_NULL_POINTER);
     failures += (vas_velocity_H_nz(0, &corrected_imu, &mounting, &master, &bending, &triads,
-                                   H) != BS_NULL_POINTER);
+                                   got_H) != BS_NULL_POINTER);
     failures += (vas_velocity_H_nz(&nav, 0, &mounting, &master, &bending, &triads,
-                                   H) != BS_NULL_POINTER);
+                                   got_H) != BS_NULL_POINTER);
     failures += (vas_velocity_H_nz(&nav, &corrected_imu, 0, &master, &bending, &triads,
-                                   H) != BS_NULL_POINTER);
+                                   got_H) != BS_NULL_POINTER);
     failures += (vas_velocity_H_nz(&nav, &corrected_imu, &mounting, 0, &bending, &triads,
-                                   H) != BS_NULL_POINTER);
+                                   got_H) != BS_NULL_POINTER);
     failures += (vas_velocity_H_nz(&nav, &corrected_imu, &mounting, &master, 0, &triads,
-                                   H) != BS_NULL_POINTER);
+                                   got_H) != BS_NULL_POINTER);
     failures += (vas_velocity_H_nz(&nav, &corrected_imu, &mounting, &master, &bending, 0,
-                                   H) != BS_NULL_POINTER);
+                                   got_H) != BS_NULL_POINTER);
     failures += (vas_velocity_H_nz(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
                                    0) != BS_NULL_POINTER);
     return failures;

@@ -129,15 +129,16 @@ int test_vas_velocity_z(void)
     vas_master master = {0};
     vas_bending bending = {0};
     vas_triads triads = {0};
-    bs_real z[3];
+    bs_real got_z[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
         if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                           z) != BS_OK) {
+                           got_z) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("vas_velocity_z z", v, z, 3, out_z[v], tol_z[v], at_z, 3, 0);
+        failures += selftest_compare("vas_velocity_z z", v, got_z, 3, out_z[v], tol_z[v], at_z, 3,
+                                     0);
     }
     /* lat_lon_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -150,14 +151,14 @@ int test_vas_velocity_z(void)
             nav.lat_lon_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
+            selftest_paint(got_z, 3);
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != expected) {
+                               got_z) != expected) {
                 selftest_print("vas_velocity_z: lat_lon_height[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_velocity_z z", z, 3);
+            failures += selftest_painted("vas_velocity_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.4835298641951802),
@@ -167,7 +168,7 @@ int test_vas_velocity_z(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             nav.lat_lon_height[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != BS_OK) {
+                               got_z) != BS_OK) {
                 selftest_print("vas_velocity_z: lat_lon_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -182,13 +183,13 @@ int test_vas_velocity_z(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
+            selftest_paint(got_z, 3);
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != expected) {
+                               got_z) != expected) {
                 selftest_print("vas_velocity_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_velocity_z z", z, 3);
+            failures += selftest_painted("vas_velocity_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
@@ -196,7 +197,7 @@ int test_vas_velocity_z(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != BS_OK) {
+                               got_z) != BS_OK) {
                 selftest_print("vas_velocity_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -213,13 +214,13 @@ int test_vas_velocity_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
+            selftest_paint(got_z, 3);
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != expected) {
+                               got_z) != expected) {
                 selftest_print("vas_velocity_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_velocity_z z", z, 3);
+            failures += selftest_painted("vas_velocity_z z", got_z, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -230,7 +231,7 @@ int test_vas_velocity_z(void)
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != BS_OK) {
+                               got_z) != BS_OK) {
                 selftest_print("vas_velocity_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -244,7 +245,7 @@ int test_vas_velocity_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                           z) != BS_OUT_OF_RANGE) {
+                           got_z) != BS_OUT_OF_RANGE) {
             selftest_print("vas_velocity_z: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -261,13 +262,13 @@ int test_vas_velocity_z(void)
             nav.q_b2m_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
+            selftest_paint(got_z, 3);
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != expected) {
+                               got_z) != expected) {
                 selftest_print("vas_velocity_z: q_b2m_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_velocity_z z", z, 3);
+            failures += selftest_painted("vas_velocity_z z", got_z, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -278,7 +279,7 @@ int test_vas_velocity_z(void)
                 nav.q_b2m_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != BS_OK) {
+                               got_z) != BS_OK) {
                 selftest_print("vas_velocity_z: q_b2m_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -292,7 +293,7 @@ int test_vas_velocity_z(void)
             nav.q_b2m_wxyz[i] = (bs_real)beyond[end];
         }
         if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                           z) != BS_OUT_OF_RANGE) {
+                           got_z) != BS_OUT_OF_RANGE) {
             selftest_print("vas_velocity_z: q_b2m_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -309,13 +310,13 @@ int test_vas_velocity_z(void)
             corrected_imu.omega_ib_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                     : (bad == 1) ? selftest_infinity()
                                                     : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
+            selftest_paint(got_z, 3);
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != expected) {
+                               got_z) != expected) {
                 selftest_print("vas_velocity_z: omega_ib_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_velocity_z z", z, 3);
+            failures += selftest_painted("vas_velocity_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
@@ -323,7 +324,7 @@ int test_vas_velocity_z(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             corrected_imu.omega_ib_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != BS_OK) {
+                               got_z) != BS_OK) {
                 selftest_print("vas_velocity_z: omega_ib_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -340,13 +341,13 @@ int test_vas_velocity_z(void)
             mounting.lever_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
+            selftest_paint(got_z, 3);
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != expected) {
+                               got_z) != expected) {
                 selftest_print("vas_velocity_z: lever_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_velocity_z z", z, 3);
+            failures += selftest_painted("vas_velocity_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0) };
@@ -354,7 +355,7 @@ int test_vas_velocity_z(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             mounting.lever_b[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != BS_OK) {
+                               got_z) != BS_OK) {
                 selftest_print("vas_velocity_z: lever_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -371,13 +372,13 @@ int test_vas_velocity_z(void)
             master.v_m_n[i] = (bs_real)((bad == 0) ? selftest_nan()
                                         : (bad == 1) ? selftest_infinity()
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
+            selftest_paint(got_z, 3);
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != expected) {
+                               got_z) != expected) {
                 selftest_print("vas_velocity_z: v_m_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_velocity_z z", z, 3);
+            failures += selftest_painted("vas_velocity_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
@@ -385,7 +386,7 @@ int test_vas_velocity_z(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             master.v_m_n[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != BS_OK) {
+                               got_z) != BS_OK) {
                 selftest_print("vas_velocity_z: v_m_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -400,13 +401,13 @@ int test_vas_velocity_z(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             master.a_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                       : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
+            selftest_paint(got_z, 3);
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != expected) {
+                               got_z) != expected) {
                 selftest_print("vas_velocity_z: a_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_velocity_z z", z, 3);
+            failures += selftest_painted("vas_velocity_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
@@ -414,7 +415,7 @@ int test_vas_velocity_z(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             master.a_n[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != BS_OK) {
+                               got_z) != BS_OK) {
                 selftest_print("vas_velocity_z: a_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -429,13 +430,13 @@ int test_vas_velocity_z(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             master.lag = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
+            selftest_paint(got_z, 3);
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != expected) {
+                               got_z) != expected) {
                 selftest_print("vas_velocity_z: lag[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_velocity_z z", z, 3);
+            failures += selftest_painted("vas_velocity_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
@@ -443,7 +444,7 @@ int test_vas_velocity_z(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             master.lag = (end == 0) ? low[i] : high[i];
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != BS_OK) {
+                               got_z) != BS_OK) {
                 selftest_print("vas_velocity_z: lag[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -460,14 +461,14 @@ int test_vas_velocity_z(void)
             bending.flexure_rate[i] = (bs_real)((bad == 0) ? selftest_nan()
                                                 : (bad == 1) ? selftest_infinity()
                                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
+            selftest_paint(got_z, 3);
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != expected) {
+                               got_z) != expected) {
                 selftest_print("vas_velocity_z: flexure_rate[%d] bad value %d not refused\n", i,
                                bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_velocity_z z", z, 3);
+            failures += selftest_painted("vas_velocity_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1.0), BS_REAL(-1.0), BS_REAL(-1.0) };
@@ -475,7 +476,7 @@ int test_vas_velocity_z(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             bending.flexure_rate[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != BS_OK) {
+                               got_z) != BS_OK) {
                 selftest_print("vas_velocity_z: flexure_rate[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -492,13 +493,13 @@ int test_vas_velocity_z(void)
             triads.gyro_scale[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
+            selftest_paint(got_z, 3);
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != expected) {
+                               got_z) != expected) {
                 selftest_print("vas_velocity_z: gyro_scale[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_velocity_z z", z, 3);
+            failures += selftest_painted("vas_velocity_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1) };
@@ -506,7 +507,7 @@ int test_vas_velocity_z(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             triads.gyro_scale[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != BS_OK) {
+                               got_z) != BS_OK) {
                 selftest_print("vas_velocity_z: gyro_scale[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -525,13 +526,13 @@ int test_vas_velocity_z(void)
             triads.gyro_axes[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
+            selftest_paint(got_z, 3);
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != expected) {
+                               got_z) != expected) {
                 selftest_print("vas_velocity_z: gyro_axes[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vas_velocity_z z", z, 3);
+            failures += selftest_painted("vas_velocity_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[6] = { BS_REAL(-0.1), BS_REAL(-0.1), BS_REAL(-0.1),
@@ -541,7 +542,7 @@ int test_vas_velocity_z(void)
             set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
             triads.gyro_axes[i] = (end == 0) ? low[i] : high[i];
             if (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
-                               z) != BS_OK) {
+                               got_z) != BS_OK) {
                 selftest_print("vas_velocity_z: gyro_axes[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -549,17 +550,17 @@ int test_vas_velocity_z(void)
     }
     set_point(0, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
     failures += (vas_velocity_z(0, &corrected_imu, &mounting, &master, &bending, &triads,
-                                z) != BS_NULL_POINTER);
+                                got_z) != BS_NULL_POINTER);
     failures += (vas_velocity_z(&nav, 0, &mounting, &master, &bending, &triads,
-                                z) != BS_NULL_POINTER);
+                                got_z) != BS_NULL_POINTER);
     failures += (vas_velocity_z(&nav, &corrected_imu, 0, &master, &bending, &triads,
-                                z) != BS_NULL_POINTER);
+                                got_z) != BS_NULL_POINTER);
     failures += (vas_velocity_z(&nav, &corrected_imu, &mounting, 0, &bending, &triads,
-                                z) != BS_NULL_POINTER);
+                                got_z) != BS_NULL_POINTER);
     failures += (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, 0, &triads,
-                                z) != BS_NULL_POINTER);
+                                got_z) != BS_NULL_POINTER);
     failures += (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, 0,
-                                z) != BS_NULL_POINTER);
+                                got_z) != BS_NULL_POINTER);
     failures += (vas_velocity_z(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
                                 0) != BS_NULL_POINTER);
     return failures;

@@ -4963,7 +4963,7 @@ void vas_ud_predict(const bs_real UD[VAS_N_PACKED],
 }
 
 /* Writes nu and S of a row, and whether it is used: whether both are numbers and the gate accepts
- * it. */
+ * it.  Or raises R and S, so that it does. */
 BS_INSIDE bs_status assess(bs_row *row, bs_real nu, bs_real S)
 {
     row->nu = nu;
@@ -4972,10 +4972,19 @@ BS_INSIDE bs_status assess(bs_row *row, bs_real nu, bs_real S)
         row->used = 0;
         return BS_NOT_POSITIVE;
     }
-    if ((row->gate > BS_REAL(0.0)) && ((nu * nu) > ((row->gate * row->gate) * S))) {
-        row->used = 0;
+    if ((BS_FABS(row->gate) > BS_REAL(0.0)) && ((nu * nu) > ((row->gate * row->gate) * S))) {
+        const bs_real sigma = nu / row->gate;
+        const bs_real more = (sigma * sigma) - S;
+        if (row->gate > BS_REAL(0.0)) {
+            row->used = 0;
+        } else if ((row->used != 0) && (more > BS_REAL(0.0))) {
+            row->R += more;
+            row->S += more;
+        } else {
+            /* nu and S alone, or at the gate */
+        }
     }
-    return BS_OK;
+    return is_finite(row->S) ? BS_OK : BS_NOT_POSITIVE;
 }
 
 #ifdef BORESIGHT_ROWS
@@ -5131,7 +5140,7 @@ APART bs_status update_by_many(bs_real *P, bs_real *x, bs_row *row)
     }
     status = assess(row, nu, S);
     if ((status == BS_OK) && (row->used != 0)) {
-        const bs_real inverse = BS_REAL(1.0) / S;
+        const bs_real inverse = BS_REAL(1.0) / row->S;
         vector sum[ALL] = { { BS_REAL(0.0) } };
         BS_UNROLLED
         for (int v = 0; v < ALL; ++v) {
@@ -5168,7 +5177,7 @@ bs_status vas_joseph_update(bs_real P[VAS_N_PACKED], bs_real x[VAS_N_STATES], bs
         const bs_real S = row->R + (h * g_k);
         const bs_status status = assess(row, nu, S);
         if ((status == BS_OK) && (row->used != 0)) {
-            const bs_real inverse = BS_REAL(1.0) / S;
+            const bs_real inverse = BS_REAL(1.0) / row->S;
             ALIGNED bs_real g[WIDE]; /* P h */
             ALIGNED bs_real b[WIDE]; /* A h - R K, of the rounded A = P - K g' */
             vector s[ALL];
@@ -5216,7 +5225,7 @@ bs_status vas_joseph_update(bs_real P[VAS_N_PACKED], bs_real x[VAS_N_STATES], bs
     }
     status = assess(row, nu, S);
     if ((status == BS_OK) && (row->used != 0)) {
-        const bs_real inverse = BS_REAL(1.0) / S;
+        const bs_real inverse = BS_REAL(1.0) / row->S;
         bs_real b[N]; /* A h - R K, of the rounded A = P - K g' */
         for (int i = 0; i < N; ++i) {
             K[i] = g[i] * inverse;

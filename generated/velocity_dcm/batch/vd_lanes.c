@@ -723,7 +723,7 @@ static void propagate_lanes(block *b, const chosen *runs, const bs_given *given,
     static const unsigned short start[3] = { 0, 6, 9 };
     static const unsigned short at[9] = { 0, 1, 2, 3, 4, 5, 3, 4, 5 };
     scratch *const s = runs->s;
-    bs_bits good = *rare;
+    bs_bits good = *rare & (b->considering < 2.0); /* none disabled */
     bs_lanes x[10];
     bs_lanes in[10];
     bs_read(&in[0], &given[0], 0, 3, runs->first, runs->n);
@@ -995,7 +995,11 @@ static void measure_velocity_lanes(block *b,
             return; /* the scalar function says what is wrong */
         }
     }
-    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS)) {
+    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS) ||
+        (*taking->options > (BS_INFLATE | BS_RELINEARIZE))) {
+        return;
+    }
+    if (((*taking->options & BS_RELINEARIZE) != 0U) && (*taking->iterations > 1)) {
         return;
     }
     bs_read(R, &given[1], 0, 3, runs->first, runs->n);
@@ -1040,7 +1044,11 @@ static void measure_dcm_lanes(block *b,
             return; /* the scalar function says what is wrong */
         }
     }
-    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS)) {
+    if ((*taking->iterations < 0) || (*taking->iterations > BS_MOST_ITERATIONS) ||
+        (*taking->options > (BS_INFLATE | BS_RELINEARIZE))) {
+        return;
+    }
+    if (((*taking->options & BS_RELINEARIZE) != 0U) && (*taking->iterations > 1)) {
         return;
     }
     bs_read(R, &given[1], 0, 3, runs->first, runs->n);
@@ -1165,8 +1173,9 @@ static __attribute__((noinline)) void measure_velocity_alone(block *b,
                      unsigned char *status)
 {
     vd_filter filter;
-    vd_innovation innovation = { {0}, {0}, 0.0, 0U };
-    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations };
+    vd_innovation innovation = { {0}, {0}, 0.0, 0U, 0U };
+    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations,
+                     *taking->options };
     bs_status said;
     for (unsigned int k = 0U; k < 3U; ++k) {
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
@@ -1179,7 +1188,8 @@ static __attribute__((noinline)) void measure_velocity_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        taking->used[(run * 3U) +
+                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -1211,8 +1221,9 @@ static __attribute__((noinline)) void measure_dcm_alone(block *b,
                      unsigned char *status)
 {
     vd_filter filter;
-    vd_innovation innovation = { {0}, {0}, 0.0, 0U };
-    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations };
+    vd_innovation innovation = { {0}, {0}, 0.0, 0U, 0U };
+    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations,
+                     *taking->options };
     bs_status said;
     for (unsigned int k = 0U; k < 3U; ++k) {
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
@@ -1225,7 +1236,8 @@ static __attribute__((noinline)) void measure_dcm_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        taking->used[(run * 3U) +
+                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -1257,8 +1269,9 @@ static __attribute__((noinline)) void measure_dcm_exact_alone(block *b,
                      unsigned char *status)
 {
     vd_filter filter;
-    vd_innovation innovation = { {0}, {0}, 0.0, 0U };
-    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations };
+    vd_innovation innovation = { {0}, {0}, 0.0, 0U, 0U };
+    bs_gates how = { 0U, taking->gates[0], taking->gates[1], *taking->iterations,
+                     *taking->options };
     bs_status said;
     for (unsigned int k = 0U; k < 3U; ++k) {
         how.rows |= (taking->rows[(run * taking->stride) + k] != 0U) ? (1U << k) : 0U;
@@ -1271,7 +1284,8 @@ static __attribute__((noinline)) void measure_dcm_exact_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) + k] = (unsigned char)((innovation.used >> k) & 1U);
+        taking->used[(run * 3U) +
+                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }

@@ -20,7 +20,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "6a1cef9840f7f180adc6498dde9f2eeff0afd9f4d02a6daf71f9ec411b0bf471"
+#define VD_MODEL_HASH "9aa651b7fe20a6c70cd2a7e956b4f4e2384d685c6bab5ef41e879c1e11809fde"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1
@@ -73,7 +73,11 @@
 #define vd_filter_correct BS_FORM(vd_filter_correct)
 #define vd_filter_covariance BS_FORM(vd_filter_covariance)
 #define vd_filter_digest BS_FORM(vd_filter_digest)
+#define vd_filter_disable BS_FORM(vd_filter_disable)
+#define vd_filter_disabled BS_FORM(vd_filter_disabled)
+#define vd_filter_enable BS_FORM(vd_filter_enable)
 #define vd_filter_health BS_FORM(vd_filter_health)
+#define vd_filter_inflate BS_FORM(vd_filter_inflate)
 #define vd_filter_init BS_FORM(vd_filter_init)
 #define vd_filter_init_blocks BS_FORM(vd_filter_init_blocks)
 #define vd_filter_init_sigmas BS_FORM(vd_filter_init_sigmas)
@@ -82,6 +86,7 @@
 #define vd_filter_measure_velocity BS_FORM(vd_filter_measure_velocity)
 #define vd_filter_propagate BS_FORM(vd_filter_propagate)
 #define vd_filter_restore BS_FORM(vd_filter_restore)
+#define vd_filter_set_block BS_FORM(vd_filter_set_block)
 #define vd_filter_set_nav BS_FORM(vd_filter_set_nav)
 #define vd_filter_sigmas BS_FORM(vd_filter_sigmas)
 #define vd_filter_size BS_FORM(vd_filter_size)

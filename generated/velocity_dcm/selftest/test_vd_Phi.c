@@ -72,15 +72,15 @@ int test_vd_Phi(void)
     int failures = 0;
     vd_nav nav = {0};
     vd_corrected_imu corrected_imu = {0};
-    bs_real Phi[100];
+    bs_real got_Phi[100];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu);
-        if (vd_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
+        if (vd_Phi(&nav, &corrected_imu, got_Phi) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("vd_Phi Phi", v, Phi, 100, out_Phi[v], tol_Phi[v], at_Phi, 31,
-                                     0);
+        failures += selftest_compare("vd_Phi Phi", v, got_Phi, 100, out_Phi[v], tol_Phi[v], at_Phi,
+                                     31, 0);
     }
     /* lon_lat_height: each component in turn NaN, infinite, beyond either end of its box; and at
      * the ends. */
@@ -93,12 +93,12 @@ int test_vd_Phi(void)
             nav.lon_lat_height[i] = (bs_real)((bad == 0) ? selftest_nan()
                                               : (bad == 1) ? selftest_infinity()
                                               : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 100);
-            if (vd_Phi(&nav, &corrected_imu, Phi) != expected) {
+            selftest_paint(got_Phi, 100);
+            if (vd_Phi(&nav, &corrected_imu, got_Phi) != expected) {
                 selftest_print("vd_Phi: lon_lat_height[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_Phi Phi", Phi, 100);
+            failures += selftest_painted("vd_Phi Phi", got_Phi, 100);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-6.283185307179586),
@@ -107,7 +107,7 @@ int test_vd_Phi(void)
                                              BS_REAL(1.4835298641951802), BS_REAL(30000.0) };
             set_point(0, &nav, &corrected_imu);
             nav.lon_lat_height[i] = (end == 0) ? low[i] : high[i];
-            if (vd_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
+            if (vd_Phi(&nav, &corrected_imu, got_Phi) != BS_OK) {
                 selftest_print("vd_Phi: lon_lat_height[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -122,19 +122,19 @@ int test_vd_Phi(void)
             set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 100);
-            if (vd_Phi(&nav, &corrected_imu, Phi) != expected) {
+            selftest_paint(got_Phi, 100);
+            if (vd_Phi(&nav, &corrected_imu, got_Phi) != expected) {
                 selftest_print("vd_Phi: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_Phi Phi", Phi, 100);
+            failures += selftest_painted("vd_Phi Phi", got_Phi, 100);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &corrected_imu);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vd_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
+            if (vd_Phi(&nav, &corrected_imu, got_Phi) != BS_OK) {
                 selftest_print("vd_Phi: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -151,12 +151,12 @@ int test_vd_Phi(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 100);
-            if (vd_Phi(&nav, &corrected_imu, Phi) != expected) {
+            selftest_paint(got_Phi, 100);
+            if (vd_Phi(&nav, &corrected_imu, got_Phi) != expected) {
                 selftest_print("vd_Phi: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_Phi Phi", Phi, 100);
+            failures += selftest_painted("vd_Phi Phi", got_Phi, 100);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -166,7 +166,7 @@ int test_vd_Phi(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vd_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
+            if (vd_Phi(&nav, &corrected_imu, got_Phi) != BS_OK) {
                 selftest_print("vd_Phi: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -179,7 +179,7 @@ int test_vd_Phi(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vd_Phi(&nav, &corrected_imu, Phi) != BS_OUT_OF_RANGE) {
+        if (vd_Phi(&nav, &corrected_imu, got_Phi) != BS_OUT_OF_RANGE) {
             selftest_print("vd_Phi: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -194,19 +194,19 @@ int test_vd_Phi(void)
             corrected_imu.f_b[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 100);
-            if (vd_Phi(&nav, &corrected_imu, Phi) != expected) {
+            selftest_paint(got_Phi, 100);
+            if (vd_Phi(&nav, &corrected_imu, got_Phi) != expected) {
                 selftest_print("vd_Phi: f_b[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_Phi Phi", Phi, 100);
+            failures += selftest_painted("vd_Phi Phi", got_Phi, 100);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
             set_point(0, &nav, &corrected_imu);
             corrected_imu.f_b[i] = (end == 0) ? low[i] : high[i];
-            if (vd_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
+            if (vd_Phi(&nav, &corrected_imu, got_Phi) != BS_OK) {
                 selftest_print("vd_Phi: f_b[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -222,30 +222,30 @@ int test_vd_Phi(void)
             corrected_imu.dt = (bs_real)((bad == 0) ? selftest_nan()
                                          : (bad == 1) ? selftest_infinity()
                                          : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Phi, 100);
-            if (vd_Phi(&nav, &corrected_imu, Phi) != expected) {
+            selftest_paint(got_Phi, 100);
+            if (vd_Phi(&nav, &corrected_imu, got_Phi) != expected) {
                 selftest_print("vd_Phi: dt[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_Phi Phi", Phi, 100);
+            failures += selftest_painted("vd_Phi Phi", got_Phi, 100);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(1e-06) };
             static const bs_real high[1] = { BS_REAL(10.0) };
             set_point(0, &nav, &corrected_imu);
             corrected_imu.dt = (end == 0) ? low[i] : high[i];
-            if (vd_Phi(&nav, &corrected_imu, Phi) != BS_OK) {
+            if (vd_Phi(&nav, &corrected_imu, got_Phi) != BS_OK) {
                 selftest_print("vd_Phi: dt[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &corrected_imu);
-    failures += (vd_Phi(0, &corrected_imu, Phi) != BS_NULL_POINTER);
-    failures += (vd_Phi(&nav, 0, Phi) != BS_NULL_POINTER);
+    failures += (vd_Phi(0, &corrected_imu, got_Phi) != BS_NULL_POINTER);
+    failures += (vd_Phi(&nav, 0, got_Phi) != BS_NULL_POINTER);
     failures += (vd_Phi(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
-    failures += (vd_Phi_nz(0, &corrected_imu, Phi) != BS_NULL_POINTER);
-    failures += (vd_Phi_nz(&nav, 0, Phi) != BS_NULL_POINTER);
+    failures += (vd_Phi_nz(0, &corrected_imu, got_Phi) != BS_NULL_POINTER);
+    failures += (vd_Phi_nz(&nav, 0, got_Phi) != BS_NULL_POINTER);
     failures += (vd_Phi_nz(&nav, &corrected_imu, 0) != BS_NULL_POINTER);
     return failures;
 }

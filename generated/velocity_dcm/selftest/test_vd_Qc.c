@@ -57,14 +57,15 @@ int test_vd_Qc(void)
     int failures = 0;
     vd_nav nav = {0};
     vd_noise noise = {0};
-    bs_real Qc[100];
+    bs_real got_Qc[100];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &noise);
-        if (vd_Qc(&nav, &noise, Qc) != BS_OK) {
+        if (vd_Qc(&nav, &noise, got_Qc) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("vd_Qc Qc", v, Qc, 100, out_Qc[v], tol_Qc[v], at_Qc, 18, 0);
+        failures += selftest_compare("vd_Qc Qc", v, got_Qc, 100, out_Qc[v], tol_Qc[v], at_Qc, 18,
+                                     0);
     }
     /* q_b2n_wxyz: each component in turn NaN, infinite, beyond either end of its box; and at the
      * ends. */
@@ -77,12 +78,12 @@ int test_vd_Qc(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Qc, 100);
-            if (vd_Qc(&nav, &noise, Qc) != expected) {
+            selftest_paint(got_Qc, 100);
+            if (vd_Qc(&nav, &noise, got_Qc) != expected) {
                 selftest_print("vd_Qc: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_Qc Qc", Qc, 100);
+            failures += selftest_painted("vd_Qc Qc", got_Qc, 100);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -92,7 +93,7 @@ int test_vd_Qc(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vd_Qc(&nav, &noise, Qc) != BS_OK) {
+            if (vd_Qc(&nav, &noise, got_Qc) != BS_OK) {
                 selftest_print("vd_Qc: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -105,7 +106,7 @@ int test_vd_Qc(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vd_Qc(&nav, &noise, Qc) != BS_OUT_OF_RANGE) {
+        if (vd_Qc(&nav, &noise, got_Qc) != BS_OUT_OF_RANGE) {
             selftest_print("vd_Qc: q_b2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -121,19 +122,19 @@ int test_vd_Qc(void)
             noise.gyro_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                             : (bad == 1) ? selftest_infinity()
                                             : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Qc, 100);
-            if (vd_Qc(&nav, &noise, Qc) != expected) {
+            selftest_paint(got_Qc, 100);
+            if (vd_Qc(&nav, &noise, got_Qc) != expected) {
                 selftest_print("vd_Qc: gyro_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_Qc Qc", Qc, 100);
+            failures += selftest_painted("vd_Qc Qc", got_Qc, 100);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(0.1), BS_REAL(0.1), BS_REAL(0.1) };
             set_point(0, &nav, &noise);
             noise.gyro_noise[i] = (end == 0) ? low[i] : high[i];
-            if (vd_Qc(&nav, &noise, Qc) != BS_OK) {
+            if (vd_Qc(&nav, &noise, got_Qc) != BS_OK) {
                 selftest_print("vd_Qc: gyro_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -150,30 +151,30 @@ int test_vd_Qc(void)
             noise.accel_noise[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(Qc, 100);
-            if (vd_Qc(&nav, &noise, Qc) != expected) {
+            selftest_paint(got_Qc, 100);
+            if (vd_Qc(&nav, &noise, got_Qc) != expected) {
                 selftest_print("vd_Qc: accel_noise[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_Qc Qc", Qc, 100);
+            failures += selftest_painted("vd_Qc Qc", got_Qc, 100);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0) };
             static const bs_real high[3] = { BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0) };
             set_point(0, &nav, &noise);
             noise.accel_noise[i] = (end == 0) ? low[i] : high[i];
-            if (vd_Qc(&nav, &noise, Qc) != BS_OK) {
+            if (vd_Qc(&nav, &noise, got_Qc) != BS_OK) {
                 selftest_print("vd_Qc: accel_noise[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &noise);
-    failures += (vd_Qc(0, &noise, Qc) != BS_NULL_POINTER);
-    failures += (vd_Qc(&nav, 0, Qc) != BS_NULL_POINTER);
+    failures += (vd_Qc(0, &noise, got_Qc) != BS_NULL_POINTER);
+    failures += (vd_Qc(&nav, 0, got_Qc) != BS_NULL_POINTER);
     failures += (vd_Qc(&nav, &noise, 0) != BS_NULL_POINTER);
-    failures += (vd_Qc_nz(0, &noise, Qc) != BS_NULL_POINTER);
-    failures += (vd_Qc_nz(&nav, 0, Qc) != BS_NULL_POINTER);
+    failures += (vd_Qc_nz(0, &noise, got_Qc) != BS_NULL_POINTER);
+    failures += (vd_Qc_nz(&nav, 0, got_Qc) != BS_NULL_POINTER);
     failures += (vd_Qc_nz(&nav, &noise, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -48,14 +48,14 @@ int test_vd_dcm_H(void)
 {
     int failures = 0;
     vd_master master = {0};
-    bs_real H[30];
+    bs_real got_H[30];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &master);
-        if (vd_dcm_H(&master, H) != BS_OK) {
+        if (vd_dcm_H(&master, got_H) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("vd_dcm_H H", v, H, 30, out_H[v], tol_H[v], at_H, 15, 0);
+        failures += selftest_compare("vd_dcm_H H", v, got_H, 30, out_H[v], tol_H[v], at_H, 15, 0);
     }
     /* q_m2n_wxyz: each component in turn NaN, infinite, beyond either end of its box; and at the
      * ends. */
@@ -68,12 +68,12 @@ int test_vd_dcm_H(void)
             master.q_m2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 30);
-            if (vd_dcm_H(&master, H) != expected) {
+            selftest_paint(got_H, 30);
+            if (vd_dcm_H(&master, got_H) != expected) {
                 selftest_print("vd_dcm_H: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_dcm_H H", H, 30);
+            failures += selftest_painted("vd_dcm_H H", got_H, 30);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -83,7 +83,7 @@ int test_vd_dcm_H(void)
             for (int j = 0; j < 4; ++j) {
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vd_dcm_H(&master, H) != BS_OK) {
+            if (vd_dcm_H(&master, got_H) != BS_OK) {
                 selftest_print("vd_dcm_H: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -96,7 +96,7 @@ int test_vd_dcm_H(void)
         for (int i = 0; i < 4; ++i) {
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vd_dcm_H(&master, H) != BS_OUT_OF_RANGE) {
+        if (vd_dcm_H(&master, got_H) != BS_OUT_OF_RANGE) {
             selftest_print("vd_dcm_H: q_m2n_wxyz of norm %d outside its range not refused\n", end);
             ++failures;
         }
@@ -112,28 +112,28 @@ int test_vd_dcm_H(void)
             master.omega_nm_n[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 30);
-            if (vd_dcm_H(&master, H) != expected) {
+            selftest_paint(got_H, 30);
+            if (vd_dcm_H(&master, got_H) != expected) {
                 selftest_print("vd_dcm_H: omega_nm_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_dcm_H H", H, 30);
+            failures += selftest_painted("vd_dcm_H H", got_H, 30);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
             set_point(0, &master);
             master.omega_nm_n[i] = (end == 0) ? low[i] : high[i];
-            if (vd_dcm_H(&master, H) != BS_OK) {
+            if (vd_dcm_H(&master, got_H) != BS_OK) {
                 selftest_print("vd_dcm_H: omega_nm_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &master);
-    failures += (vd_dcm_H(0, H) != BS_NULL_POINTER);
+    failures += (vd_dcm_H(0, got_H) != BS_NULL_POINTER);
     failures += (vd_dcm_H(&master, 0) != BS_NULL_POINTER);
-    failures += (vd_dcm_H_nz(0, H) != BS_NULL_POINTER);
+    failures += (vd_dcm_H_nz(0, got_H) != BS_NULL_POINTER);
     failures += (vd_dcm_H_nz(&master, 0) != BS_NULL_POINTER);
     return failures;
 }

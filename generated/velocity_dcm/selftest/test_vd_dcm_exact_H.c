@@ -72,14 +72,15 @@ int test_vd_dcm_exact_H(void)
     bs_real x[VD_N_STATES] = {0};
     vd_nav nav = {0};
     vd_master master = {0};
-    bs_real H[30];
+    bs_real got_H[30];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, x, &nav, &master);
-        if (vd_dcm_exact_H(x, &nav, &master, H) != BS_OK) {
+        if (vd_dcm_exact_H(x, &nav, &master, got_H) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("vd_dcm_exact_H H", v, H, 30, out_H[v], tol_H[v], at_H, 21, 0);
+        failures += selftest_compare("vd_dcm_exact_H H", v, got_H, 30, out_H[v], tol_H[v], at_H, 21,
+                                     0);
     }
     /* x: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
     for (int i = 0; i < 10; ++i) {
@@ -92,12 +93,12 @@ int test_vd_dcm_exact_H(void)
             set_point(0, x, &nav, &master);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 30);
-            if (vd_dcm_exact_H(x, &nav, &master, H) != expected) {
+            selftest_paint(got_H, 30);
+            if (vd_dcm_exact_H(x, &nav, &master, got_H) != expected) {
                 selftest_print("vd_dcm_exact_H: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_dcm_exact_H H", H, 30);
+            failures += selftest_painted("vd_dcm_exact_H H", got_H, 30);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[10] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0),
@@ -110,7 +111,7 @@ int test_vd_dcm_exact_H(void)
                                               BS_REAL(1.0) };
             set_point(0, x, &nav, &master);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (vd_dcm_exact_H(x, &nav, &master, H) != BS_OK) {
+            if (vd_dcm_exact_H(x, &nav, &master, got_H) != BS_OK) {
                 selftest_print("vd_dcm_exact_H: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -127,12 +128,12 @@ int test_vd_dcm_exact_H(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 30);
-            if (vd_dcm_exact_H(x, &nav, &master, H) != expected) {
+            selftest_paint(got_H, 30);
+            if (vd_dcm_exact_H(x, &nav, &master, got_H) != expected) {
                 selftest_print("vd_dcm_exact_H: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_dcm_exact_H H", H, 30);
+            failures += selftest_painted("vd_dcm_exact_H H", got_H, 30);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -142,7 +143,7 @@ int test_vd_dcm_exact_H(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vd_dcm_exact_H(x, &nav, &master, H) != BS_OK) {
+            if (vd_dcm_exact_H(x, &nav, &master, got_H) != BS_OK) {
                 selftest_print("vd_dcm_exact_H: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -155,7 +156,7 @@ int test_vd_dcm_exact_H(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vd_dcm_exact_H(x, &nav, &master, H) != BS_OUT_OF_RANGE) {
+        if (vd_dcm_exact_H(x, &nav, &master, got_H) != BS_OUT_OF_RANGE) {
             selftest_print("vd_dcm_exact_H: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -170,19 +171,19 @@ int test_vd_dcm_exact_H(void)
             set_point(0, x, &nav, &master);
             nav.mu[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 30);
-            if (vd_dcm_exact_H(x, &nav, &master, H) != expected) {
+            selftest_paint(got_H, 30);
+            if (vd_dcm_exact_H(x, &nav, &master, got_H) != expected) {
                 selftest_print("vd_dcm_exact_H: mu[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_dcm_exact_H H", H, 30);
+            failures += selftest_painted("vd_dcm_exact_H H", got_H, 30);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
             set_point(0, x, &nav, &master);
             nav.mu[i] = (end == 0) ? low[i] : high[i];
-            if (vd_dcm_exact_H(x, &nav, &master, H) != BS_OK) {
+            if (vd_dcm_exact_H(x, &nav, &master, got_H) != BS_OK) {
                 selftest_print("vd_dcm_exact_H: mu[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -199,12 +200,12 @@ int test_vd_dcm_exact_H(void)
             master.q_m2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 30);
-            if (vd_dcm_exact_H(x, &nav, &master, H) != expected) {
+            selftest_paint(got_H, 30);
+            if (vd_dcm_exact_H(x, &nav, &master, got_H) != expected) {
                 selftest_print("vd_dcm_exact_H: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_dcm_exact_H H", H, 30);
+            failures += selftest_painted("vd_dcm_exact_H H", got_H, 30);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -214,7 +215,7 @@ int test_vd_dcm_exact_H(void)
             for (int j = 0; j < 4; ++j) {
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vd_dcm_exact_H(x, &nav, &master, H) != BS_OK) {
+            if (vd_dcm_exact_H(x, &nav, &master, got_H) != BS_OK) {
                 selftest_print("vd_dcm_exact_H: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -227,7 +228,7 @@ int test_vd_dcm_exact_H(void)
         for (int i = 0; i < 4; ++i) {
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vd_dcm_exact_H(x, &nav, &master, H) != BS_OUT_OF_RANGE) {
+        if (vd_dcm_exact_H(x, &nav, &master, got_H) != BS_OUT_OF_RANGE) {
             selftest_print("vd_dcm_exact_H: q_m2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -244,32 +245,32 @@ int test_vd_dcm_exact_H(void)
             master.omega_nm_n[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 30);
-            if (vd_dcm_exact_H(x, &nav, &master, H) != expected) {
+            selftest_paint(got_H, 30);
+            if (vd_dcm_exact_H(x, &nav, &master, got_H) != expected) {
                 selftest_print("vd_dcm_exact_H: omega_nm_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_dcm_exact_H H", H, 30);
+            failures += selftest_painted("vd_dcm_exact_H H", got_H, 30);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
             set_point(0, x, &nav, &master);
             master.omega_nm_n[i] = (end == 0) ? low[i] : high[i];
-            if (vd_dcm_exact_H(x, &nav, &master, H) != BS_OK) {
+            if (vd_dcm_exact_H(x, &nav, &master, got_H) != BS_OK) {
                 selftest_print("vd_dcm_exact_H: omega_nm_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, x, &nav, &master);
-    failures += (vd_dcm_exact_H(0, &nav, &master, H) != BS_NULL_POINTER);
-    failures += (vd_dcm_exact_H(x, 0, &master, H) != BS_NULL_POINTER);
-    failures += (vd_dcm_exact_H(x, &nav, 0, H) != BS_NULL_POINTER);
+    failures += (vd_dcm_exact_H(0, &nav, &master, got_H) != BS_NULL_POINTER);
+    failures += (vd_dcm_exact_H(x, 0, &master, got_H) != BS_NULL_POINTER);
+    failures += (vd_dcm_exact_H(x, &nav, 0, got_H) != BS_NULL_POINTER);
     failures += (vd_dcm_exact_H(x, &nav, &master, 0) != BS_NULL_POINTER);
-    failures += (vd_dcm_exact_H_nz(0, &nav, &master, H) != BS_NULL_POINTER);
-    failures += (vd_dcm_exact_H_nz(x, 0, &master, H) != BS_NULL_POINTER);
-    failures += (vd_dcm_exact_H_nz(x, &nav, 0, H) != BS_NULL_POINTER);
+    failures += (vd_dcm_exact_H_nz(0, &nav, &master, got_H) != BS_NULL_POINTER);
+    failures += (vd_dcm_exact_H_nz(x, 0, &master, got_H) != BS_NULL_POINTER);
+    failures += (vd_dcm_exact_H_nz(x, &nav, 0, got_H) != BS_NULL_POINTER);
     failures += (vd_dcm_exact_H_nz(x, &nav, &master, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -71,14 +71,15 @@ int test_vd_dcm_exact_h(void)
     bs_real x[VD_N_STATES] = {0};
     vd_nav nav = {0};
     vd_master master = {0};
-    bs_real h[3];
+    bs_real got_h[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, x, &nav, &master);
-        if (vd_dcm_exact_h(x, &nav, &master, h) != BS_OK) {
+        if (vd_dcm_exact_h(x, &nav, &master, got_h) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("vd_dcm_exact_h h", v, h, 3, out_h[v], tol_h[v], at_h, 3, 0);
+        failures += selftest_compare("vd_dcm_exact_h h", v, got_h, 3, out_h[v], tol_h[v], at_h, 3,
+                                     0);
     }
     /* x: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
     for (int i = 0; i < 10; ++i) {
@@ -91,12 +92,12 @@ int test_vd_dcm_exact_h(void)
             set_point(0, x, &nav, &master);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
-            if (vd_dcm_exact_h(x, &nav, &master, h) != expected) {
+            selftest_paint(got_h, 3);
+            if (vd_dcm_exact_h(x, &nav, &master, got_h) != expected) {
                 selftest_print("vd_dcm_exact_h: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_dcm_exact_h h", h, 3);
+            failures += selftest_painted("vd_dcm_exact_h h", got_h, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[10] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0),
@@ -109,7 +110,7 @@ int test_vd_dcm_exact_h(void)
                                               BS_REAL(1.0) };
             set_point(0, x, &nav, &master);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (vd_dcm_exact_h(x, &nav, &master, h) != BS_OK) {
+            if (vd_dcm_exact_h(x, &nav, &master, got_h) != BS_OK) {
                 selftest_print("vd_dcm_exact_h: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -126,12 +127,12 @@ int test_vd_dcm_exact_h(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
-            if (vd_dcm_exact_h(x, &nav, &master, h) != expected) {
+            selftest_paint(got_h, 3);
+            if (vd_dcm_exact_h(x, &nav, &master, got_h) != expected) {
                 selftest_print("vd_dcm_exact_h: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_dcm_exact_h h", h, 3);
+            failures += selftest_painted("vd_dcm_exact_h h", got_h, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -141,7 +142,7 @@ int test_vd_dcm_exact_h(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vd_dcm_exact_h(x, &nav, &master, h) != BS_OK) {
+            if (vd_dcm_exact_h(x, &nav, &master, got_h) != BS_OK) {
                 selftest_print("vd_dcm_exact_h: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -154,7 +155,7 @@ int test_vd_dcm_exact_h(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vd_dcm_exact_h(x, &nav, &master, h) != BS_OUT_OF_RANGE) {
+        if (vd_dcm_exact_h(x, &nav, &master, got_h) != BS_OUT_OF_RANGE) {
             selftest_print("vd_dcm_exact_h: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -169,19 +170,19 @@ int test_vd_dcm_exact_h(void)
             set_point(0, x, &nav, &master);
             nav.mu[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
-            if (vd_dcm_exact_h(x, &nav, &master, h) != expected) {
+            selftest_paint(got_h, 3);
+            if (vd_dcm_exact_h(x, &nav, &master, got_h) != expected) {
                 selftest_print("vd_dcm_exact_h: mu[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_dcm_exact_h h", h, 3);
+            failures += selftest_painted("vd_dcm_exact_h h", got_h, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
             set_point(0, x, &nav, &master);
             nav.mu[i] = (end == 0) ? low[i] : high[i];
-            if (vd_dcm_exact_h(x, &nav, &master, h) != BS_OK) {
+            if (vd_dcm_exact_h(x, &nav, &master, got_h) != BS_OK) {
                 selftest_print("vd_dcm_exact_h: mu[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -198,12 +199,12 @@ int test_vd_dcm_exact_h(void)
             master.q_m2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
-            if (vd_dcm_exact_h(x, &nav, &master, h) != expected) {
+            selftest_paint(got_h, 3);
+            if (vd_dcm_exact_h(x, &nav, &master, got_h) != expected) {
                 selftest_print("vd_dcm_exact_h: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_dcm_exact_h h", h, 3);
+            failures += selftest_painted("vd_dcm_exact_h h", got_h, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -213,7 +214,7 @@ int test_vd_dcm_exact_h(void)
             for (int j = 0; j < 4; ++j) {
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vd_dcm_exact_h(x, &nav, &master, h) != BS_OK) {
+            if (vd_dcm_exact_h(x, &nav, &master, got_h) != BS_OK) {
                 selftest_print("vd_dcm_exact_h: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -226,7 +227,7 @@ int test_vd_dcm_exact_h(void)
         for (int i = 0; i < 4; ++i) {
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vd_dcm_exact_h(x, &nav, &master, h) != BS_OUT_OF_RANGE) {
+        if (vd_dcm_exact_h(x, &nav, &master, got_h) != BS_OUT_OF_RANGE) {
             selftest_print("vd_dcm_exact_h: q_m2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -243,28 +244,28 @@ int test_vd_dcm_exact_h(void)
             master.omega_nm_n[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(h, 3);
-            if (vd_dcm_exact_h(x, &nav, &master, h) != expected) {
+            selftest_paint(got_h, 3);
+            if (vd_dcm_exact_h(x, &nav, &master, got_h) != expected) {
                 selftest_print("vd_dcm_exact_h: omega_nm_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_dcm_exact_h h", h, 3);
+            failures += selftest_painted("vd_dcm_exact_h h", got_h, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-20.0), BS_REAL(-20.0), BS_REAL(-20.0) };
             static const bs_real high[3] = { BS_REAL(20.0), BS_REAL(20.0), BS_REAL(20.0) };
             set_point(0, x, &nav, &master);
             master.omega_nm_n[i] = (end == 0) ? low[i] : high[i];
-            if (vd_dcm_exact_h(x, &nav, &master, h) != BS_OK) {
+            if (vd_dcm_exact_h(x, &nav, &master, got_h) != BS_OK) {
                 selftest_print("vd_dcm_exact_h: omega_nm_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, x, &nav, &master);
-    failures += (vd_dcm_exact_h(0, &nav, &master, h) != BS_NULL_POINTER);
-    failures += (vd_dcm_exact_h(x, 0, &master, h) != BS_NULL_POINTER);
-    failures += (vd_dcm_exact_h(x, &nav, 0, h) != BS_NULL_POINTER);
+    failures += (vd_dcm_exact_h(0, &nav, &master, got_h) != BS_NULL_POINTER);
+    failures += (vd_dcm_exact_h(x, 0, &master, got_h) != BS_NULL_POINTER);
+    failures += (vd_dcm_exact_h(x, &nav, 0, got_h) != BS_NULL_POINTER);
     failures += (vd_dcm_exact_h(x, &nav, &master, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -56,14 +56,15 @@ int test_vd_dcm_exact_z(void)
     int failures = 0;
     vd_nav nav = {0};
     vd_master master = {0};
-    bs_real z[3];
+    bs_real got_z[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &master);
-        if (vd_dcm_exact_z(&nav, &master, z) != BS_OK) {
+        if (vd_dcm_exact_z(&nav, &master, got_z) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("vd_dcm_exact_z z", v, z, 3, out_z[v], tol_z[v], at_z, 3, 0);
+        failures += selftest_compare("vd_dcm_exact_z z", v, got_z, 3, out_z[v], tol_z[v], at_z, 3,
+                                     0);
     }
     /* q_b2n_wxyz: each component in turn NaN, infinite, beyond either end of its box; and at the
      * ends. */
@@ -76,12 +77,12 @@ int test_vd_dcm_exact_z(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (vd_dcm_exact_z(&nav, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (vd_dcm_exact_z(&nav, &master, got_z) != expected) {
                 selftest_print("vd_dcm_exact_z: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_dcm_exact_z z", z, 3);
+            failures += selftest_painted("vd_dcm_exact_z z", got_z, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -91,7 +92,7 @@ int test_vd_dcm_exact_z(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vd_dcm_exact_z(&nav, &master, z) != BS_OK) {
+            if (vd_dcm_exact_z(&nav, &master, got_z) != BS_OK) {
                 selftest_print("vd_dcm_exact_z: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -104,7 +105,7 @@ int test_vd_dcm_exact_z(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vd_dcm_exact_z(&nav, &master, z) != BS_OUT_OF_RANGE) {
+        if (vd_dcm_exact_z(&nav, &master, got_z) != BS_OUT_OF_RANGE) {
             selftest_print("vd_dcm_exact_z: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -119,19 +120,19 @@ int test_vd_dcm_exact_z(void)
             set_point(0, &nav, &master);
             nav.mu[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (vd_dcm_exact_z(&nav, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (vd_dcm_exact_z(&nav, &master, got_z) != expected) {
                 selftest_print("vd_dcm_exact_z: mu[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_dcm_exact_z z", z, 3);
+            failures += selftest_painted("vd_dcm_exact_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
             set_point(0, &nav, &master);
             nav.mu[i] = (end == 0) ? low[i] : high[i];
-            if (vd_dcm_exact_z(&nav, &master, z) != BS_OK) {
+            if (vd_dcm_exact_z(&nav, &master, got_z) != BS_OK) {
                 selftest_print("vd_dcm_exact_z: mu[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -148,12 +149,12 @@ int test_vd_dcm_exact_z(void)
             master.q_m2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                              : (bad == 1) ? selftest_infinity()
                                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (vd_dcm_exact_z(&nav, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (vd_dcm_exact_z(&nav, &master, got_z) != expected) {
                 selftest_print("vd_dcm_exact_z: q_m2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_dcm_exact_z z", z, 3);
+            failures += selftest_painted("vd_dcm_exact_z z", got_z, 3);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -163,7 +164,7 @@ int test_vd_dcm_exact_z(void)
             for (int j = 0; j < 4; ++j) {
                 master.q_m2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vd_dcm_exact_z(&nav, &master, z) != BS_OK) {
+            if (vd_dcm_exact_z(&nav, &master, got_z) != BS_OK) {
                 selftest_print("vd_dcm_exact_z: q_m2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -176,15 +177,15 @@ int test_vd_dcm_exact_z(void)
         for (int i = 0; i < 4; ++i) {
             master.q_m2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vd_dcm_exact_z(&nav, &master, z) != BS_OUT_OF_RANGE) {
+        if (vd_dcm_exact_z(&nav, &master, got_z) != BS_OUT_OF_RANGE) {
             selftest_print("vd_dcm_exact_z: q_m2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
         }
     }
     set_point(0, &nav, &master);
-    failures += (vd_dcm_exact_z(0, &master, z) != BS_NULL_POINTER);
-    failures += (vd_dcm_exact_z(&nav, 0, z) != BS_NULL_POINTER);
+    failures += (vd_dcm_exact_z(0, &master, got_z) != BS_NULL_POINTER);
+    failures += (vd_dcm_exact_z(&nav, 0, got_z) != BS_NULL_POINTER);
     failures += (vd_dcm_exact_z(&nav, &master, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -121,23 +121,24 @@ int test_vd_feedback(void)
     int failures = 0;
     bs_real x[VD_N_STATES] = {0};
     vd_nav nav = {0};
-    bs_real v_n[3];
-    bs_real q_b2n_wxyz[4];
-    bs_real mu[3];
-    bs_real tau[1];
+    bs_real got_v_n[3];
+    bs_real got_q_b2n_wxyz[4];
+    bs_real got_mu[3];
+    bs_real got_tau[1];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, x, &nav);
-        if (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, tau) != BS_OK) {
+        if (vd_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_mu, got_tau) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("vd_feedback v_n", v, v_n, 3, out_v_n[v], tol_v_n[v], at_v_n,
-                                     3, 0);
-        failures += selftest_compare("vd_feedback q_b2n_wxyz", v, q_b2n_wxyz, 4, out_q_b2n_wxyz[v],
-                                     tol_q_b2n_wxyz[v], at_q_b2n_wxyz, 4, 0);
-        failures += selftest_compare("vd_feedback mu", v, mu, 3, out_mu[v], tol_mu[v], at_mu, 3, 0);
-        failures += selftest_compare("vd_feedback tau", v, tau, 1, out_tau[v], tol_tau[v], at_tau,
-                                     1, 0);
+        failures += selftest_compare("vd_feedback v_n", v, got_v_n, 3, out_v_n[v], tol_v_n[v],
+                                     at_v_n, 3, 0);
+        failures += selftest_compare("vd_feedback q_b2n_wxyz", v, got_q_b2n_wxyz, 4,
+                                     out_q_b2n_wxyz[v], tol_q_b2n_wxyz[v], at_q_b2n_wxyz, 4, 0);
+        failures += selftest_compare("vd_feedback mu", v, got_mu, 3, out_mu[v], tol_mu[v], at_mu, 3,
+                                     0);
+        failures += selftest_compare("vd_feedback tau", v, got_tau, 1, out_tau[v], tol_tau[v],
+                                     at_tau, 1, 0);
     }
     /* x: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
     for (int i = 0; i < 10; ++i) {
@@ -150,18 +151,18 @@ int test_vd_feedback(void)
             set_point(0, x, &nav);
             x[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                              : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(mu, 3);
-            selftest_paint(tau, 1);
-            if (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, tau) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_mu, 3);
+            selftest_paint(got_tau, 1);
+            if (vd_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_mu, got_tau) != expected) {
                 selftest_print("vd_feedback: x[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_feedback v_n", v_n, 3);
-            failures += selftest_painted("vd_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vd_feedback mu", mu, 3);
-            failures += selftest_painted("vd_feedback tau", tau, 1);
+            failures += selftest_painted("vd_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("vd_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vd_feedback mu", got_mu, 3);
+            failures += selftest_painted("vd_feedback tau", got_tau, 1);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[10] = { BS_REAL(-100.0), BS_REAL(-100.0), BS_REAL(-100.0),
@@ -174,7 +175,7 @@ int test_vd_feedback(void)
                                               BS_REAL(1.0) };
             set_point(0, x, &nav);
             x[i] = (end == 0) ? low[i] : high[i];
-            if (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, tau) != BS_OK) {
+            if (vd_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_mu, got_tau) != BS_OK) {
                 selftest_print("vd_feedback: x[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -189,25 +190,25 @@ int test_vd_feedback(void)
             set_point(0, x, &nav);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(mu, 3);
-            selftest_paint(tau, 1);
-            if (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, tau) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_mu, 3);
+            selftest_paint(got_tau, 1);
+            if (vd_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_mu, got_tau) != expected) {
                 selftest_print("vd_feedback: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_feedback v_n", v_n, 3);
-            failures += selftest_painted("vd_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vd_feedback mu", mu, 3);
-            failures += selftest_painted("vd_feedback tau", tau, 1);
+            failures += selftest_painted("vd_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("vd_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vd_feedback mu", got_mu, 3);
+            failures += selftest_painted("vd_feedback tau", got_tau, 1);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, x, &nav);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, tau) != BS_OK) {
+            if (vd_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_mu, got_tau) != BS_OK) {
                 selftest_print("vd_feedback: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -224,18 +225,18 @@ int test_vd_feedback(void)
             nav.q_b2n_wxyz[i] = (bs_real)((bad == 0) ? selftest_nan()
                                           : (bad == 1) ? selftest_infinity()
                                           : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(mu, 3);
-            selftest_paint(tau, 1);
-            if (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, tau) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_mu, 3);
+            selftest_paint(got_tau, 1);
+            if (vd_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_mu, got_tau) != expected) {
                 selftest_print("vd_feedback: q_b2n_wxyz[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_feedback v_n", v_n, 3);
-            failures += selftest_painted("vd_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vd_feedback mu", mu, 3);
-            failures += selftest_painted("vd_feedback tau", tau, 1);
+            failures += selftest_painted("vd_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("vd_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vd_feedback mu", got_mu, 3);
+            failures += selftest_painted("vd_feedback tau", got_tau, 1);
         }
 #ifndef BORESIGHT_FLOAT /* where squares of the ends are rounded as their constants are */
         for (int end = 0; end < 4; ++end) {
@@ -245,7 +246,7 @@ int test_vd_feedback(void)
             for (int j = 0; j < 4; ++j) {
                 nav.q_b2n_wxyz[j] = (j == i) ? norm[end] : BS_REAL(0.0);
             }
-            if (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, tau) != BS_OK) {
+            if (vd_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_mu, got_tau) != BS_OK) {
                 selftest_print("vd_feedback: q_b2n_wxyz[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -258,7 +259,7 @@ int test_vd_feedback(void)
         for (int i = 0; i < 4; ++i) {
             nav.q_b2n_wxyz[i] = (bs_real)beyond[end];
         }
-        if (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, tau) != BS_OUT_OF_RANGE) {
+        if (vd_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_mu, got_tau) != BS_OUT_OF_RANGE) {
             selftest_print("vd_feedback: q_b2n_wxyz of norm %d outside its range not refused\n",
                            end);
             ++failures;
@@ -273,25 +274,25 @@ int test_vd_feedback(void)
             set_point(0, x, &nav);
             nav.mu[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                   : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(mu, 3);
-            selftest_paint(tau, 1);
-            if (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, tau) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_mu, 3);
+            selftest_paint(got_tau, 1);
+            if (vd_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_mu, got_tau) != expected) {
                 selftest_print("vd_feedback: mu[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_feedback v_n", v_n, 3);
-            failures += selftest_painted("vd_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vd_feedback mu", mu, 3);
-            failures += selftest_painted("vd_feedback tau", tau, 1);
+            failures += selftest_painted("vd_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("vd_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vd_feedback mu", got_mu, 3);
+            failures += selftest_painted("vd_feedback tau", got_tau, 1);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
             static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
             set_point(0, x, &nav);
             nav.mu[i] = (end == 0) ? low[i] : high[i];
-            if (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, tau) != BS_OK) {
+            if (vd_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_mu, got_tau) != BS_OK) {
                 selftest_print("vd_feedback: mu[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -306,36 +307,36 @@ int test_vd_feedback(void)
             set_point(0, x, &nav);
             nav.tau = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                 : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(v_n, 3);
-            selftest_paint(q_b2n_wxyz, 4);
-            selftest_paint(mu, 3);
-            selftest_paint(tau, 1);
-            if (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, tau) != expected) {
+            selftest_paint(got_v_n, 3);
+            selftest_paint(got_q_b2n_wxyz, 4);
+            selftest_paint(got_mu, 3);
+            selftest_paint(got_tau, 1);
+            if (vd_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_mu, got_tau) != expected) {
                 selftest_print("vd_feedback: tau[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_feedback v_n", v_n, 3);
-            failures += selftest_painted("vd_feedback q_b2n_wxyz", q_b2n_wxyz, 4);
-            failures += selftest_painted("vd_feedback mu", mu, 3);
-            failures += selftest_painted("vd_feedback tau", tau, 1);
+            failures += selftest_painted("vd_feedback v_n", got_v_n, 3);
+            failures += selftest_painted("vd_feedback q_b2n_wxyz", got_q_b2n_wxyz, 4);
+            failures += selftest_painted("vd_feedback mu", got_mu, 3);
+            failures += selftest_painted("vd_feedback tau", got_tau, 1);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[1] = { BS_REAL(-1.0) };
             static const bs_real high[1] = { BS_REAL(1.0) };
             set_point(0, x, &nav);
             nav.tau = (end == 0) ? low[i] : high[i];
-            if (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, tau) != BS_OK) {
+            if (vd_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_mu, got_tau) != BS_OK) {
                 selftest_print("vd_feedback: tau[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, x, &nav);
-    failures += (vd_feedback(0, &nav, v_n, q_b2n_wxyz, mu, tau) != BS_NULL_POINTER);
-    failures += (vd_feedback(x, 0, v_n, q_b2n_wxyz, mu, tau) != BS_NULL_POINTER);
-    failures += (vd_feedback(x, &nav, 0, q_b2n_wxyz, mu, tau) != BS_NULL_POINTER);
-    failures += (vd_feedback(x, &nav, v_n, 0, mu, tau) != BS_NULL_POINTER);
-    failures += (vd_feedback(x, &nav, v_n, q_b2n_wxyz, 0, tau) != BS_NULL_POINTER);
-    failures += (vd_feedback(x, &nav, v_n, q_b2n_wxyz, mu, 0) != BS_NULL_POINTER);
+    failures += (vd_feedback(0, &nav, got_v_n, got_q_b2n_wxyz, got_mu, got_tau) != BS_NULL_POINTER);
+    failures += (vd_feedback(x, 0, got_v_n, got_q_b2n_wxyz, got_mu, got_tau) != BS_NULL_POINTER);
+    failures += (vd_feedback(x, &nav, 0, got_q_b2n_wxyz, got_mu, got_tau) != BS_NULL_POINTER);
+    failures += (vd_feedback(x, &nav, got_v_n, 0, got_mu, got_tau) != BS_NULL_POINTER);
+    failures += (vd_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, 0, got_tau) != BS_NULL_POINTER);
+    failures += (vd_feedback(x, &nav, got_v_n, got_q_b2n_wxyz, got_mu, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -41,14 +41,15 @@ int test_vd_velocity_H(void)
 {
     int failures = 0;
     vd_master master = {0};
-    bs_real H[30];
+    bs_real got_H[30];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &master);
-        if (vd_velocity_H(&master, H) != BS_OK) {
+        if (vd_velocity_H(&master, got_H) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("vd_velocity_H H", v, H, 30, out_H[v], tol_H[v], at_H, 6, 0);
+        failures += selftest_compare("vd_velocity_H H", v, got_H, 30, out_H[v], tol_H[v], at_H, 6,
+                                     0);
     }
     /* a_n: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
     for (int i = 0; i < 3; ++i) {
@@ -59,28 +60,28 @@ int test_vd_velocity_H(void)
             set_point(0, &master);
             master.a_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                       : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(H, 30);
-            if (vd_velocity_H(&master, H) != expected) {
+            selftest_paint(got_H, 30);
+            if (vd_velocity_H(&master, got_H) != expected) {
                 selftest_print("vd_velocity_H: a_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_velocity_H H", H, 30);
+            failures += selftest_painted("vd_velocity_H H", got_H, 30);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-500.0), BS_REAL(-500.0), BS_REAL(-500.0) };
             static const bs_real high[3] = { BS_REAL(500.0), BS_REAL(500.0), BS_REAL(500.0) };
             set_point(0, &master);
             master.a_n[i] = (end == 0) ? low[i] : high[i];
-            if (vd_velocity_H(&master, H) != BS_OK) {
+            if (vd_velocity_H(&master, got_H) != BS_OK) {
                 selftest_print("vd_velocity_H: a_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &master);
-    failures += (vd_velocity_H(0, H) != BS_NULL_POINTER);
+    failures += (vd_velocity_H(0, got_H) != BS_NULL_POINTER);
     failures += (vd_velocity_H(&master, 0) != BS_NULL_POINTER);
-    failures += (vd_velocity_H_nz(0, H) != BS_NULL_POINTER);
+    failures += (vd_velocity_H_nz(0, got_H) != BS_NULL_POINTER);
     failures += (vd_velocity_H_nz(&master, 0) != BS_NULL_POINTER);
     return failures;
 }

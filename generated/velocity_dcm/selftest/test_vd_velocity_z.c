@@ -49,14 +49,15 @@ int test_vd_velocity_z(void)
     int failures = 0;
     vd_nav nav = {0};
     vd_master master = {0};
-    bs_real z[3];
+    bs_real got_z[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &master);
-        if (vd_velocity_z(&nav, &master, z) != BS_OK) {
+        if (vd_velocity_z(&nav, &master, got_z) != BS_OK) {
             ++failures;
             continue;
         }
-        failures += selftest_compare("vd_velocity_z z", v, z, 3, out_z[v], tol_z[v], at_z, 3, 0);
+        failures += selftest_compare("vd_velocity_z z", v, got_z, 3, out_z[v], tol_z[v], at_z, 3,
+                                     0);
     }
     /* v_n: each component in turn NaN, infinite, beyond either end of its box; and at the ends. */
     for (int i = 0; i < 3; ++i) {
@@ -67,19 +68,19 @@ int test_vd_velocity_z(void)
             set_point(0, &nav, &master);
             nav.v_n[i] = (bs_real)((bad == 0) ? selftest_nan() : (bad == 1) ? selftest_infinity()
                                    : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (vd_velocity_z(&nav, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (vd_velocity_z(&nav, &master, got_z) != expected) {
                 selftest_print("vd_velocity_z: v_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_velocity_z z", z, 3);
+            failures += selftest_painted("vd_velocity_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &master);
             nav.v_n[i] = (end == 0) ? low[i] : high[i];
-            if (vd_velocity_z(&nav, &master, z) != BS_OK) {
+            if (vd_velocity_z(&nav, &master, got_z) != BS_OK) {
                 selftest_print("vd_velocity_z: v_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
@@ -96,27 +97,27 @@ int test_vd_velocity_z(void)
             master.v_m_n[i] = (bs_real)((bad == 0) ? selftest_nan()
                                         : (bad == 1) ? selftest_infinity()
                                         : (bad == 2) ? beyond_low[i] : beyond_high[i]);
-            selftest_paint(z, 3);
-            if (vd_velocity_z(&nav, &master, z) != expected) {
+            selftest_paint(got_z, 3);
+            if (vd_velocity_z(&nav, &master, got_z) != expected) {
                 selftest_print("vd_velocity_z: v_m_n[%d] bad value %d not refused\n", i, bad);
                 ++failures;
             }
-            failures += selftest_painted("vd_velocity_z z", z, 3);
+            failures += selftest_painted("vd_velocity_z z", got_z, 3);
         }
         for (int end = 0; end < 2; ++end) {
             static const bs_real low[3] = { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) };
             static const bs_real high[3] = { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) };
             set_point(0, &nav, &master);
             master.v_m_n[i] = (end == 0) ? low[i] : high[i];
-            if (vd_velocity_z(&nav, &master, z) != BS_OK) {
+            if (vd_velocity_z(&nav, &master, got_z) != BS_OK) {
                 selftest_print("vd_velocity_z: v_m_n[%d] end %d refused\n", i, end);
                 ++failures;
             }
         }
     }
     set_point(0, &nav, &master);
-    failures += (vd_velocity_z(0, &master, z) != BS_NULL_POINTER);
-    failures += (vd_velocity_z(&nav, 0, z) != BS_NULL_POINTER);
+    failures += (vd_velocity_z(0, &master, got_z) != BS_NULL_POINTER);
+    failures += (vd_velocity_z(&nav, 0, got_z) != BS_NULL_POINTER);
     failures += (vd_velocity_z(&nav, &master, 0) != BS_NULL_POINTER);
     return failures;
 }

@@ -35,6 +35,10 @@ BS_EXACT_BEGIN
 #define DENSE vd_joseph_dense
 #endif
 
+/* Of a state, in filter->considered; and of any state, in filter->considering. */
+#define CONSIDERED 1U
+#define DISABLED 2U
+
 /* What stands in filter->work: of a start the factors of P, and behind them P dense; of a
  * measurement the non-zeros of H, dense where R is not diagonal, and behind them the gain of each
  * row where states are considered; of a step what vd_discretize and the prediction state. */
@@ -297,6 +301,13 @@ static bs_status check_step(const bs_real *x, bs_real *P)
     return good ? BS_OK : limit_step(x, P, value, ceiling);
 }
 
+static void count_ceiling(vd_filter *filter, bs_status status)
+{
+    if ((status == BS_AT_CEILING) && (filter->ceilings < 65535U)) {
+        filter->ceilings += 1U;
+    }
+}
+
 /* One measurement: where the non-zeros of H stand, and what its rows are. */
 typedef struct {
     const unsigned short *start; /* row i of H has its non-zeros from start[i] on, */
@@ -309,9 +320,14 @@ typedef struct {
     bs_real x[VD_N_STATES]; /* as it was before; P as it was is in filter->Q */
     unsigned int requested;      /* rows to take, by the caller, */
     unsigned int rows;           /* and of these, by the gates */
-    bs_real gate;
+    unsigned int inflated;       /* rows whose R has been raised */
+    unsigned int options;
+    bs_real gate; /* negative where R is to be raised */
     bs_real joint;
     int remaining; /* linearisations to come */
+    bs_real R[3];
+    int from; /* rows of this linearisation: from here */
+    int to;   /* to the one before this */
     bs_real point[VD_N_STATES]; /* of linearisation */
     bs_real step; /* of the last linearisation: the largest change of a state or a row in its
                    * sigmas, squared */
@@ -324,8 +340,8 @@ static void roll_back(vd_filter *filter, const attempt *trial)
     copy(filter->P, filter->Q, VD_N_PACKED);
 }
 
-/* Copies x and P for a roll-back, and checks what does not depend on the model's functions: the
- * variances of the rows, R[0], R[step] ..., and the gates. */
+/* Copies x and P for a roll-back, and R; and checks what does not depend on the model's functions:
+ * the variances of the rows, R[0], R[step] ..., the gates and the options. */
 static bs_status begin_trial(attempt *trial,
                              vd_filter *filter,
                              const bs_gates *gates,
@@ -340,14 +356,22 @@ static bs_status begin_trial(attempt *trial,
     trial->gate = BS_REAL(0.0);
     trial->joint = BS_REAL(0.0);
     trial->remaining = 1;
+    trial->options = 0U;
+    trial->inflated = 0U;
     if (gates != NULL) {
         trial->requested = gates->rows;
         trial->gate = gates->gate;
         trial->joint = gates->joint;
         trial->remaining = (gates->iterations == 0) ? 1 : gates->iterations;
+        trial->options = gates->options;
     }
     trial->requested &= BS_ALL_ROWS >> (32U - (unsigned int)m);
     trial->rows = trial->requested;
+    for (int i = 0; i <= ((m - 1) * step); ++i) {
+        trial->R[i] = R[i];
+    }
+    trial->from = 0;
+    trial->to = m;
     copy(trial->point, filter->x, VD_N_STATES);
     trial->step = BS_REAL(0.0);
     trial->repeated = false;
@@ -362,15 +386,20 @@ static bs_status begin_trial(attempt *trial,
         status = bs_check_each(&trial->joint, BS_REAL(0.0), BS_REAL(1e+30), 1);
     }
     if (status == BS_OK) {
-        status = ((trial->remaining < 0) ||
-                  (trial->remaining > BS_MOST_ITERATIONS)) ? BS_OUT_OF_RANGE : BS_OK;
+        status = ((trial->remaining < 0) || (trial->remaining > BS_MOST_ITERATIONS) ||
+                  (trial->options > (BS_INFLATE | BS_RELINEARIZE))) ? BS_OUT_OF_RANGE : BS_OK;
     }
+    if (status == BS_OK) {
+        status = (((trial->options & BS_RELINEARIZE) != 0U) &&
+                  (trial->remaining > 1)) ? BS_OUT_OF_RANGE : BS_OK;
+    }
+    trial->gate = ((trial->options & BS_INFLATE) != 0U) ? -trial->gate : trial->gate;
     return status;
 }
 
 /* Ends a measurement: with x, P and the innovation that it made, or with all as they were. */
 static bs_status end_trial(vd_filter *filter,
-                           const attempt *trial,
+                           attempt *trial,
                            const measurement *layout,
                            bs_status status,
                            vd_innovation *found,
@@ -385,15 +414,15 @@ static bs_status end_trial(vd_filter *filter,
         if ((trial->joint > BS_REAL(0.0)) && (!(found->nis <= trial->joint))) {
             roll_back(filter, trial);
             found->used = 0U;
+            trial->inflated = 0U;
         }
         end = check_step(filter->x, filter->P);
-        if ((end == BS_AT_CEILING) && (filter->ceilings < 65535U)) {
-            filter->ceilings += 1U;
-        }
+        count_ceiling(filter, end);
     }
     if (!bs_good(end)) {
         roll_back(filter, trial);
     } else {
+        found->inflated = trial->inflated;
         *innovation = *found;
         if (found->used != trial->requested) {
             *count = (*count < 65535U) ? (unsigned short)(*count + 1U) : *count;
@@ -434,10 +463,10 @@ static void keep_considered(vd_filter *filter,
 
 /* The rows of one measurement, one after another.  H stands in filter->work. */
 static bs_status update_rows(vd_filter *filter,
-                             const attempt *trial,
+                             attempt *trial,
                              const measurement *layout,
                              const bs_real *z,
-                             const bs_real *R,
+                             bs_real *R,
                              unsigned int rows,
                              bs_real gate,
                              vd_innovation *innovation)
@@ -445,27 +474,35 @@ static bs_status update_rows(vd_filter *filter,
     const bs_real *const H = filter->work;
     bs_real *const gain = &filter->work[layout->start[layout->m]]; /* where states are considered */
     bs_status status = BS_OK;
-    innovation->used = 0U;
-    innovation->nis = BS_REAL(0.0);
-    for (int i = 0; (i < layout->m) && (status == BS_OK); ++i) {
+    if (trial->from == 0) {
+        innovation->used = 0U;
+        innovation->nis = BS_REAL(0.0);
+    }
+    for (int i = trial->from; (i < trial->to) && (status == BS_OK); ++i) {
         const int start = (int)layout->start[i];
+        const unsigned int bit = 1U << (unsigned int)i;
         bs_row row = { &H[start], &layout->columns[start], (int)layout->start[i + 1] - start, z[i],
                        R[i], gate, z[i], R[i], 0, NULL };
-        if (filter->considering != 0U) {
+        if ((filter->considering & CONSIDERED) != 0U) {
             row.gain = &gain[i * VD_N_STATES];
         }
-        if (((rows >> (unsigned int)i) & 1U) != 0U) {
+        if ((rows & bit) != 0U) {
             row.used = 1;
         }
         status = UPDATE(filter->P, filter->x, &row);
         innovation->nu[i] = row.nu;
         innovation->S[i] = row.S;
         if (row.used != 0) {
-            innovation->used |= 1U << (unsigned int)i;
+            innovation->used |= bit;
             innovation->nis += (row.nu * row.nu) / row.S;
         }
+        if (row.R > R[i]) {
+            trial->inflated |= bit;
+            R[i] = row.R; /* for the linearisations to come */
+        }
     }
-    if ((filter->considering != 0U) && (status == BS_OK)) {
+    if (((filter->considering & CONSIDERED) != 0U) && (status == BS_OK) &&
+        (trial->to == layout->m)) {
         keep_considered(filter, trial->x, gain, layout->m, innovation);
     }
     return status;
@@ -515,6 +552,29 @@ static bs_real step_in_sigmas(const vd_filter *filter,
     return most;
 }
 
+/* The next row, at where those before it have led x; answer is that of H, and of h in `target`,
+ * there. */
+static bs_status take_row(attempt *trial,
+                          vd_filter *filter,
+                          const measurement *layout,
+                          bs_status answer,
+                          const bs_real *z,
+                          bs_real *target,
+                          bs_real *R,
+                          vd_innovation *innovation)
+{
+    bs_status status = answer;
+    if (status == BS_OK) {
+        linearize(layout, target, z, filter->work, filter->x);
+        trial->to = trial->from + 1;
+        status = update_rows(filter, trial, layout, target, R, trial->rows, trial->gate,
+                             innovation);
+    }
+    trial->from += 1;
+    trial->remaining = layout->m - trial->from;
+    return status;
+}
+
 /* One linearisation; answer is that of H, and of h in `target`, at filter->x.  It is the last where
  * no state and no row changes by more than .01 sigma, or the first is beyond the joint gate.  Where
  * one changes by more than a sigma and by more than before, or there is no answer, the first is
@@ -525,11 +585,14 @@ static bs_status iterate(attempt *trial,
                          bs_status answer,
                          const bs_real *z,
                          bs_real *target,
-                         const bs_real *R,
+                         bs_real *R,
                          vd_innovation *innovation)
 {
     bs_real most = BS_REAL(0.0);
     bs_status status = answer;
+    if ((trial->options & BS_RELINEARIZE) != 0U) {
+        return take_row(trial, filter, layout, answer, z, target, R, innovation);
+    }
     if (status == BS_OK) {
         linearize(layout, target, z, filter->work, trial->point);
         roll_back(filter, trial);
@@ -560,6 +623,27 @@ static bs_status iterate(attempt *trial,
     return status;
 }
 
+/* A dense matrix of zeros, at WORK_DENSE of filter->work. */
+static bs_real *zero_dense(vd_filter *filter)
+{
+    bs_real *const dense = &filter->work[WORK_DENSE];
+    for (int i = 0; i < (VD_N_STATES * VD_N_STATES); ++i) {
+        dense[i] = BS_REAL(0.0);
+    }
+    return dense;
+}
+
+/* A dense P as the filter has it, into filter->Q; with x it is judged as after a step, but that no
+ * variance may lie above its ceiling. */
+static bs_status form_P(vd_filter *filter, const bs_real *x, const bs_real *dense)
+{
+    bs_status status = INIT(dense, filter->Q, filter->work);
+    if (status == BS_OK) {
+        status = check_step(x, filter->Q);
+    }
+    return (status == BS_AT_CEILING) ? BS_OUT_OF_RANGE : status;
+}
+
 /* Begins from a dense P, which may stand at WORK_DENSE of filter->work. */
 static bs_status start(vd_filter *filter, const vd_nav *nav, const bs_real *dense)
 {
@@ -571,16 +655,10 @@ static bs_status start(vd_filter *filter, const vd_nav *nav, const bs_real *dens
         status = check_nav(&first_nav, BS_REFUSE);
     }
     if (status == BS_OK) {
-        status = INIT(dense, filter->Q, filter->work);
-    }
-    if (status == BS_OK) {
         for (int i = 0; i < VD_N_STATES; ++i) {
             first[i] = BS_REAL(0.0);
         }
-        status = check_step(first, filter->Q);
-    }
-    if (status == BS_AT_CEILING) {
-        status = BS_OUT_OF_RANGE;
+        status = form_P(filter, first, dense);
     }
     if (status == BS_OK) {
         filter->nav = first_nav;
@@ -619,10 +697,7 @@ bs_status vd_filter_init_blocks(vd_filter *filter,
     if ((filter == NULL) || (nav == NULL) || (blocks == NULL)) {
         return BS_NULL_POINTER;
     }
-    dense = &filter->work[WORK_DENSE];
-    for (int i = 0; i < (VD_N_STATES * VD_N_STATES); ++i) {
-        dense[i] = BS_REAL(0.0);
-    }
+    dense = zero_dense(filter);
     for (int b = 0; b < 4; ++b) {
         const int n = (int)size[b];
         for (int i = 0; i < n; ++i) {
@@ -642,11 +717,9 @@ bs_status vd_filter_init_sigmas(vd_filter *filter,
     if ((filter == NULL) || (nav == NULL) || (sigma == NULL)) {
         return BS_NULL_POINTER;
     }
-    dense = &filter->work[WORK_DENSE];
-    for (int i = 0; i < (VD_N_STATES * VD_N_STATES); ++i) {
-        const bs_real own = sigma[i % VD_N_STATES];
-        /* a negative one is refused */
-        dense[i] = ((i % (VD_N_STATES + 1)) == 0) ? (own * BS_FABS(own)) : BS_REAL(0.0);
+    dense = zero_dense(filter);
+    for (int i = 0; i < VD_N_STATES; ++i) {
+        dense[i * (VD_N_STATES + 1)] = sigma[i] * BS_FABS(sigma[i]); /* a negative one is refused */
     }
     return start(filter, nav, dense);
 }
@@ -723,19 +796,48 @@ static void predict_x(const bs_real *Phi, bs_real *x)
     }
 }
 
+/* State b has no variance and no covariance any more; the others keep theirs. */
+static void drop(bs_real *P, int b)
+{
+#if BORESIGHT_UD
+    const bs_real d = P[diagonal(b)];
+    bs_real v[VD_N_STATES]; /* what the others have of its column */
+#endif
+    for (int i = 0; i < VD_N_STATES; ++i) {
+        const int column = (i < b) ? b : i;
+        bs_real *const p = &P[(diagonal(column) - column) + ((i < b) ? i : b)];
+#if BORESIGHT_UD
+        v[i] = (i < b) ? *p : BS_REAL(0.0);
+#endif
+        *p = BS_REAL(0.0);
+    }
+#if BORESIGHT_UD
+    ADD(P, d, v);
+#endif
+}
+
+/* A step gives no variance to a state that is disabled. */
+static void drop_disabled(const vd_filter *filter, bs_real *P)
+{
+    for (int i = 0; (i < VD_N_STATES) && (filter->considering >= DISABLED); ++i) {
+        if ((filter->considered[i] & DISABLED) != 0U) {
+            drop(P, i);
+        }
+    }
+}
+
 /* P over a step, with x as it is after it. */
 static bs_status predict_P(vd_filter *filter, const bs_real *x)
 {
     bs_status status;
     PREDICT(filter->P, filter->Phi, filter->Q, filter->Q, filter->work);
+    drop_disabled(filter, filter->Q);
     status = check_step(x, filter->Q);
     if (bs_good(status)) {
         copy(filter->x, x, VD_N_STATES);
         copy(filter->P, filter->Q, VD_N_PACKED);
     }
-    if ((status == BS_AT_CEILING) && (filter->ceilings < 65535U)) {
-        filter->ceilings += 1U;
-    }
+    count_ceiling(filter, status);
     return status;
 }
 
@@ -802,7 +904,7 @@ bs_status vd_filter_measure_velocity(vd_filter *filter,
         vd_velocity_H_kernel(master->a_n, filter->work);
     }
     if (status == BS_OK) {
-        status = update_rows(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
+        status = update_rows(filter, &trial, &layout, z, trial.R, trial.rows, trial.gate, &found);
     }
     return end_trial(filter, &trial, &layout, status, &found, innovation);
 }
@@ -837,7 +939,7 @@ bs_status vd_filter_measure_dcm(vd_filter *filter,
         vd_dcm_H_kernel(master->q_m2n_wxyz, master->omega_nm_n, filter->work);
     }
     if (status == BS_OK) {
-        status = update_rows(filter, &trial, &layout, z, R, trial.rows, trial.gate, &found);
+        status = update_rows(filter, &trial, &layout, z, trial.R, trial.rows, trial.gate, &found);
     }
     return end_trial(filter, &trial, &layout, status, &found, innovation);
 }
@@ -880,7 +982,7 @@ bs_status vd_filter_measure_dcm_exact(vd_filter *filter,
             vd_dcm_exact_h_kernel(filter->x, filter->nav.q_b2n_wxyz, filter->nav.mu,
                                   master->q_m2n_wxyz, master->omega_nm_n, target);
         }
-        status = iterate(&trial, filter, &layout, answer, z, target, R, &found);
+        status = iterate(&trial, filter, &layout, answer, z, target, trial.R, &found);
     }
     return end_trial(filter, &trial, &layout, status, &found, innovation);
 }
@@ -929,15 +1031,12 @@ static bs_status check_filter(const vd_filter *filter)
     return status;
 }
 
-static void set_considered(vd_filter *filter, const unsigned char *considered)
+/* Whether any state is considered, and any disabled. */
+static void note_considered(vd_filter *filter)
 {
     filter->considering = 0U;
     for (int i = 0; i < VD_N_STATES; ++i) {
-        filter->considered[i] = 0U;
-        if (considered[i] != 0U) {
-            filter->considered[i] = 1U;
-            filter->considering = 1U;
-        }
+        filter->considering |= filter->considered[i];
     }
 }
 
@@ -949,9 +1048,153 @@ bs_status vd_filter_consider(vd_filter *filter, const unsigned char considered[V
     }
     status = check_filter(filter);
     if (status == BS_OK) {
-        set_considered(filter, considered);
+        for (int i = 0; i < VD_N_STATES; ++i) {
+            const unsigned int wanted = (considered[i] != 0U) ? CONSIDERED : 0U;
+            filter->considered[i] = (unsigned char)((filter->considered[i] & DISABLED) | wanted);
+        }
+        note_considered(filter);
     }
     return status;
+}
+
+/* Whether there are these states, none of them in the state `barred`, and what the filter holds is
+ * sound. */
+static bs_status check_states(const vd_filter *filter, int first, int count, unsigned int barred)
+{
+    bs_status status = ((first < 0) || (count < 1) ||
+                        (count > (VD_N_STATES - first))) ? BS_OUT_OF_RANGE : check_filter(filter);
+    for (int i = 0; (i < count) && (status == BS_OK); ++i) {
+        status = ((filter->considered[first + i] & barred) == 0U) ? BS_OK : BS_OUT_OF_RANGE;
+    }
+    return status;
+}
+
+/* Ends a change of P, which stands as it was in filter->Q: as a step, or with all as it was. */
+static bs_status end_change(vd_filter *filter)
+{
+    const bs_status status = check_step(filter->x, filter->P);
+    if (!bs_good(status)) {
+        copy(filter->P, filter->Q, VD_N_PACKED);
+    }
+    count_ceiling(filter, status);
+    return status;
+}
+
+static void drop_states(vd_filter *filter, int first, int count)
+{
+    copy(filter->Q, filter->P, VD_N_PACKED);
+    for (int i = 0; i < count; ++i) {
+        drop(filter->P, first + i);
+    }
+}
+
+/* These states become independent of the others, with `block` as their covariance: its form, of a P
+ * that has no other, stands in filter->work meanwhile. */
+static bs_status replace(vd_filter *filter, int first, int count, const bs_real *block)
+{
+    bs_real *const dense = zero_dense(filter);
+    bs_status status;
+    for (int i = 0; i < count; ++i) {
+        copy(&dense[((first + i) * VD_N_STATES) + first], &block[i * count], count);
+    }
+    status = form_P(filter, filter->x, dense);
+    if (status == BS_OK) {
+        copy(filter->work, filter->Q, VD_N_PACKED);
+        drop_states(filter, first, count);
+        for (int j = first; j < (first + count); ++j) {
+            const int from = (diagonal(j) - j) + first;
+            copy(&filter->P[from], &filter->work[from], (j - first) + 1);
+        }
+        status = end_change(filter);
+    }
+    return status;
+}
+
+bs_status vd_filter_set_block(vd_filter *filter, int first, int count, const bs_real *block)
+{
+    bs_status status;
+    if ((filter == NULL) || (block == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    status = check_states(filter, first, count, DISABLED);
+    return (status == BS_OK) ? replace(filter, first, count, block) : status;
+}
+
+bs_status vd_filter_inflate(vd_filter *filter, int first, int count, const bs_real *variance)
+{
+    bs_status status;
+    if ((filter == NULL) || (variance == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    status = check_states(filter, first, count, DISABLED);
+    if (status == BS_OK) {
+        status = bs_check_finite(variance, count);
+    }
+    for (int i = 0; (i < count) && (status == BS_OK); ++i) {
+        status = (variance[i] < BS_REAL(0.0)) ? BS_NOT_POSITIVE : BS_OK;
+    }
+    if (status == BS_OK) {
+        copy(filter->Q, filter->P, VD_N_PACKED);
+        for (int i = 0; i < count; ++i) {
+            bs_real v[VD_N_STATES];
+            for (int j = 0; j < VD_N_STATES; ++j) {
+                v[j] = (j == (first + i)) ? BS_REAL(1.0) : BS_REAL(0.0);
+            }
+            ADD(filter->P, variance[i], v);
+        }
+        status = end_change(filter);
+    }
+    return status;
+}
+
+bs_status vd_filter_disable(vd_filter *filter, int first, int count)
+{
+    bs_status status;
+    if (filter == NULL) {
+        return BS_NULL_POINTER;
+    }
+    status = check_states(filter, first, count, 0U);
+    if (status == BS_OK) {
+        drop_states(filter, first, count);
+        status = end_change(filter);
+    }
+    if (bs_good(status)) {
+        for (int i = first; i < (first + count); ++i) {
+            filter->considered[i] = (unsigned char)(filter->considered[i] | DISABLED);
+        }
+        note_considered(filter);
+    }
+    return status;
+}
+
+bs_status vd_filter_enable(vd_filter *filter, int first, int count, const bs_real *block)
+{
+    bs_status status;
+    if ((filter == NULL) || (block == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    status = check_states(filter, first, count, 0U);
+    if (status == BS_OK) {
+        status = replace(filter, first, count, block);
+    }
+    if (bs_good(status)) {
+        for (int i = first; i < (first + count); ++i) {
+            filter->considered[i] = (unsigned char)(filter->considered[i] & CONSIDERED);
+        }
+        note_considered(filter);
+    }
+    return status;
+}
+
+bs_status vd_filter_disabled(const vd_filter *filter, unsigned char disabled[VD_N_STATES])
+{
+    if ((filter == NULL) || (disabled == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    for (int i = 0; i < VD_N_STATES; ++i) {
+        disabled[i] = ((filter->considered[i] & DISABLED) != 0U) ? 1U : 0U;
+    }
+    return BS_OK;
 }
 
 /* The variances of the states, where x and P are sound. */
@@ -1137,7 +1380,6 @@ bs_status vd_filter_restore(vd_filter *filter, const unsigned char bytes[VD_SNAP
         status = BS_OUT_OF_RANGE;
     }
     if (status == BS_OK) {
-        unsigned char considered[VD_N_STATES];
         filter->nav = next_nav;
         copy(filter->x, x, VD_N_STATES);
         copy(filter->P, filter->Q, VD_N_PACKED);
@@ -1145,8 +1387,8 @@ bs_status vd_filter_restore(vd_filter *filter, const unsigned char bytes[VD_SNAP
                              sizeof(filter->rejected));
         offset += copy_bytes((unsigned char *)&filter->ceilings, &bytes[offset],
                              sizeof(filter->ceilings));
-        (void)copy_bytes(considered, &bytes[offset], sizeof(considered));
-        set_considered(filter, considered);
+        (void)copy_bytes(filter->considered, &bytes[offset], sizeof(filter->considered));
+        note_considered(filter);
     }
     return status;
 }
