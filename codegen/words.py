@@ -44,7 +44,7 @@ def check_words(model: Model) -> list[MechanicsCheck]:
         return []
     verdict, signs = Verdict(), Signs(model)
     count = 0
-    for where, text in (*((f"card: {line}", line) for line in model.conventions), *meanings(model)):
+    for where, text in (*((f"card: {line}", line) for line in model.card), *meanings(model)):
         for found in TURN.finditer(text):
             count += turned(verdict, signs, where, found)
         stated = -1 if COMPUTED.search(text) else 1 if TRUE.search(text) else 0

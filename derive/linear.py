@@ -11,9 +11,10 @@ and over a step  Phi = J(s)^+ ds/dy J.  H of z = computed - measured is what fee
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from random import Random
 from typing import Any
 
-import numpy as np
+import mpmath
 import sympy as sp
 from sympy import Matrix, S, Symbol
 
@@ -159,25 +160,30 @@ class Derivation:
 
     def full_rank(self, rows: list[int], columns: list[int]) -> None:
         """Raise BoresightError with the null vector where the columns of J are dependent everywhere."""
-        scale = np.array([max(map(abs, pair)) for v in self.model.states for pair in zip(v.low, v.high, strict=True)])
-        scale = scale[columns]
+        ends = [pair for v in self.model.states for pair in zip(v.low, v.high, strict=True)]
+        scale = [max(map(abs, ends[j])) for j in columns]
         for k in range(2):
-            J = np.array(self.numbers(self.J.extract(rows, columns), self.point(k)).tolist(), dtype=float) * scale
-            _, sizes, right = np.linalg.svd(J)
-            if len(sizes) == len(columns) and sizes[-1] > 1e-9 * sizes[0]:
+            numbers = self.numbers(self.J.extract(rows, columns), self.point(k)).evalf(15)
+            grown = [[float(e) * s for e, s in zip(row, scale, strict=True)] for row in numbers.tolist()]
+            missing = [[0.0] * len(columns)] * max(0, len(columns) - len(rows))  # so that a null space has its vector
+            _, sizes, right = mpmath.svd_r(mpmath.matrix([*grown, *missing]))
+            if sizes[len(columns) - 1] > 1e-9 * sizes[0]:
                 return
-        null = right[-1] / np.abs(right[-1]).max()
-        moved = [(self.x[j], u * s) for j, u, s in zip(columns, null, scale, strict=True) if abs(u) > 1e-9]
+        null = [float(right[len(columns) - 1, j]) for j in range(len(columns))]
+        most = max(map(abs, null))
+        moved = [
+            (self.x[j], u / most * s) for j, u, s in zip(columns, null, scale, strict=True) if abs(u) > 1e-9 * most
+        ]
         text = ", ".join(f"{x} = {value:.3g}" for x, value in moved)
         fail(self.model, f"feedback takes nothing out where {text}: its slope has no full rank; leave a state out")
 
     def point(self, k: int) -> dict[Symbol, Any]:
         """Values of all inputs in their boxes, of the norm that is declared."""
-        rng = np.random.default_rng(k)
+        rng = Random(k)
         here: dict[Symbol, Any] = {}
         for v in (*self.model.states, *self.model.inputs, *(v for v, _ in self.mechanics.step)):
-            share = rng.uniform(0.2, 0.8, v.size)
-            column = [sp.Float(lo + s * (hi - lo), 60) for lo, hi, s in zip(v.low, v.high, share, strict=True)]
+            column = [sp.Float(rng.uniform(0.8 * lo + 0.2 * hi, 0.2 * lo + 0.8 * hi), 60)
+                      for lo, hi in zip(v.low, v.high, strict=True)]  # fmt: skip
             if v.norm:
                 length = sp.sqrt(sum(c * c for c in column))
                 wanted = 1 if v.norm[0] <= 1 <= v.norm[1] else sum(v.norm) / 2

@@ -549,6 +549,9 @@ class Model:
         With next or Phi, the covariance that the noise adds in a step.
     order : {2, 1, 3}, optional
         Of an error state, the power of F dt to which Phi is taken; Q is right to one more of dt.
+    loops : bool, optional
+        Of a state carried by f, the filter in C takes its step by loops over printed f, F and Qc,
+        which is less code and slower.
     Phi : (n, n) Matrix, optional
         Of an error state in discrete time, from the inputs.
     exact : bool, optional
@@ -556,9 +559,6 @@ class Model:
         of the strapdown's step, and Q as the noises of that step.
     error : {"computed - true", "true - computed"}, optional
         The sign of an error state's errors; z stays computed - measured.
-    loops : bool, optional
-        Of a state carried by f, the filter in C takes its step by loops over printed f, F and Qc,
-        which is less code and slower.
     unheld : tuple of (str, str), optional
         What nothing exact can be held against, and why: name of a function, as "F" or "fix_H", and
         the reason.  `verify` prints it and counts it as held; `verify --strict` does not.

@@ -25,7 +25,7 @@ FORBIDDEN = {"runtime": {"sympy", "casadi"}, "studies": {"sympy", "casadi"}, "de
 # models are made; its letters, equations and witness judge them.
 ORDER = (
     "where", "within", "letters", "units", "constant", "named", "expressions", "checks", "model", "dimensions",
-    "mechanics", "papers/*/results", "models", "ledger", "papers", "pages",
+    "mechanics", "gradients", "short", "linear", "papers/*/results", "models", "ledger", "papers", "pages",
 )  # fmt: skip
 # Types that stand in annotations alone, each of what calls the file: a second description of them would say no more.
 TYPES = {("derive/checks.py", "derive/model.py")}

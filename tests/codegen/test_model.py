@@ -58,7 +58,7 @@ def angled(rows):
         ({"name": "Pendulum"}, "lower-case"),
         ({"c_prefix": "pd_"}, "c_prefix"),
         ({"dt": Symbol("tick")}, "dt is tick"),
-        ({"structs": (Struct("step", "twice", (dt, dt)),)}, "used twice"),
+        ({"structs": (Struct("step", "twice", (dt, dt)),)}, "it stands twice in struct step"),
         (
             {"structs": (*PENDULUM.structs, Struct("energy", "named as a function", (named("wind"),)))},
             "'energy' is used twice",

@@ -7,9 +7,10 @@ from flint import arb
 from sympy import Matrix, eye, zeros
 
 from boresight import BoresightError, Function, Measurement, Mechanics, Model, Output, Struct, variable
+from boresight.codegen.flown import over_step
 from boresight.codegen.functions.reference import precise
 from boresight.codegen.generate import load_model
-from boresight.codegen.mechanics import Exact, Moving, compiled, points, slope, symbols
+from boresight.codegen.mechanics import Exact, compiled, points, slope, symbols
 from boresight.derive.linear import Derivation, completed
 from boresight.derive.model import NONE
 from boresight.examples.autopilot import AUTOPILOT
@@ -72,13 +73,11 @@ def test_H_at_zero_is_that_written_by_hand(name):
 def test_phi_of_the_exact_step_is_the_derivative_of_two_flights(name):
     model = AUTOPILOT if name == "autopilot" else load_model(name)
     Phi, Q = Derivation(model).step()
-    exact = Exact(replace(model, mechanics=replace(model.mechanics, driven=())))
+    exact = Exact(model)
     with precise():
         for values in points(model, "step"):
-            moving = Moving(exact, values, [arb(1)] * model.n)
-            read = exact.idle | {s for v, _ in model.mechanics.step for s in v.symbols}
-            sensed = {s: values.get(s, arb(0)) for s in (*read, model.dt)}
-            found = slope(lambda x, m=moving, s=sensed: m.parted(x, s), [arb(1)] * model.n)
+            moving, still = over_step(exact, values, [arb(1)] * model.n)
+            found = slope(lambda x, m=moving, s=still: m.parted(x, s), [arb(1)] * model.n)
             stated = compiled(Phi)(values)[0]
             sizes = [max(abs(float(v)) for v in found[i, :]) for i in range(model.n)]
             off = [abs(float(stated[i, j] - found[i, j])) / sizes[i] for i in range(model.n) for j in range(model.n)]
