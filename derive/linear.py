@@ -474,6 +474,7 @@ def on_sphere(model: Model) -> Model:
         card=(*model.card, f"Of {quaternions} the error is three numbers, a turn; its norm is 1 after each step."),
         mechanics=Mechanics(),
         measurements=(),
+        unheld=(*model.unheld, *(OF_F if from_f else OF_NEXT)),
         **NOT_TOTAL | ({} if from_f else {"Phi": Matrix.ones(n, n), "Q": Matrix.zeros(n, n)}),
     )
     symbols = [s for v in model.states for s in v.symbols]
@@ -492,6 +493,15 @@ def on_sphere(model: Model) -> Model:
     return replace(whole, F=F, G=G, measurements=model.measurements)
 
 
+# What of such a model is nothing but what it states, in other letters.
+OF_F = (
+    ("strapdown", "it is a step of Runge and Kutta along f, which the model states"),
+    ("G", "it is what G of the state does to the errors, and f says nothing of the noise"),
+)
+OF_NEXT = (
+    ("strapdown", "it is next, which the model states"),
+    ("Q", "it is Q of the state, of its errors"),
+)
 NOT_TOTAL: dict[str, Any] = {"f": None, "next": None, "G": NONE, "Q": None}
 
 
