@@ -1,8 +1,8 @@
 """Boresight: from the equations of an inertial-navigation filter to C that can be flown.
 
 State a model
-    `Model`, `Variable`, `variable`, `constant`, `named`, `Struct`, `Measurement`, `Function`, `Output`, `Mechanics`,
-    the frames `NED` and `ENU`; ready parts in `mechanics`, `variables` and `models`.
+    `Model`, `Variable`, `variable`, `constant`, `named`, `Struct`, `Measurement`, `FirstOrder`, `Function`,
+    `Output`, `Mechanics`, the frames `NED` and `ENU`; ready parts in `mechanics`, `variables` and `models`.
 Make C
     `generate`, `verify`, `export`.
 Fly
@@ -50,6 +50,7 @@ PUBLIC = {
     "Measurement": "boresight.derive.model:Measurement",
     "Function": "boresight.derive.model:Function",
     "Output": "boresight.derive.model:Output",
+    "FirstOrder": "boresight.derive.model:FirstOrder",
     "Mechanics": "boresight.derive.model:Mechanics",
     "NED": "boresight.derive.mechanics.earth:NED",
     "ENU": "boresight.derive.mechanics.earth:ENU",

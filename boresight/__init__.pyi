@@ -8,6 +8,7 @@ from boresight.codegen.verify import verify as verify
 from boresight.derive.constant import constant as constant
 from boresight.derive.mechanics.earth import ENU as ENU
 from boresight.derive.mechanics.earth import NED as NED
+from boresight.derive.model import FirstOrder as FirstOrder
 from boresight.derive.model import Function as Function
 from boresight.derive.model import Measurement as Measurement
 from boresight.derive.model import Mechanics as Mechanics

@@ -225,9 +225,29 @@ class Struct:
 class FirstOrder:
     """How a linear H is tied to an exact measurement: it is that one's Jacobian at x = 0, once `small` is zero.
 
-    of: name of the measurement with the exact h, or None for this one's own, which then is not printed.  small: the
-    input that H neglects, if it does neglect one.  tied: inputs of H that follow from the others where the state is
-    right, as (name, expression).
+    Parameters
+    ----------
+    of : str, optional
+        The measurement with the exact h; None for this one's own, which then is not printed.
+    small : str, optional
+        The input that H neglects, if it does neglect one.
+    tied : tuple of (str, Matrix), optional
+        Inputs of H that follow from the others where the state is right, and their expressions.
+
+    Raises
+    ------
+    BoresightError
+        Names of no measurement with an h, and of no input, are refused by `Model`.
+
+    Notes
+    -----
+    When not to use it: for an H that follows, of z alone or with `at_zero`.
+
+    Examples
+    --------
+    >>> from boresight import FirstOrder
+    >>> FirstOrder(small="lag").of is None
+    True
     """
 
     of: str | None = None
@@ -631,8 +651,8 @@ class Model:
     @property
     def conventions(self) -> tuple[str, ...]:
         """Its card, with the sign of an error state's errors in front where the card does not say it."""
-        said = self.kind != "error-state" or any(line.startswith("Error =") for line in self.card)
-        return self.card if said else (f"Error = {self.error}.", *self.card)
+        stands = self.kind != "error-state" or any(line.startswith("Error =") for line in self.card)
+        return self.card if stands else (f"Error = {self.error}.", *self.card)
 
     @property
     def discrete(self) -> bool:

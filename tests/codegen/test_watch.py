@@ -53,7 +53,7 @@ def test_each_save_is_told_and_generated_and_an_error_is_one_line(own):
     first, edited, broken, wrong, same = (part.strip("\n") for part in "\n".join(said).split("=#=\n")[:5])
     assert first.startswith("pendulum: a pendulum, 2 states\n") and "F: new, 5 operations" in first
     assert "before\n    F_{omega,omega} = -damping\nafter\n    F_{omega,omega} = -›2‹⋅damping\n" in edited
-    assert "  held against exact mechanics: F, encoder_H" in edited and "F: 5 -> 6 operations (+1)" in edited
+    assert "  held against exact mechanics: F, G, encoder_H" in edited and "F: 5 -> 6 operations (+1)" in edited
     assert broken.startswith("resistance.py:2: ") and "\n" not in broken
     assert "name 'omega' is not defined" in wrong and "\n" not in wrong
     assert same.startswith("pendulum: the same equations\n") and "  no file changed\n" in same

@@ -1765,8 +1765,9 @@ static __attribute__((noinline)) void measure_zupt_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) +
-                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
+        const unsigned int used = (innovation.used >> k) & 1U;
+        const unsigned int inflated = (innovation.inflated >> k) & 1U;
+        taking->used[(run * 3U) + k] = (unsigned char)(used | (inflated << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -1813,8 +1814,9 @@ static __attribute__((noinline)) void measure_azimuth_alone(block *b,
     for (unsigned int k = 0U; k < 1U; ++k) {
         taking->nu[(run * 1U) + k] = innovation.nu[k];
         taking->S[(run * 1U) + k] = innovation.S[k];
-        taking->used[(run * 1U) +
-                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
+        const unsigned int used = (innovation.used >> k) & 1U;
+        const unsigned int inflated = (innovation.inflated >> k) & 1U;
+        taking->used[(run * 1U) + k] = (unsigned char)(used | (inflated << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -1861,8 +1863,9 @@ static __attribute__((noinline)) void measure_zaru_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) +
-                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
+        const unsigned int used = (innovation.used >> k) & 1U;
+        const unsigned int inflated = (innovation.inflated >> k) & 1U;
+        taking->used[(run * 3U) + k] = (unsigned char)(used | (inflated << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }

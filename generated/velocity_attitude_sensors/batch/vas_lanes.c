@@ -2292,8 +2292,9 @@ static __attribute__((noinline)) void measure_dcm_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) +
-                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
+        const unsigned int used = (innovation.used >> k) & 1U;
+        const unsigned int inflated = (innovation.inflated >> k) & 1U;
+        taking->used[(run * 3U) + k] = (unsigned char)(used | (inflated << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -2340,8 +2341,9 @@ static __attribute__((noinline)) void measure_quaternion_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) +
-                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
+        const unsigned int used = (innovation.used >> k) & 1U;
+        const unsigned int inflated = (innovation.inflated >> k) & 1U;
+        taking->used[(run * 3U) + k] = (unsigned char)(used | (inflated << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -2385,8 +2387,9 @@ static __attribute__((noinline)) void measure_euler_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) +
-                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
+        const unsigned int used = (innovation.used >> k) & 1U;
+        const unsigned int inflated = (innovation.inflated >> k) & 1U;
+        taking->used[(run * 3U) + k] = (unsigned char)(used | (inflated << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -2433,8 +2436,9 @@ static __attribute__((noinline)) void measure_velocity_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) +
-                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
+        const unsigned int used = (innovation.used >> k) & 1U;
+        const unsigned int inflated = (innovation.inflated >> k) & 1U;
+        taking->used[(run * 3U) + k] = (unsigned char)(used | (inflated << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }

@@ -1188,8 +1188,9 @@ static __attribute__((noinline)) void measure_velocity_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) +
-                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
+        const unsigned int used = (innovation.used >> k) & 1U;
+        const unsigned int inflated = (innovation.inflated >> k) & 1U;
+        taking->used[(run * 3U) + k] = (unsigned char)(used | (inflated << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -1236,8 +1237,9 @@ static __attribute__((noinline)) void measure_dcm_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) +
-                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
+        const unsigned int used = (innovation.used >> k) & 1U;
+        const unsigned int inflated = (innovation.inflated >> k) & 1U;
+        taking->used[(run * 3U) + k] = (unsigned char)(used | (inflated << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
@@ -1284,8 +1286,9 @@ static __attribute__((noinline)) void measure_dcm_exact_alone(block *b,
     for (unsigned int k = 0U; k < 3U; ++k) {
         taking->nu[(run * 3U) + k] = innovation.nu[k];
         taking->S[(run * 3U) + k] = innovation.S[k];
-        taking->used[(run * 3U) +
-                     k] = (unsigned char)(((innovation.used >> k) & 1U) | (((innovation.inflated >> k) & 1U) << 1U));
+        const unsigned int used = (innovation.used >> k) & 1U;
+        const unsigned int inflated = (innovation.inflated >> k) & 1U;
+        taking->used[(run * 3U) + k] = (unsigned char)(used | (inflated << 1U));
     }
     *status = (said != BS_OK) ? (unsigned char)said : *status;
 }
