@@ -223,7 +223,7 @@ class Struct:
 
 @dataclass(frozen=True)
 class FirstOrder:
-    """How a linear H is tied to an exact measurement: it is that one's Jacobian at x = 0, once `small` is zero.
+    """How a linear H is tied to an exact measurement, whose Jacobian it is where the error is zero.
 
     Parameters
     ----------
