@@ -1,8 +1,8 @@
 """Inertial increments of a trajectory, by inverting the strapdown integrator, and the integrator over a trajectory.
 
 `step` is the integrator in the wanted frame: `load("strapdown").step`, or `strapdown` of a model that carries position,
-velocity and attitude, whose bias estimates are then zero.  Positions are in its order.  Axes: samples first, then runs.
-`dtheta_ib_b` (rad) and `dv_b` (m/s) belong to the interval that ends at the sample behind them.
+velocity and attitude, whose estimates of sensor errors are then zero.  Positions are in its order.  Axes: samples
+first, then runs.  `dtheta_ib_b` (rad) and `dv_b` (m/s) belong to the interval that ends at the sample behind them.
 """
 
 import math
@@ -18,6 +18,7 @@ from boresight.runtime.rotation import attitude_error, matrix_from_quaternion
 ROUNDS = 30  # of the inversion; each shrinks what is left by the angle turned in a step or more
 TOGETHER = 8192  # intervals of all runs in one call: what the processor's cache holds
 PLACES = ("lat_lon_height", "lon_lat_height")  # the integrator's position, named for the order of its coordinates
+READ = (*PLACES, "v_n", "q_b2n_wxyz", "dtheta_ib_b", "dv_b", "dtheta_before", "dv_before", "dt")
 ENOUGH = 1e-14  # rad, and the same part of the velocity increments (m/s): rounding
 
 
@@ -57,9 +58,10 @@ def intervals(dtheta: Array, dv: Array, last: tuple[Array, Array] | None = None)
     return {"dtheta_ib_b": dtheta, "dv_b": dv, "dtheta_before": earlier[0], "dv_before": earlier[1]}
 
 
-def unbiased(step: Unit) -> dict[str, Array]:
-    """The bias estimates that the integrator reads, zero."""
-    return {name: np.zeros(3) for name in ("gyro_bias", "accel_bias") if name in step.fields}
+def ideal(step: Unit) -> dict[str, Array]:
+    """What else the integrator reads, as errors of sensors: zero, or the value of its box that is nearest to zero."""
+    boxes = {name: step.library.field[name] for name in step.fields if name not in READ}
+    return {name: np.clip(np.zeros(box["size"]), box["low"], box["high"]) for name, box in boxes.items()}
 
 
 def rotated(C: Array, vector: Array) -> Array:
@@ -93,7 +95,7 @@ def increments(step: Unit, position: Array, v_n: Array, q_b2n_wxyz: Array, dt: f
             now, then = slice(begin, end), slice(begin + 1, end + 1)
             made = step(
                 **{place: p[now]}, v_n=v_n[now], q_b2n_wxyz=q[now], dtheta_ib_b=dtheta[then], dv_b=dv[then],
-                dtheta_before=dtheta[now], dv_before=dv[now], **unbiased(step), dt=dt,
+                dtheta_before=dtheta[now], dv_before=dv[now], **ideal(step), dt=dt,
             )  # fmt: skip
             # C_made = exp(-[e x]) C_wanted: the body has to turn by e more, here in its own axes
             turn = rotated(to_body[now], attitude_error(made["q_b2n_wxyz"], q[then]))
@@ -129,8 +131,9 @@ def integrate(step: Unit, start: dict[str, Array], dtheta: Array, dv: Array, dt:
             raise BoresightError(f"integrate: {name} has shape {values.shape}; it must be (T, ..., 3), one T of both")
     if np.ndim(dt):
         raise BoresightError(f"integrate: dt has shape {np.shape(dt)}; give one number for all intervals")
-    carried = place_of(step), "v_n", "q_b2n_wxyz"
-    one = {name: start[name] for name in carried}
+    others, returned = ideal(step), {result["name"] for result in step.described["results"]}
+    carried = place_of(step), "v_n", "q_b2n_wxyz", *(name for name in others if name in returned)
+    one = {name: others[name] if name in others else start[name] for name in carried}
     one |= {"dtheta_ib_b": np.empty(dtheta.shape[1:]), "dv_b": np.empty(dv.shape[1:])}
     if first is not None:
         one |= {"dtheta_before": first[0], "dv_before": first[1]}
@@ -143,12 +146,12 @@ def integrate(step: Unit, start: dict[str, Array], dtheta: Array, dv: Array, dt:
     for name in carried:
         out[name] = np.empty((count + 1, *runs, begun[name].shape[-1]))
         out[name][0] = begun[name]
-    inputs = {**out, **intervals(dtheta, dv, first), **unbiased(step), "dt": np.array([dt], float)}
+    inputs = {**others, **out, **intervals(dtheta, dv, first), "dt": np.array([dt], float)}
     k = step.walk(inputs, {name: values[1:] for name, values in out.items()})
     if k < count:
         try:
             step(**{name: values[k] if values.ndim > 1 else values for name, values in inputs.items()} | {"dt": dt})
         except BoresightError as error:
             raise BoresightError(f"in interval {k}: {error}") from None
-    position, v_n, q = (out[name] for name in carried)
+    position, v_n, q = (out[name] for name in carried[:3])
     return Trajectory(position, v_n, q, dt, carried[0])
