@@ -113,7 +113,7 @@ class Derivation:
             for e, true in zip(shown, substituted(shown, self.fed), strict=True):
                 read = [s for s in symbols_in([e]) if s not in self.fed and s != self.model.dt]
                 if e != true and len(read) == 1 and read[0] in {s for v in self.fields.values() for s in v.symbols}:
-                    found[read[0]] = read[0] + sp.expand((e - true) / e.diff(read[0]))
+                    found[read[0]] = read[0] + sp.expand(sp.cancel((e - true) / e.diff(read[0])))
         return found
 
     def against_level(self) -> Matrix:

@@ -100,9 +100,8 @@ def fly(library, runs=RUNS, seed=0):
         imu = {
             "omega_ib_b": (omega - loop.nav["gyro_bias"]) / (1 + loop.nav["gyro_scale"]),
             "f_b": (f - loop.nav["accel_bias"]) / (1 + loop.nav["accel_scale"]),
-            "dt": EVERY * DT,
         }
-        loop.predict(**imu, **NOISE, correlation_time=FADING)
+        loop.predict(**imu, **NOISE, correlation_time=FADING, dt=EVERY * DT)
         summed[:] = 0
 
         # a fix every second
