@@ -15,7 +15,7 @@ from boresight.codegen.generate import generate
 from boresight.codegen.verify import counted, verify_all
 from boresight.evidence.sources import Examples
 
-NAMES = ("pendulum", "vertical", "radar", "gnss_ins")
+NAMES = ("pendulum", "vertical", "radar", "gnss_ins", "gnss_ins_21", "autopilot")
 
 
 def examples(of: Examples, out: Path, names: Collection[str] = NAMES) -> dict[str, dict[str, Any]]:
