@@ -53,6 +53,7 @@ bench: $(BENCH)/.installed
 	$(BENCH)/bin/python -m benchmarks.epoch
 	$(BENCH)/bin/python -m benchmarks.detector
 	$(BENCH)/bin/python -m benchmarks.hold
+	$(BENCH)/bin/python -m benchmarks.autopilot
 	$(BENCH)/bin/python -m benchmarks.growth
 	-$(BENCH)/bin/python -m benchmarks.instructions
 
