@@ -1,4 +1,4 @@
-"""Phi and every H of examples/autopilot.py beside SymForce's print of the same equations: python -m benchmarks.autopilot
+"""Phi and every H of examples/autopilot.py beside SymForce's print of them: python -m benchmarks.autopilot
 
 The equations are written once more, in SymForce's terms: the truth is the estimate less an error, both are carried over
 a step, and what SymForce differentiates and prints is held against the generated C.  The step is the one that PX4's
@@ -32,8 +32,9 @@ def first_order() -> Model:
     strapdown, feedback = model.functions
     q = normalized(quaternion_product(autopilot.q.vector, Matrix([1, *(rate / 2)])))
     carried = tuple(replace(one, value=q) if one.name == "q" else one for one in strapdown.outputs)
-    return replace(model, name="autopilot-step", c_prefix="as", functions=(replace(strapdown, outputs=carried), feedback),
-                   exact=True, order=type(model).order, unheld=())  # fmt: skip
+    functions = (replace(strapdown, outputs=carried), feedback)
+    order = type(model).order
+    return replace(model, name="autopilot-step", c_prefix="as", functions=functions, exact=True, order=order)
 
 
 # ---------------------------------------------------------------- the same in SymForce
@@ -167,9 +168,8 @@ def main() -> int:
         found = differences(Path(place), np.random.default_rng(0))
     for name, worst in found.items():
         print(f"{name:14} {worst:9.1e}  {'equal' if worst <= EQUAL else 'DIFFERS'}")
-    print(
-        f"{POINTS} points; the largest difference as a part of the largest of its row; {time.process_time() - begun:.0f} s"
-    )
+    took = time.process_time() - begun
+    print(f"{POINTS} points; the largest difference as a part of the largest of its row; {took:.0f} s")
     return int(not all(worst <= EQUAL for worst in found.values()))
 
 
