@@ -44,6 +44,7 @@ AT_ALL = 1e-15
 JUMP = 1e-15  # of the box of an estimate: what a strapdown adds to it over STEP is less
 LEAST = 1e-9  # of the box of a state in a second: what is smaller measures no row
 NOTHING = 1e-28
+LEFT_OUT = 0.2  # of a row of h: what z has besides, as what follows from an estimate times a long lag
 FOURFOLD = 0.26
 ITERATIONS, SETTLED = 40, 1e-72  # of Newton's method, and what it may leave
 
@@ -185,6 +186,12 @@ def largest(values: Iterable[Any]) -> float:
     return max(map(size, values), default=0.0)
 
 
+def apart(numbers: Sequence[float]) -> list[str]:
+    """Two numbers in as many digits as it takes to tell them apart."""
+    texts = [[f"{value:.{digits}g}" for value in numbers] for digits in (6, 9, 17)]
+    return next((text for text in texts if text[0] != text[1]), texts[-1])
+
+
 @dataclass
 class Verdict:
     """The worst of what several points say.  wrong: the largest part by which an entry is off that is named."""
@@ -213,8 +220,9 @@ class Verdict:
                 close = within(off, EQUAL * size(exact[i, j])) or within(part, AT_ALL)
                 if not (isfinite(whole) and close) and part > self.wrong:
                     self.wrong = part
-                    numbers = (float(m[i, j] / scale[j]) for m in (stated, exact))
-                    self.entry = "{} by {}: {:.6g} stated, {:.6g} exact".format(row, column, *numbers)
+                    numbers = [float(m[i, j] / scale[j]) for m in (stated, exact)]
+                    mine, theirs = apart(numbers)
+                    self.entry = f"{row} by {column}: {mine} stated, {theirs} exact"
 
     def remainder(self, parts: Iterable[Matrix], sizes: Sequence[float]) -> None:
         """parts: what is left at a finite error and at half of it; sizes: what each row is measured by."""
@@ -247,6 +255,8 @@ class Exact:
 
     def __init__(self, model: Model):
         self.model, self.mechanics = model, model.mechanics or Mechanics()
+        if model.dt is None:
+            raise LookupError("the model names no dt, over which errors could be carried")
         own = {f.name: f for f in model.functions}
         self.fields = {v.name: v for v in model.inputs}
         strapdown = self.mechanics.strapdown or own.get("strapdown")
@@ -456,17 +466,22 @@ def check_error_model(exact: Exact, F_of: Reference) -> list[MechanicsCheck]:
 def compare_feedback(back: Verdict, moving: Moving, scale: Sequence[Any]) -> None:
     """No error changes nothing, and what is an error of a number itself, in its own unit, has the model's sign.
 
-    An error in another unit, such as metres of a latitude, is held by F and H, which read it out of what feedback does.
+    An error in another unit, such as metres of a latitude, is held by F and H, which read it out of what feedback does;
+    so is one beside it in the same vector, such as metres down of a height.
     """
     exact, hat, J = moving.exact, moving.hat, moving.J
     sign = -1 if exact.model.error == ERRORS[0] else 1
     still = exact.seen(exact.corrected(hat, [arb(0)] * moving.n)) - exact.seen(hat)
     names = [(v, s.name, unit) for v in exact.returned for s, unit in zip(v.symbols, unit_of(v), strict=True)]
     errors = [unit for block in exact.model.states for unit in unit_of(block)]
-    for i, (v, name, unit) in enumerate(names):
+    moved = [[j for j in range(J.cols) if not within(size(J[i, j]), NOTHING)] for i in range(len(names))]
+    other = {
+        v.name for (v, _, unit), moves in zip(names, moved, strict=True) if len(moves) == 1 and unit != errors[moves[0]]
+    }
+    for i, (v, name, _) in enumerate(names):
+        moves = moved[i]
         back.note(still[i], NOTHING, f"{name} moves by {float(still[i]):.3g} where no error is taken out")
-        moves = [j for j in range(J.cols) if not within(size(J[i, j]), NOTHING)]
-        if v.norm is None and len(moves) == 1 and unit == errors[moves[0]]:
+        if v.norm is None and len(moves) == 1 and v.name not in other:
             by = float(J[i, moves[0]] / scale[moves[0]])
             back.note(by - sign, EQUAL, f"{name} by {exact.model.x[moves[0]].name}: {by:.6g} stated, {sign} exact")
 
@@ -614,7 +629,8 @@ class Seen:
         if small and any(zero != 0 for zero in nearest_zero(small)):
             raise LookupError(f"{small.name} is neglected, and its box does not hold 0; widen it")
         self.small = small.symbols if small else ()
-        self.z = compiled(self.exact.z) if self.small and self.exact.z is not None else None
+        both = (self.exact, m) if self.exact is not m else (m,)  # what H neglects, its own z may neglect
+        self.zs = {one.name: compiled(one.z) for one in both if self.small and one.z is not None}
 
     def less_turns(self, change: Matrix) -> Matrix:
         """A change of z, of an angle less whole turns."""
@@ -627,10 +643,9 @@ class Seen:
             here.update(zip(variable.symbols, expression(here)[0], strict=True))
         return here
 
-    def residual(self, values: Values, part: Any) -> float:
-        """The largest of z there."""
-        assert self.z is not None
-        z = self.z(self.at(values, part))[0]
+    def residual(self, name: str, values: Values, part: Any) -> float:
+        """The largest of a z there."""
+        z = self.zs[name](self.at(values, part))[0]
         return largest(wrapped(part) if i in self.exact.angles else part for i, part in enumerate(z))
 
 
@@ -663,15 +678,14 @@ def compare_measurement(model: Model, m: Measurement, H_of: Reference, seen: See
             verdict.compare(scaled(H, scale), found, m.rows, columns, scale, sizes)
             for error in finite_errors(model, scale, "H", str(k)):
                 verdict.remainder((change(list(e)) - H * e for e in (error, error / 2)), sizes)
-            if seen.z is not None and seen.law is not None:
-                whole, half = (seen.residual(values, part) for part in (FINITE, FINITE / 2))
+            for name in seen.zs:
+                whole, half = (seen.residual(name, values, part) for part in (FINITE, FINITE / 2))
                 vanishes = within(whole, NOTHING) or (isfinite(whole) and within(half, FOURFOLD * whole))
                 if not vanishes and not verdict.entry:
-                    verdict.entry = (
-                        f"{seen.exact.name}_z is {whole:.3g} for a {seen.law.small} of "
-                        f"{largest(FINITE * values[s] for s in seen.small):.3g}, where "
-                        f"{' and '.join(name for name, _ in seen.law.tied)} should make it vanish to first order"
-                    )
+                    tied = " and ".join(v.name for v, _ in seen.tied)
+                    part = largest(FINITE * values[s] for s in seen.small)
+                    small = f"{name}_z is {whole:.3g} for a {m.first_order and m.first_order.small} of {part:.3g}"
+                    verdict.entry = f"{small}, where {tied} should make it vanish to first order"
     if verdict.entry:
         verdict.entry += seen.hint
     return verdict
@@ -680,8 +694,8 @@ def compare_measurement(model: Model, m: Measurement, H_of: Reference, seen: See
 def check_residual(model: Model, m: Measurement) -> MechanicsCheck | None:
     """z against h, by every error that moves z as feedback takes it out.
 
-    A row of the other sign is wrong.  Else z says nothing where it differs, for it may read what only follows from an
-    estimate: then None.
+    A row of the other sign is wrong, and so is an entry that is off by more than LEFT_OUT of its row.  What is closer is
+    left out of h, or of what follows from an estimate: then None, as where z moves by nothing.
     """
     feedback = feedback_of(model)
     if m.z is None or m.h is None or feedback is None:
@@ -702,15 +716,22 @@ def check_residual(model: Model, m: Measurement) -> MechanicsCheck | None:
                     return None
                 by_z, by_h = (Matrix([[of[i, j] for j in moved] for i in range(of.rows)]) for of in (by_z, by_h))
                 for i, row in enumerate(m.rows):
-                    apart = largest(by_z[i, j] + by_h[i, j] for j in range(len(moved)))
-                    if within(apart, EQUAL * largest(by_h[i, j] for j in range(len(moved)))) and apart < LEAST:
+                    sum_of = largest(by_z[i, j] + by_h[i, j] for j in range(len(moved)))
+                    if within(sum_of, EQUAL * largest(by_h[i, j] for j in range(len(moved)))) and sum_of < LEAST:
                         verdict.entry = f"{row} falls where h grows; z is computed - measured"
                         return verdict.check(model, f"{m.name}_z", "h and feedback")
                 columns, sizes = [names[j] for j in moved], row_sizes(by_h)
                 verdict.compare(by_z, by_h, m.rows, columns, [scale[j] for j in moved], sizes)
     except LookupError:
         return None
-    return None if verdict.entry else verdict.check(model, f"{m.name}_z", "h and feedback")
+    if verdict.entry and within(verdict.wrong, LEFT_OUT):
+        return None
+    if verdict.entry:
+        still = [v.name for v in corrected.still if symbols_in(m.z) & set(v.symbols)]
+        verdict.entry = f"z before and after feedback: {verdict.entry}" + (
+            f"; {', '.join(still)} stood still, unless Mechanics.step states how it follows" if still else ""
+        )
+    return verdict.check(model, f"{m.name}_z", "h and feedback")
 
 
 def feedback_of(model: Model) -> Function | None:

@@ -29,6 +29,7 @@ from boresight.codegen.mechanics import (
 from boresight.derive.ledger.numbers import Matrix, eye
 from boresight.derive.ledger.witness import rotation_vector
 from boresight.derive.model import Model, Variable
+from boresight.derive.units import Unit
 from boresight.derive.within import within
 
 TURN = re.compile(r"(?P<hat>C_hat\w*) = (?P<before>C\w* )?\(I (?P<sign>[-+]) \[(?P<error>\w+) x\]\)(?P<after> C\w*)?")
@@ -126,6 +127,8 @@ def subtracted(verdict: Verdict, signs: Signs, where: str, stated: int, blocks: 
     count = 0
     for v in (v for v in signs.corrected.returned if v.norm is None):
         by = signs.of(v)
+        if any(unit_of(v)[i] != own for i, own in moved_alone(signs, by)):
+            continue
         for block in blocks:
             columns = by[:, signs.place(block)]
             for i, (s, unit) in enumerate(zip(v.symbols, unit_of(v), strict=True)):
@@ -139,6 +142,15 @@ def subtracted(verdict: Verdict, signs: Signs, where: str, stated: int, blocks: 
                         text = f"{where.split(':')[0]} says {words[stated]}"
                         verdict.entry = verdict.entry or f"{text}; feedback of {s} by {e} means {words[sign]}"
     return count
+
+
+def moved_alone(signs: Signs, by: Matrix) -> Iterator[tuple[int, Unit]]:
+    """The components that one error alone moves, and its unit."""
+    units = [unit for block in signs.model.states for unit in unit_of(block)]
+    for i in range(by.rows):
+        moves = [j for j in range(by.cols) if not within(size(by[i, j]), NOTHING)]
+        if len(moves) == 1:
+            yield i, units[moves[0]]
 
 
 def alone(by: Matrix, row: int) -> bool:

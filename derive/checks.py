@@ -612,7 +612,7 @@ def listed(names: Any) -> str:
 
 def check_step(model: "Model") -> None:
     """dt is an input, above zero; the step of a model in discrete time need not be named."""
-    if not model.n or (model.next is not None and model.dt is None):
+    if not model.n or (model.discrete and model.dt is None):
         return
     owner = next((v for v in model.inputs if model.dt in v.symbols), None)
     if model.dt is None:

@@ -247,6 +247,12 @@ class Derivation:
 
     def stands_still(self, after: Matrix) -> None:
         for s, e in zip(self.y, after, strict=True):
+            if e.has(sp.nan, sp.zoo, sp.oo):
+                fail(
+                    self.model,
+                    f"strapdown has no value of {s} over a step of no time, where the rate is taken: write what is "
+                    "divided by dt, or by what goes with it, as a series or a Piecewise",
+                )
             if self.short.short(e - s) != 0:
                 read = ", ".join(sorted(str(r) for r in symbols_in(Matrix([e])) - set(self.y))) or "nothing"
                 fail(
