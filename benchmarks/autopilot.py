@@ -128,7 +128,7 @@ def points(rng: np.random.Generator) -> dict[str, Any]:
     sizes = {"vel": 20, "pos": 30, "gyro_bias": 0.1, "accel_bias": 0.5, "mag_i": 0.5, "mag_b": 0.1, "wind": 8}
     at = {name: size * rng.uniform(-1, 1, (POINTS, autopilot.nav[name].size)) for name, size in sizes.items()}
     at |= {"q": q / np.linalg.norm(q, axis=-1, keepdims=True), "terrain": rng.uniform(40, 200, POINTS)}
-    at |= {"delta_ang": rng.uniform(-0.1, 0.1, (POINTS, 3)), "delta_vel": rng.uniform(-0.3, 0.3, (POINTS, 3))}
+    at |= {"delta_ang": rng.uniform(-0.1, 0.1, (POINTS, 3)), "delta_vel": rng.uniform(-0.1, 0.1, (POINTS, 3))}
     return at | {"dt": rng.uniform(1e-3, 0.02, POINTS), "antenna_offset": rng.uniform(-3, 3, POINTS)}
 
 
