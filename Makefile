@@ -54,6 +54,7 @@ bench: $(BENCH)/.installed
 	$(BENCH)/bin/python -m benchmarks.detector
 	$(BENCH)/bin/python -m benchmarks.hold
 	$(BENCH)/bin/python -m benchmarks.autopilot
+	@test -z "$(PX4)" || PX4="$(PX4)" $(BENCH)/bin/python -m benchmarks.px4
 	$(BENCH)/bin/python -m benchmarks.growth
 	-$(BENCH)/bin/python -m benchmarks.instructions
 
