@@ -694,8 +694,8 @@ def compare_measurement(model: Model, m: Measurement, H_of: Reference, seen: See
 def check_residual(model: Model, m: Measurement) -> MechanicsCheck | None:
     """z against h, by every error that moves z as feedback takes it out.
 
-    A row of the other sign is wrong, and so is an entry that is off by more than LEFT_OUT of its row.  What is closer is
-    left out of h, or of what follows from an estimate: then None, as where z moves by nothing.
+    A row of the other sign is wrong, and so is an entry that is off by more than LEFT_OUT of its row.  What is closer
+    is left out of h, or of what follows from an estimate: then None, as where z moves by nothing.
     """
     feedback = feedback_of(model)
     if m.z is None or m.h is None or feedback is None:
