@@ -79,7 +79,7 @@ def test_each_break_of_the_sentence_is_seen(treason, traitors, tmp_path):
     include = folder_of("euler_matching").include
     flags = ("-std=c99", "-O0", "-DBORESIGHT_UD=0", f"-DTRAITOR={treason}", "-I", include)
     run(["gcc", *flags, HARNESS / "traitor.c", *traitors.glob("*.o"), "-lm", "-o", tmp_path / "attack"])
-    assert TREASONS[treason] in attacked(tmp_path / "attack", 20_000)["breaks"]
+    assert TREASONS[treason] in attacked(tmp_path / "attack", 60_000)["breaks"]
 
 
 @pytest.mark.parametrize("name", FILTERS)
