@@ -17,6 +17,7 @@ from tools import given
 from boresight.codegen.text.files import folder_files
 from boresight.derive.model import Measurement, Model, Struct, variable
 from boresight.derive.models.euler_matching import euler_matching
+from boresight.derive.linear import completed
 from boresight.examples.autopilot import AUTOPILOT
 from boresight.runtime import compiler
 
@@ -225,7 +226,7 @@ def test_another_order_has_the_bits_and_no_warning(order, cc, tmp_path):
 @pytest.mark.parametrize("form", [ROWS, "-DBORESIGHT_BLOCKS"])
 def test_a_prediction_over_non_zeros_of_first_order_has_the_bits_of_the_others(form, tmp_path):
     """Of 24 states of which 9 move."""
-    source = printed(AUTOPILOT, tmp_path)
+    source = printed(completed(AUTOPILOT), tmp_path)
     assert "_OVER_NONZEROS" in source.read_text()
     kernels = [Kernels(source, tmp_path / f"{name}.so", "-O1", name) for name in ("-DNONZEROS", form)]
     assert differing(*kernels) == 0

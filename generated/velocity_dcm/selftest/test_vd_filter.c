@@ -1799,8 +1799,8 @@ static int blocks_of_P(void)
         memset(considered, 0, sizeof(considered));
         status = propagate();
         failures += expect("propagate: disabled",
-                           status == hand_propagate(&hand, &given_corrected_imu, &given_noise)) +
-            expect("propagate: x", equal(flown.x, hand.x, N));
+                           status == hand_propagate(&hand, &given_corrected_imu, &given_noise));
+        failures += expect("propagate: x", equal(flown.x, hand.x, N));
         before = hand;
         failures += rearranged("propagate: P", BS_REAL(0.0), 0);
         memcpy(was, flown.x, sizeof(was));
