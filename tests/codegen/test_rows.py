@@ -15,9 +15,9 @@ from sympy import Matrix, eye, sin
 from tools import given
 
 from boresight.codegen.text.files import folder_files
+from boresight.derive.linear import completed
 from boresight.derive.model import Measurement, Model, Struct, variable
 from boresight.derive.models.euler_matching import euler_matching
-from boresight.derive.linear import completed
 from boresight.examples.autopilot import AUTOPILOT
 from boresight.runtime import compiler
 
