@@ -5,7 +5,7 @@ between the phi and the psi model by one navigator whose errors are read in eith
 rates.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import partial
 from typing import Any
 
@@ -20,6 +20,7 @@ from boresight.codegen.mechanics import (
     Verdict,
     compiled,
     points,
+    quaternion_rate,
     rotation_of,
     row_sizes,
 )
@@ -28,16 +29,11 @@ from boresight.derive.expressions import symbols_in
 from boresight.derive.ledger import ellipsoid
 from boresight.derive.ledger.navigation import Navigator, Truth, stack, truth
 from boresight.derive.ledger.numbers import Matrix, digits, zeros
-from boresight.derive.ledger.witness import attitude, hamilton, rotation_vector, vector
+from boresight.derive.ledger.witness import attitude, rotation_vector
 from boresight.derive.model import Function, Model, Output
 
 NEWTON = "Newton's law on the turning ellipsoid"
 READ = {"lon", "lat", "height", "v_n", "q_b2n_wxyz", "f_b", "omega_ib_b"}  # by which a navigator is known
-
-
-def turning(now: Any, q: Matrix, omega: Matrix) -> Matrix:
-    """The rate of the quaternion."""
-    return (hamilton(q, vector(0, *omega)) - hamilton(vector(0, *now.omega_in_n), q)) / 2
 
 
 BY_NEWTON: dict[str, Callable[[Any, Matrix, Matrix], Matrix]] = {  # of a Navigator, its attitude and its turn
@@ -47,7 +43,7 @@ BY_NEWTON: dict[str, Callable[[Any, Matrix, Matrix], Matrix]] = {  # of a Naviga
     "gravity_n": lambda now, q, omega: now.gravity_n,
     "position_rate": lambda now, q, omega: now.position_rate,
     "v_n_rate": lambda now, q, omega: now.velocity_rate,
-    "q_b2n_rate": turning,
+    "q_b2n_rate": lambda now, q, omega: quaternion_rate(q, omega, now.omega_in_n),
 }
 STATES = 9  # of the phi and of the psi model
 
@@ -157,10 +153,10 @@ def by_given_rates(model: Model, o: Output, verdict: Verdict) -> None:
     dt: Any = model.dt
     for values in points(model, "beside", MANY):
         now = {**values, **dict(zip(dtheta.symbols, nearest_zero(dtheta), strict=True)), dt: STEP}
-        omega: Sequence[Any] = list(values_of(model, values, "dtheta_ib_b"))  # rad/s here, of the size of its box
+        omega = values_of(model, values, "dtheta_ib_b")  # rad/s here, of the size of its box
         with precise():
             now.update((s, rate * STEP) for s, rate in zip(dtheta.symbols, omega, strict=True))
             q, omega_in = values_of(model, values, "q_b2n_wxyz"), values_of(model, values, "omega_in_n")
-            theirs = (hamilton(q, vector(0, *omega)) - hamilton(vector(0, *omega_in), q)) / 2
+            theirs = quaternion_rate(q, omega, omega_in)
             mine = (run(now)[0] - q) / STEP
             verdict.compare(mine, theirs, rows, ["t"], [1], row_sizes(theirs))

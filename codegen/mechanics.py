@@ -20,7 +20,7 @@ from boresight.codegen.functions.reference import evaluator, precise
 from boresight.codegen.functions.samples import generator
 from boresight.codegen.functions.unit import state_variable
 from boresight.codegen.points import exact_points, nearest_zero
-from boresight.derive.checks import ERRORS
+from boresight.derive.checks import ERRORS, mechanics_of
 from boresight.derive.dimensions import ROOT_SECOND
 from boresight.derive.expressions import symbols_in
 from boresight.derive.ledger import ellipsoid
@@ -257,10 +257,8 @@ class Exact:
         self.model, self.mechanics = model, model.mechanics or Mechanics()
         if model.dt is None:
             raise LookupError("the model names no dt, over which errors could be carried")
-        own = {f.name: f for f in model.functions}
         self.fields = {v.name: v for v in model.inputs}
-        strapdown = self.mechanics.strapdown or own.get("strapdown")
-        feedback = self.mechanics.feedback or own.get("feedback")
+        strapdown, feedback = mechanics_of(model)
         if strapdown is None or feedback is None:
             lacking = " and ".join(name for name, f in (("strapdown", strapdown), ("feedback", feedback)) if f is None)
             raise LookupError(f"the model has no {lacking}")
@@ -611,7 +609,7 @@ class Seen:
         self.model, self.law = model, m.first_order
         inputs = {v.name: v for v in model.inputs}
         self.exact = next(o for o in model.measurements if o.name == self.law.of) if self.law and self.law.of else m
-        feedback, self.hint = feedback_of(model), ""
+        (_, feedback), self.hint = mechanics_of(model), ""
         if self.exact.h is not None:
             self.against, h = "h", compiled(self.exact.h)
             self.left = lambda here, x: h(plus(here, model, x))[0]
@@ -697,7 +695,7 @@ def check_residual(model: Model, m: Measurement) -> MechanicsCheck | None:
     A row of the other sign is wrong, and so is an entry that is off by more than LEFT_OUT of its row.  What is closer
     is left out of h, or of what follows from an estimate: then None, as where z moves by nothing.
     """
-    feedback = feedback_of(model)
+    _, feedback = mechanics_of(model)
     if m.z is None or m.h is None or feedback is None:
         return None
     z, h, corrected, scale = compiled(m.z), compiled(m.h), Corrected(model, feedback), box(model)
@@ -732,11 +730,6 @@ def check_residual(model: Model, m: Measurement) -> MechanicsCheck | None:
             f"; {', '.join(still)} stood still, unless Mechanics.step states how it follows" if still else ""
         )
     return verdict.check(model, f"{m.name}_z", "h and feedback")
-
-
-def feedback_of(model: Model) -> Function | None:
-    own = next((f for f in model.functions if f.name == "feedback"), None)
-    return (model.mechanics and model.mechanics.feedback) or own
 
 
 def wrapped(angle: arb) -> arb:
@@ -788,12 +781,16 @@ def check_strapdown(model: Model, f: Function, level: ellipsoid.Level) -> Mechan
             p, v, q = now
             C = rotation_of(q)
             newton = Navigator(p, v, C, force, omega, level)
-            turning = (hamilton(q, vector(0, *omega)) - hamilton(vector(0, *newton.omega_in_n), q)) / 2
-            exact = [newton.position_rate, newton.velocity_rate, turning]
+            exact = [newton.position_rate, newton.velocity_rate, quaternion_rate(q, omega, newton.omega_in_n)]
         for mine, theirs, part in zip(rates, exact, (0, 3, 6), strict=True):
             with precise():
                 verdict.compare(mine, theirs, rows[part : part + mine.rows], ["t"], [1], row_sizes(theirs))
     return verdict.check(model, f.name, "Newton's law on the turning ellipsoid")
+
+
+def quaternion_rate(q: Matrix, omega: Matrix, omega_in_n: Matrix) -> Matrix:
+    """Of a body that turns by omega in its own axes, against a level that turns by omega_in_n in its own."""
+    return (hamilton(q, vector(0, *omega)) - hamilton(vector(0, *omega_in_n), q)) / 2
 
 
 def rotation_of(q: Matrix) -> Matrix:

@@ -23,7 +23,7 @@ def drawn(v: Variable, count: int, check: str) -> np.ndarray:
     if v.norm is None:
         return low + (high - low) * rng.random((count, v.size))
     values = low + (high - low) * rng.random((TRIES, v.size))
-    least, most = (1.0, 1.0) if is_unit(v) else v.norm
+    least, most = (1.0, 1.0) if v.unit_norm else v.norm
     lengths = least + (most - least) * rng.random((TRIES, 1))
     values *= lengths / np.linalg.norm(values, axis=1, keepdims=True)
     inside = values[((low <= values) & (values <= high)).all(axis=1)][:count]
@@ -32,15 +32,10 @@ def drawn(v: Variable, count: int, check: str) -> np.ndarray:
     return inside
 
 
-def is_unit(v: Variable) -> bool:
-    """Whether a norm is that of a unit vector or a quaternion: of a number without unit, and 1 lies in its range."""
-    return v.norm is not None and v.unit == "1" and v.norm[0] <= 1 <= v.norm[1]
-
-
 def exact_points(v: Variable, count: int, check: str) -> list[list[arb]]:
     """The same as exact numbers; the norm of a unit vector is 1 in all digits."""
     columns = [[arb(float(number)) for number in row] for row in drawn(v, count, check)]
-    if is_unit(v):
+    if v.unit_norm:
         with precise():
             lengths = [sum((c * c for c in column), arb(0)).sqrt() for column in columns]
             columns = [[(c / n).mid() for c in column] for column, n in zip(columns, lengths, strict=True)]

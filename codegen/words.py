@@ -17,7 +17,6 @@ from boresight.codegen.mechanics import (
     Corrected,
     MechanicsCheck,
     Verdict,
-    feedback_of,
     largest,
     points,
     rotation_of,
@@ -26,6 +25,7 @@ from boresight.codegen.mechanics import (
     symbols,
     unit_of,
 )
+from boresight.derive.checks import mechanics_of
 from boresight.derive.ledger.numbers import Matrix, eye
 from boresight.derive.ledger.witness import rotation_vector
 from boresight.derive.model import Model, Variable
@@ -40,7 +40,7 @@ OF_ALL = re.compile(r"\bError = ")
 
 def check_words(model: Model) -> list[MechanicsCheck]:
     """One row for all that is read; none where nothing is."""
-    feedback = feedback_of(model)
+    _, feedback = mechanics_of(model)
     if model.kind != "error-state" or feedback is None:
         return []
     verdict, signs = Verdict(), Signs(model)
@@ -64,7 +64,7 @@ class Signs:
     """How the estimates change as feedback takes an error out, at one point."""
 
     def __init__(self, model: Model):
-        feedback = feedback_of(model)
+        _, feedback = mechanics_of(model)
         assert feedback is not None
         self.model, self.states = model, symbols(model)
         self.corrected = Corrected(model, feedback)
@@ -127,13 +127,14 @@ def subtracted(verdict: Verdict, signs: Signs, where: str, stated: int, blocks: 
     count = 0
     for v in (v for v in signs.corrected.returned if v.norm is None):
         by = signs.of(v)
-        if any(unit_of(v)[i] != own for i, own in moved_alone(signs, by)):
+        alone = dict(moved_alone(signs, by))
+        if any(unit_of(v)[i] != own for i, own in alone.items()):
             continue
         for block in blocks:
             columns = by[:, signs.place(block)]
             for i, (s, unit) in enumerate(zip(v.symbols, unit_of(v), strict=True)):
                 for j, (e, own) in enumerate(zip(block.symbols, unit_of(block), strict=True)):
-                    if unit != own or within(size(columns[i, j]), NOTHING) or not alone(by, i):
+                    if unit != own or within(size(columns[i, j]), NOTHING) or i not in alone:
                         continue
                     count += 1
                     sign = 1 if float(columns[i, j]) > 0 else -1
@@ -151,8 +152,3 @@ def moved_alone(signs: Signs, by: Matrix) -> Iterator[tuple[int, Unit]]:
         moves = [j for j in range(by.cols) if not within(size(by[i, j]), NOTHING)]
         if len(moves) == 1:
             yield i, units[moves[0]]
-
-
-def alone(by: Matrix, row: int) -> bool:
-    """Whether one error alone moves this component."""
-    return sum(not within(size(by[row, j]), NOTHING) for j in range(by.cols)) == 1

@@ -440,7 +440,7 @@ def check_given(model: "Model") -> None:
                 "without states there is no F, f, next, Q, dt and no measurement; give states, or leave these out",
             )
         return
-    follows = not given and mechanics_of(model) is not None
+    follows = not given and all(mechanics_of(model))
     if len(given) != 1 and not follows:
         named = " and ".join(given) or "none"
         fail(
@@ -491,21 +491,20 @@ def check_given(model: "Model") -> None:
             fail(block, "it wraps to [-pi, pi), which its box must hold; widen the box, or leave wraps out")
 
 
-def mechanics_of(model: "Model") -> tuple[Any, Any] | None:
-    """The strapdown and the feedback of an error state, where it has both."""
+def mechanics_of(model: "Model") -> tuple[Any, Any]:
+    """The strapdown and the feedback that hold for a model, of its mechanics or its own; None of what it has not."""
     own = {f.name: f for f in model.functions}
-    found = [
+    strapdown, feedback = (
         (model.mechanics and getattr(model.mechanics, name)) or own.get(name) for name in ("strapdown", "feedback")
-    ]
-    return (found[0], found[1]) if model.states and all(found) else None
+    )
+    return strapdown, feedback
 
 
 def check_kept_norms(model: "Model") -> None:
     """A state with a norm is a unit quaternion of a total state; no step and no update keeps another norm."""
     normed = [block for block in model.states if block.norm is not None]
     for block in normed:
-        unit = block.norm is not None and block.norm[0] <= 1 <= block.norm[1]
-        if model.kind != "total-state" or block.size != 4 or block.unit != "1" or not unit:
+        if model.kind != "total-state" or block.size != 4 or not block.unit_norm:
             fail(
                 block,
                 "it is a state with a norm, which no step and no update of a filter keeps but of a quaternion of a "

@@ -10,7 +10,6 @@ and over a step  Phi = J(s)^+ ds/dy J.  H of z = computed - measured is what fee
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
-from fractions import Fraction
 from random import Random
 from typing import Any
 
@@ -19,6 +18,7 @@ import sympy as sp
 from sympy import Matrix, S, Symbol
 
 from boresight.derive.checks import fail, mechanics_of
+from boresight.derive.dimensions import ROOT_SECOND
 from boresight.derive.expressions import constants_in, names_in, quantities_in, substituted, symbols_in
 from boresight.derive.gradients import Gradients, Slopes, at_zero, opened, polynomial
 from boresight.derive.mechanics.rotation import (
@@ -32,9 +32,8 @@ from boresight.derive.mechanics.rotation import (
 from boresight.derive.model import NONE, FirstOrder, Function, Measurement, Mechanics, Model, Output, Struct, Variable
 from boresight.derive.named import Named, named, quantity
 from boresight.derive.short import Shortener, Sphere, mirrored, replaced, squares
-from boresight.derive.units import SECOND, units
+from boresight.derive.units import units
 
-ROOT_SECOND = SECOND ** Fraction(1, 2)
 TURNED = 1.5  # rad: the box of the error of a quaternion that is a state
 
 
@@ -48,14 +47,13 @@ class Derivation:
     def __init__(self, model: Model):
         self.model = model
         self.mechanics = model.mechanics or Mechanics()
-        own = {f.name: f for f in model.functions}
         self.fields = {v.name: v for v in model.inputs}
-        strapdown, feedback = self.mechanics.strapdown or own["strapdown"], self.mechanics.feedback or own["feedback"]
+        strapdown, feedback = mechanics_of(model)
         self.x = [s for block in model.states for s in block.symbols]
         self.moved, self.fed = self.values(strapdown), self.values(feedback)
         self.y = list(dict.fromkeys([*self.fed, *self.moved]))
         names = names_in(Matrix([*self.moved.values(), *self.fed.values()]))
-        unit_norm = [v for v in model.inputs if v.norm and v.norm[0] <= 1 <= v.norm[1] and v.unit == "1"]
+        unit_norm = [v for v in model.inputs if v.unit_norm]
         self.short = Shortener([Sphere(v.symbols, self.known(v, names)) for v in unit_norm])
         self.following = self.followed()
         self.true = self.fed | self.following
@@ -186,7 +184,7 @@ class Derivation:
                       for lo, hi in zip(v.low, v.high, strict=True)]  # fmt: skip
             if v.norm:
                 length = sp.sqrt(sum(c * c for c in column))
-                wanted = 1 if v.norm[0] <= 1 <= v.norm[1] else sum(v.norm) / 2
+                wanted = 1 if v.unit_norm else sum(v.norm) / 2
                 column = [c / length * wanted for c in column]
             here |= dict(zip(v.symbols, column, strict=True))
         return here
@@ -537,7 +535,7 @@ def derived(model: Model, exact: bool) -> Model:
 
     Raises BoresightError where it has no strapdown or no feedback, and as `completed`.
     """
-    if model.kind != "error-state" or mechanics_of(model) is None:
+    if model.kind != "error-state" or not all(mechanics_of(model)):
         fail(model, "it has no strapdown and feedback from which something follows")
     fed = any(f.name == "feedback" for f in model.functions)
     measurements = tuple(

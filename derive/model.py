@@ -99,6 +99,11 @@ class Variable:
     def size(self) -> int:
         return len(self.symbols)
 
+    @property
+    def unit_norm(self) -> bool:
+        """Whether its norm is that of a unit vector or a quaternion: of a number without unit, and 1 in its range."""
+        return self.norm is not None and self.unit == "1" and self.norm[0] <= 1 <= self.norm[1]
+
 
 def variable(
     name: str,
