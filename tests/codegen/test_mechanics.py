@@ -7,13 +7,13 @@ from pathlib import Path
 
 import pytest
 from flint import arb
-from sympy import Matrix, Symbol, diag
+from sympy import Matrix, Rational, Symbol, diag
 
 from boresight import report, terminal
 from boresight.codegen.functions.maker import UnitMaker
 from boresight.codegen.functions.reference import precise
 from boresight.codegen.generate import load_model
-from boresight.codegen.mechanics import Seen, check_mechanics
+from boresight.codegen.mechanics import Seen, check_mechanics, check_residual
 from boresight.derive.ledger import numbers as ledger
 from boresight.derive.mechanics import earth
 from boresight.derive.mechanics.earth import ENU
@@ -304,3 +304,25 @@ def test_a_noise_that_drives_one_state_by_itself_needs_no_word():
     assert checked(made)["G"].ok
     twice = replace(made, G=made.G * diag(*[1] * 11, 2))
     assert checked(twice)["G"].why.startswith("accel_bias_noise is not said to add to anything")
+
+
+@pytest.mark.parametrize(
+    ("file", "name", "row", "factor"),
+    [("vertical.py:VERTICAL", "altitude", 0, 1000), ("vertical.py:VERTICAL", "altitude", 0, Rational(1, 1000)),
+     ("gnss_ins.py:GNSS_INS", "velocity", 2, -1)],
+)  # fmt: skip
+def test_an_h_of_another_size_or_sign_than_its_z_is_wrong(file, name, row, factor):
+    made = load_model(f"{EXAMPLES / file.split(':')[0]}:{file.split(':')[1]}")
+    h = Matrix(measurement(made, name).h)
+    h[row] *= factor
+    wrong = measured(made, name, h=h)
+    check = check_residual(wrong, measurement(wrong, name))
+    assert check.unit == f"{name}_z" and check.ok is False
+
+
+def test_a_z_that_errs_in_what_it_neglects_is_wrong():
+    made = model("euler-matching")
+    z = Matrix(measurement(made, "euler").z)
+    z[0] += next(v for v in made.inputs if v.name == "mu").symbols[1] / 2
+    check = checked(measured(made, "euler", z=z))["euler_H"]
+    assert check.ok is False and check.entry.startswith("euler_z is")
