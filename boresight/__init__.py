@@ -9,7 +9,7 @@ Fly
     `load` gives a `Library`; `Filter`, `CompiledFilter` and `Epoch` fly it, and `update` returns an `Innovation`;
     `Consistency` and `observability` judge the flight.
 Align in flight
-    `Transfer`, `Message`, `Rules`, `Clock`; the start, and sensors that are not ideal, in `transfer`.
+    `Live`, `Transfer`, `Message`, `Rules`, `Clock`; the start, and sensors that are not ideal, in `transfer`.
 Recordings
     `read`; `detector` finds where an IMU is at rest.
 Many runs
@@ -71,6 +71,7 @@ PUBLIC = {
     "Transfer": "boresight.runtime.transfer:Transfer",
     "Message": "boresight.runtime.transfer:Message",
     "Rules": "boresight.runtime.transfer:Rules",
+    "Live": "boresight.runtime.live:Live",
     "Clock": "boresight.runtime.clock:Clock",
     "transfer": "boresight.runtime.transfer",
     "read": "boresight.runtime.recording:read",

@@ -32,6 +32,7 @@ from boresight.runtime.filter import Filter as Filter
 from boresight.runtime.filter import Innovation as Innovation
 from boresight.runtime.library import Library as Library
 from boresight.runtime.library import load as load
+from boresight.runtime.live import Live as Live
 from boresight.runtime.recording import read as read
 from boresight.runtime.runs import Experiment as Experiment
 from boresight.runtime.runs import Goal as Goal

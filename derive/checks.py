@@ -41,6 +41,12 @@ TAKEN = f"""{KEYWORDS}
 # What the functions of the filter call numbers of their own, and those of loops.
 OF_FILTER = "i j k l m p q trial layout columns row_start found gates target answer L D"
 OF_LOOPS = "f rate K sum h third share weight places stage at"
+# Types of the live loop, and what its functions call numbers of their own.
+OF_LIVE = "live sample carried message output past waiting correction events"
+IN_LIVE = """
+    now before part mean span from to last then missing after best means apart sigma other density column told root
+    expected change between turn k
+"""
 UNDEFINED = {nan, zoo, oo, -oo, I}
 LARGEST = 1e18  # of a box
 UNEVALUATED = (sympy.Derivative, sympy.Integral, sympy.Sum, sympy.Product, sympy.Limit, AppliedUndef)
@@ -238,6 +244,8 @@ def check_names(model: "Model") -> None:
             if not NAME.match(name):
                 fail(part, f"{name!r} cannot be a name in C; write letters, digits and '_'")
             own = f"{OF_FILTER} {OF_LOOPS if model.loops else ''}" if kind(part) == "struct" else ""
+            if table is by_unit and {"strapdown", "feedback"} <= {f.name for f in model.functions}:
+                own += f"{OF_LIVE} {IN_LIVE if kind(part) == 'struct' else ''}"
             reserved = f"{TAKEN} {own}".split()
             if name in reserved or re.fullmatch(r"t\d+|(bs|BS)_.*|filter_.*", name):
                 fail(part, f"the name {name!r} has a meaning in C or in the generated code; choose another")

@@ -28,6 +28,7 @@ from boresight.codegen.text.filter import filter_view, has_filter, test_view
 from boresight.codegen.text.identity import identity_view, numbers
 from boresight.codegen.text.lanes import lanes_view, unit_lanes_view
 from boresight.codegen.text.layout import laid_out
+from boresight.codegen.text.live import live_view
 from boresight.codegen.text.manifest import described
 from boresight.codegen.text.names import file_stem, snake
 from boresight.codegen.text.vectors import vectors
@@ -127,6 +128,7 @@ def model_files(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
         extra |= {"c": covariance_view(model, made), "f": f, "t": test_view(model, made, f)}
         extra["d"] = digest_view(model, f["carried"])
         extra["l"] = lanes_view(model, made, views, f)
+        extra["v"] = live_view(model, made, views)
         m["parts"] += [f"{model.c_prefix}_{part}" for part in ("covariance", "filter", "digest")]
         paths += (
             *("include/boresight_filter.h", "include/MODEL_covariance.h", "include/MODEL_filter.h"),
@@ -135,6 +137,14 @@ def model_files(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
             *("src/PREFIX_digest.c", "selftest/test_PREFIX_digest.c"),
             "batch/PREFIX_lanes.c",
         )
+        if extra["v"]:
+            m["parts"] += [f"{model.c_prefix}_live"]
+            paths += (
+                "include/boresight_live.h",
+                "include/MODEL_live.h",
+                "src/PREFIX_live.c",
+                "selftest/test_PREFIX_live.c",
+            )
     words = {"MODEL": m["snake"], "PREFIX": model.c_prefix}
     blocks = ("batch/boresight_lanes.h", "batch/PREFIX_unit_lanes.c")
     return rendered(paths, words, m=m, **extra) | rendered(blocks, words, m=m, l=unit_lanes_view(model, made, views))

@@ -52,5 +52,5 @@ def identity_view(files: dict[str, str], m: dict[str, Any], has_filter: bool, ex
         "numbers": [major, minor, patch],
         "number": 10000 * major + 100 * minor + patch,
         "names": names,
-        "of_form": [name for name in names if name.startswith(f"{m['prefix']}_filter_")],
+        "of_form": [name for name in names if name.startswith((f"{m['prefix']}_filter_", f"{m['prefix']}_live_"))],
     }

@@ -6,6 +6,7 @@ from boresight.codegen.functions.dynamics import left_out
 from boresight.codegen.functions.unit import Unit, state_variable
 from boresight.codegen.text.covariance import covariance_view
 from boresight.codegen.text.filter import ceilings, filter_view, has_filter
+from boresight.codegen.text.live import live_manifest
 from boresight.derive.model import Model, Variable
 
 MATRICES = {"F", "Phi", "Q", "H"}  # two axes in NumPy, even for a model with one state
@@ -13,10 +14,12 @@ MATRICES = {"F", "Phi", "Q", "H"}  # two axes in NumPy, even for a model with on
 
 def filter_manifest(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> dict[str, Any]:
     """What a caller of the whole filter in C must know: its sources, its structs and what each function is given."""
-    f = filter_view(model, made, views)
+    f, live = filter_view(model, made, views), live_manifest(model, made, views)
+    parts = ("covariance", "filter", "digest", *(["live"] if live else []))
     return {
-        "sources": [f"{model.c_prefix}_{part}" for part in ("covariance", "filter", "digest")],
+        "sources": [f"{model.c_prefix}_{part}" for part in parts],
         "carried": f["carried"],
+        "live": live,
         "ceiling": ceilings(model),
         "prediction": "non-zeros" if covariance_view(model, made)["sparse"] else "blocks",
         "propagate": {key: f["propagate"][key] for key in ("structs", "fields")}

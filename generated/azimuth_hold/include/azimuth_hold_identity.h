@@ -20,7 +20,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "e192ec54c730d0104175f9249b10e93b444316a381c288559aa653c6f5ea3ad4"
+#define AH_MODEL_HASH "0eaec213b2ebd4aafb2ef19d9f8c709443462997a29160f8739ec309259f5dec"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1
@@ -92,6 +92,21 @@
 #define ah_filter_snapshot BS_FORM(ah_filter_snapshot)
 #define ah_filter_strapdown BS_FORM(ah_filter_strapdown)
 #define ah_filter_variance BS_FORM(ah_filter_variance)
+#define ah_live_background BS_FORM(ah_live_background)
+#define ah_live_begin BS_FORM(ah_live_begin)
+#define ah_live_counted BS_FORM(ah_live_counted)
+#define ah_live_covariance BS_FORM(ah_live_covariance)
+#define ah_live_defaults BS_FORM(ah_live_defaults)
+#define ah_live_digest BS_FORM(ah_live_digest)
+#define ah_live_message BS_FORM(ah_live_message)
+#define ah_live_next_event BS_FORM(ah_live_next_event)
+#define ah_live_output BS_FORM(ah_live_output)
+#define ah_live_restore BS_FORM(ah_live_restore)
+#define ah_live_sample BS_FORM(ah_live_sample)
+#define ah_live_sigmas BS_FORM(ah_live_sigmas)
+#define ah_live_size BS_FORM(ah_live_size)
+#define ah_live_snapshot BS_FORM(ah_live_snapshot)
+#define ah_live_snapshot_size BS_FORM(ah_live_snapshot_size)
 #endif
 
 #ifdef __cplusplus

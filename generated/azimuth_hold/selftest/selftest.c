@@ -254,6 +254,12 @@ int main(void)
         selftest_print("FAILED ah_digest\n");
         ++failed;
     }
+    if (test_ah_live() == 0) {
+        ++passed;
+    } else {
+        selftest_print("FAILED ah_live\n");
+        ++failed;
+    }
     selftest_print("%d passed, %d failed\n", passed, failed);
     return (failed == 0) ? 0 : 1;
 }

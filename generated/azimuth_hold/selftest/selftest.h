@@ -45,6 +45,7 @@ int test_ah_math(void);
 int test_ah_covariance(void);
 int test_ah_filter(void);
 int test_ah_digest(void);
+int test_ah_live(void);
 
 #ifdef __cplusplus
 }

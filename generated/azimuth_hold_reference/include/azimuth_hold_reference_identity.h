@@ -20,7 +20,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "cc48ccf0c5e0d2139aa684ab3a008e7f4c9662964b5a6efd7b8aa61e66b08f8f"
+#define AHR_MODEL_HASH "940f8a6b8b5bab4904d083227af189250798e9fe27bf2a0f6cc0889d3c1f2406"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1
@@ -92,6 +92,21 @@
 #define ahr_filter_snapshot BS_FORM(ahr_filter_snapshot)
 #define ahr_filter_strapdown BS_FORM(ahr_filter_strapdown)
 #define ahr_filter_variance BS_FORM(ahr_filter_variance)
+#define ahr_live_background BS_FORM(ahr_live_background)
+#define ahr_live_begin BS_FORM(ahr_live_begin)
+#define ahr_live_counted BS_FORM(ahr_live_counted)
+#define ahr_live_covariance BS_FORM(ahr_live_covariance)
+#define ahr_live_defaults BS_FORM(ahr_live_defaults)
+#define ahr_live_digest BS_FORM(ahr_live_digest)
+#define ahr_live_message BS_FORM(ahr_live_message)
+#define ahr_live_next_event BS_FORM(ahr_live_next_event)
+#define ahr_live_output BS_FORM(ahr_live_output)
+#define ahr_live_restore BS_FORM(ahr_live_restore)
+#define ahr_live_sample BS_FORM(ahr_live_sample)
+#define ahr_live_sigmas BS_FORM(ahr_live_sigmas)
+#define ahr_live_size BS_FORM(ahr_live_size)
+#define ahr_live_snapshot BS_FORM(ahr_live_snapshot)
+#define ahr_live_snapshot_size BS_FORM(ahr_live_snapshot_size)
 #endif
 
 #ifdef __cplusplus

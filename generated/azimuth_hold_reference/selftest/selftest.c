@@ -254,6 +254,12 @@ int main(void)
         selftest_print("FAILED ahr_digest\n");
         ++failed;
     }
+    if (test_ahr_live() == 0) {
+        ++passed;
+    } else {
+        selftest_print("FAILED ahr_live\n");
+        ++failed;
+    }
     selftest_print("%d passed, %d failed\n", passed, failed);
     return (failed == 0) ? 0 : 1;
 }

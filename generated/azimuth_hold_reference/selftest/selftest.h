@@ -45,6 +45,7 @@ int test_ahr_math(void);
 int test_ahr_covariance(void);
 int test_ahr_filter(void);
 int test_ahr_digest(void);
+int test_ahr_live(void);
 
 #ifdef __cplusplus
 }

@@ -20,7 +20,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "34e1e564c8506c2fdfcb616b942a59c16a2af71c87e342183369b9e07befa9e2"
+#define EM_MODEL_HASH "1d6efa51ec3cc57397d205eddce1bfb0ee1b37e7345a6266d7f20d4a41696765"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1
@@ -90,6 +90,21 @@
 #define em_filter_snapshot BS_FORM(em_filter_snapshot)
 #define em_filter_strapdown BS_FORM(em_filter_strapdown)
 #define em_filter_variance BS_FORM(em_filter_variance)
+#define em_live_background BS_FORM(em_live_background)
+#define em_live_begin BS_FORM(em_live_begin)
+#define em_live_counted BS_FORM(em_live_counted)
+#define em_live_covariance BS_FORM(em_live_covariance)
+#define em_live_defaults BS_FORM(em_live_defaults)
+#define em_live_digest BS_FORM(em_live_digest)
+#define em_live_message BS_FORM(em_live_message)
+#define em_live_next_event BS_FORM(em_live_next_event)
+#define em_live_output BS_FORM(em_live_output)
+#define em_live_restore BS_FORM(em_live_restore)
+#define em_live_sample BS_FORM(em_live_sample)
+#define em_live_sigmas BS_FORM(em_live_sigmas)
+#define em_live_size BS_FORM(em_live_size)
+#define em_live_snapshot BS_FORM(em_live_snapshot)
+#define em_live_snapshot_size BS_FORM(em_live_snapshot_size)
 #endif
 
 #ifdef __cplusplus

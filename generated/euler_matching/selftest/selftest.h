@@ -46,6 +46,7 @@ int test_em_math(void);
 int test_em_covariance(void);
 int test_em_filter(void);
 int test_em_digest(void);
+int test_em_live(void);
 
 #ifdef __cplusplus
 }

@@ -20,7 +20,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "dad04069875a44cbcb47d351a801deec392dca041759529ea2ebf7bf882be7cc"
+#define VA_MODEL_HASH "44ccb5556ecc7d6a41ad73e1f3cf3d9b09285a0bb99e4b35c2a4461dc488e51c"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1
@@ -98,6 +98,21 @@
 #define va_filter_snapshot BS_FORM(va_filter_snapshot)
 #define va_filter_strapdown BS_FORM(va_filter_strapdown)
 #define va_filter_variance BS_FORM(va_filter_variance)
+#define va_live_background BS_FORM(va_live_background)
+#define va_live_begin BS_FORM(va_live_begin)
+#define va_live_counted BS_FORM(va_live_counted)
+#define va_live_covariance BS_FORM(va_live_covariance)
+#define va_live_defaults BS_FORM(va_live_defaults)
+#define va_live_digest BS_FORM(va_live_digest)
+#define va_live_message BS_FORM(va_live_message)
+#define va_live_next_event BS_FORM(va_live_next_event)
+#define va_live_output BS_FORM(va_live_output)
+#define va_live_restore BS_FORM(va_live_restore)
+#define va_live_sample BS_FORM(va_live_sample)
+#define va_live_sigmas BS_FORM(va_live_sigmas)
+#define va_live_size BS_FORM(va_live_size)
+#define va_live_snapshot BS_FORM(va_live_snapshot)
+#define va_live_snapshot_size BS_FORM(va_live_snapshot_size)
 #endif
 
 #ifdef __cplusplus

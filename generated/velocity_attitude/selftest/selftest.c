@@ -278,6 +278,12 @@ int main(void)
         selftest_print("FAILED va_digest\n");
         ++failed;
     }
+    if (test_va_live() == 0) {
+        ++passed;
+    } else {
+        selftest_print("FAILED va_live\n");
+        ++failed;
+    }
     selftest_print("%d passed, %d failed\n", passed, failed);
     return (failed == 0) ? 0 : 1;
 }

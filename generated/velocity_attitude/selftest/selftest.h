@@ -49,6 +49,7 @@ int test_va_math(void);
 int test_va_covariance(void);
 int test_va_filter(void);
 int test_va_digest(void);
+int test_va_live(void);
 
 #ifdef __cplusplus
 }

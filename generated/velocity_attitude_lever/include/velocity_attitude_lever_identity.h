@@ -20,7 +20,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "3d56eb98d4ea47bf08c380bd88b236019d0793c4176a10f4df6a4d65a23f47e4"
+#define VAL_MODEL_HASH "16e7f3a43fbc1aa699499a97b6f03472b4ce9e38e2a75284ddc12218747827a9"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1
@@ -98,6 +98,21 @@
 #define val_filter_snapshot BS_FORM(val_filter_snapshot)
 #define val_filter_strapdown BS_FORM(val_filter_strapdown)
 #define val_filter_variance BS_FORM(val_filter_variance)
+#define val_live_background BS_FORM(val_live_background)
+#define val_live_begin BS_FORM(val_live_begin)
+#define val_live_counted BS_FORM(val_live_counted)
+#define val_live_covariance BS_FORM(val_live_covariance)
+#define val_live_defaults BS_FORM(val_live_defaults)
+#define val_live_digest BS_FORM(val_live_digest)
+#define val_live_message BS_FORM(val_live_message)
+#define val_live_next_event BS_FORM(val_live_next_event)
+#define val_live_output BS_FORM(val_live_output)
+#define val_live_restore BS_FORM(val_live_restore)
+#define val_live_sample BS_FORM(val_live_sample)
+#define val_live_sigmas BS_FORM(val_live_sigmas)
+#define val_live_size BS_FORM(val_live_size)
+#define val_live_snapshot BS_FORM(val_live_snapshot)
+#define val_live_snapshot_size BS_FORM(val_live_snapshot_size)
 #endif
 
 #ifdef __cplusplus

@@ -49,6 +49,7 @@ int test_val_math(void);
 int test_val_covariance(void);
 int test_val_filter(void);
 int test_val_digest(void);
+int test_val_live(void);
 
 #ifdef __cplusplus
 }

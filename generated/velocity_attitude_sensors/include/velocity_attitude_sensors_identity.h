@@ -20,7 +20,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "76d8cb58652c4143d5d9c9887136641d5a299d31a539a3e7df41e530728d0d94"
+#define VAS_MODEL_HASH "59a183bdc2d81ec198cdcb68bb8a4064f79bd1bbc5972818b635d56c4889d255"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1
@@ -100,6 +100,21 @@
 #define vas_filter_snapshot BS_FORM(vas_filter_snapshot)
 #define vas_filter_strapdown BS_FORM(vas_filter_strapdown)
 #define vas_filter_variance BS_FORM(vas_filter_variance)
+#define vas_live_background BS_FORM(vas_live_background)
+#define vas_live_begin BS_FORM(vas_live_begin)
+#define vas_live_counted BS_FORM(vas_live_counted)
+#define vas_live_covariance BS_FORM(vas_live_covariance)
+#define vas_live_defaults BS_FORM(vas_live_defaults)
+#define vas_live_digest BS_FORM(vas_live_digest)
+#define vas_live_message BS_FORM(vas_live_message)
+#define vas_live_next_event BS_FORM(vas_live_next_event)
+#define vas_live_output BS_FORM(vas_live_output)
+#define vas_live_restore BS_FORM(vas_live_restore)
+#define vas_live_sample BS_FORM(vas_live_sample)
+#define vas_live_sigmas BS_FORM(vas_live_sigmas)
+#define vas_live_size BS_FORM(vas_live_size)
+#define vas_live_snapshot BS_FORM(vas_live_snapshot)
+#define vas_live_snapshot_size BS_FORM(vas_live_snapshot_size)
 #endif
 
 #ifdef __cplusplus

@@ -49,6 +49,7 @@ int test_vas_math(void);
 int test_vas_covariance(void);
 int test_vas_filter(void);
 int test_vas_digest(void);
+int test_vas_live(void);
 
 #ifdef __cplusplus
 }

@@ -20,7 +20,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "9aa651b7fe20a6c70cd2a7e956b4f4e2384d685c6bab5ef41e879c1e11809fde"
+#define VD_MODEL_HASH "b73f2d2997f43ecd133ab94b48c59e43771447784c34abc196ea656bb74603b0"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1
@@ -93,6 +93,21 @@
 #define vd_filter_snapshot BS_FORM(vd_filter_snapshot)
 #define vd_filter_strapdown BS_FORM(vd_filter_strapdown)
 #define vd_filter_variance BS_FORM(vd_filter_variance)
+#define vd_live_background BS_FORM(vd_live_background)
+#define vd_live_begin BS_FORM(vd_live_begin)
+#define vd_live_counted BS_FORM(vd_live_counted)
+#define vd_live_covariance BS_FORM(vd_live_covariance)
+#define vd_live_defaults BS_FORM(vd_live_defaults)
+#define vd_live_digest BS_FORM(vd_live_digest)
+#define vd_live_message BS_FORM(vd_live_message)
+#define vd_live_next_event BS_FORM(vd_live_next_event)
+#define vd_live_output BS_FORM(vd_live_output)
+#define vd_live_restore BS_FORM(vd_live_restore)
+#define vd_live_sample BS_FORM(vd_live_sample)
+#define vd_live_sigmas BS_FORM(vd_live_sigmas)
+#define vd_live_size BS_FORM(vd_live_size)
+#define vd_live_snapshot BS_FORM(vd_live_snapshot)
+#define vd_live_snapshot_size BS_FORM(vd_live_snapshot_size)
 #endif
 
 #ifdef __cplusplus

@@ -260,6 +260,12 @@ int main(void)
         selftest_print("FAILED vd_digest\n");
         ++failed;
     }
+    if (test_vd_live() == 0) {
+        ++passed;
+    } else {
+        selftest_print("FAILED vd_live\n");
+        ++failed;
+    }
     selftest_print("%d passed, %d failed\n", passed, failed);
     return (failed == 0) ? 0 : 1;
 }

@@ -46,6 +46,7 @@ int test_vd_math(void);
 int test_vd_covariance(void);
 int test_vd_filter(void);
 int test_vd_digest(void);
+int test_vd_live(void);
 
 #ifdef __cplusplus
 }

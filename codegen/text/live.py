@@ -1,0 +1,260 @@
+"""The live loop of an error state as its templates see it: who fills each number that the filter's functions read.
+
+An input is carried; or read off the sensors at each sample, alone or as it was a sample before; or a rate, which is
+solved for in what the mechanics says that the sensors show; or the rate of change of what a function expects of a
+measurement; or the age of a measurement, which is none at its own instant; or a constant of the rules; or part of a
+message.
+"""
+
+from typing import Any
+
+import sympy as sp
+from sympy.printing.c import C99CodePrinter
+
+from boresight.codegen.functions.unit import Unit
+from boresight.codegen.text.covariance import nonzeros
+from boresight.codegen.text.filter import Wiring, changing, has_filter, measuring, predicting, stepping
+from boresight.codegen.text.names import number
+from boresight.derive.expressions import symbols_in
+from boresight.derive.linear import is_rate
+from boresight.derive.model import Model, Variable
+from boresight.derive.units import SECOND, units
+
+LAG, DELAY, BEFORE = "lag", "tau", "_before"
+OPENED = 0.1  # of the box of a state that others drive: by how much it may err for each second of missing samples
+
+
+def has_live(model: Model) -> bool:
+    """Whether a loop can carry and correct it by itself."""
+    names = {f.name for f in model.functions}
+    return has_filter(model) and model.kind == "error-state" and {"strapdown", "feedback"} <= names
+
+
+class Printer(C99CodePrinter):
+    """An expression in C, its symbols by where they stand."""
+
+    def __init__(self, places: dict[sp.Symbol, str]):
+        super().__init__()
+        self.places = places
+
+    def _print_Symbol(self, expr: sp.Symbol) -> str:
+        return self.places[expr]
+
+    def _print_Integer(self, expr: sp.Integer) -> str:
+        return number(float(expr))
+
+    def _print_Rational(self, expr: sp.Rational) -> str:
+        return number(float(expr))
+
+    def _print_Float(self, expr: sp.Float) -> str:
+        return number(float(expr))
+
+
+class Inputs:
+    """Who fills what, of one model."""
+
+    def __init__(self, model: Model, wiring: Wiring):
+        self.model, self.wiring = model, wiring
+        mechanics = model.mechanics
+        self.fields = {v.name: v for v in model.inputs}
+        self.carried = [v for s in model.structs if s.name in wiring.carried for v in s.fields]
+        self.dt = next(v for v in model.inputs if model.dt in v.symbols)
+        strapdown, moved = set(wiring.fields("strapdown")), {*map(id, self.carried)}
+        stated = {v.name: column for v, column in mechanics.step} if mechanics else {}
+        self.driven = {what.name: noise for noise, what in mechanics.driven} if mechanics else {}
+        self.before: dict[str, str] = {}
+        self.sensed: list[Variable] = []
+        for v in model.inputs:
+            if id(v) in moved or v is self.dt or v.name not in strapdown:
+                continue
+            if v.name.endswith(BEFORE):
+                stem = v.name.removesuffix(BEFORE)
+                alike = [w.name for w in self.sensed if w.name.startswith(stem) and w.size == v.size]
+                if len(alike) == 1:
+                    self.before[v.name] = alike[0]
+            if v.name not in self.before and (v.name in stated or v.name in self.driven):
+                self.sensed.append(v)
+        self.solved = self.rates(stated)
+        self.changes = self.rates_of_change()
+        noise = {s for s in symbols_in(model.noise)}
+        self.noise = [v for v in model.inputs if noise & {*v.symbols}]
+
+    def integral(self, v: Variable) -> bool:
+        """Whether a sensor delivers it as an integral over the step, not as a rate."""
+        noise = self.driven.get(v.name)
+        return noise is None or not is_rate(noise, v)
+
+    def rates(self, stated: dict[str, sp.Matrix]) -> dict[str, list[sp.Expr]]:
+        """Rate -> its components by the means of what the sensors deliver, a second, and by what is carried."""
+        known = {s for v in self.carried for s in v.symbols}
+        own = {s: (v.name, i) for v in self.model.inputs for i, s in enumerate(v.symbols)}
+        found: dict[str, dict[int, sp.Expr]] = {}
+        for v in self.sensed:
+            for i, shown in enumerate(stated.get(v.name, [])):
+                shown = sp.expand(shown / self.model.dt) if self.integral(v) else shown
+                unknown = [s for s in symbols_in([shown]) if s not in known and s in own]
+                if len(unknown) == 1 and (slope := sp.diff(shown, unknown[0])) != 0 and not slope.has(unknown[0]):
+                    name, place = own[unknown[0]]
+                    rest = shown.subs(unknown[0], 0)
+                    found.setdefault(name, {})[place] = (sp.Symbol(f"mean_{v.name}_{i}") - rest) / slope
+        return {
+            name: [parts[i] for i in range(self.fields[name].size)]
+            for name, parts in found.items()
+            if len(parts) == self.fields[name].size
+        }
+
+    def rates_of_change(self) -> dict[str, tuple[str, str]]:
+        """Field of a message -> the function and the output of it whose rate of change it is."""
+        found = {}
+        for f in self.model.functions:
+            if f.name in ("strapdown", "feedback"):
+                continue
+            given = {o.name: o for o in f.outputs if o.name in self.fields and self.fields[o.name] not in self.carried}
+            for name, o in given.items():
+                struct = next(s for s in self.model.structs if any(v.name == name for v in s.fields))
+                for v in struct.fields:
+                    same = v.size == o.value.rows and v.name not in given and v.name.startswith("a_")
+                    if same and (units(v.unit, v.size)[0] * SECOND).like(units(o.unit, v.size)[0]):
+                        found[v.name] = f.name, name
+        return found
+
+    def filled(self, v: Variable) -> bool:
+        """Whether the loop itself knows it at any instant."""
+        names = {self.dt.name, LAG, *self.before, *self.solved, *self.changes, *(w.name for w in self.sensed)}
+        return v.name in names
+
+    def structs(self) -> tuple[list[str], list[str]]:
+        """Those of the rules, and those of a message."""
+        wiring = self.wiring
+        step = ["F", "Qc"] if self.model.F is not None else ["Phi", "Q"]
+        flown = {s for name in ("strapdown", "feedback", *step) for s in wiring.structs(name)}
+        rules: list[str] = []
+        message: list[str] = []
+        for s in self.model.structs:
+            if s.name in wiring.carried or all(map(self.filled, s.fields)):
+                continue
+            (rules if s.name in flown else message).append(s.name)
+        return rules, message
+
+
+def path(place: str, v: Variable, i: int | None = None) -> str:
+    return f"{place}.{v.name}" if v.size == 1 else f"{place}.{v.name}[{i}]" if i is not None else f"{place}.{v.name}"
+
+
+def live_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> dict[str, Any] | None:
+    """What the templates of the live loop are filled with; None for a model that has none."""
+    if not has_live(model):
+        return None
+    wiring = Wiring(model, made, views)
+    inputs = Inputs(model, wiring)
+    strapdown, correct = changing(wiring, "strapdown", "strapdown"), changing(wiring, "feedback", "correct")
+    if strapdown is None or correct is None or not inputs.sensed:
+        return None
+    rules, message = inputs.structs()
+    measurements = [measuring(wiring, m) for m in model.measurements]
+    propagate = stepping(wiring) if model.F is None else predicting(wiring)
+    places = {
+        s: path(f"at->{struct.name}", v, i)
+        for struct in model.structs
+        if struct.name in wiring.carried
+        for v in struct.fields
+        for i, s in enumerate(v.symbols)
+    }
+    offset, sensed = 0, []
+    for v in inputs.sensed:
+        noise = inputs.driven.get(v.name)
+        of_noise = next((s.name for s in model.structs for w in s.fields if w is noise), None)
+        sensed.append(
+            {
+                "name": v.name, "size": v.size, "offset": offset, "integral": inputs.integral(v), "unit": v.unit,
+                "meaning": v.meaning, "frame": v.frame, "low": number(min(v.low)), "high": number(max(v.high)),
+                "noise": noise and {"name": noise.name, "struct": of_noise, "size": noise.size},
+            }
+        )  # fmt: skip
+        places |= {sp.Symbol(f"mean_{v.name}_{i}"): f"mean[{offset + i}]" for i in range(v.size)}
+        offset += v.size
+    printer = Printer(places)
+
+    def filled_struct(name: str) -> dict[str, Any]:
+        """How a struct that no filter carries comes to its numbers."""
+        fields = []
+        for v in next(s.fields for s in model.structs if s.name == name):
+            kind: dict[str, Any] = {"name": v.name, "size": v.size}
+            if v is inputs.dt:
+                kind["is"] = "dt"
+            elif v.name == LAG:
+                kind["is"] = "lag"
+            elif v.name in inputs.before:
+                kind |= {"is": "before", "of": next(s for s in sensed if s["name"] == inputs.before[v.name])}
+            elif v.name in inputs.solved:
+                kind |= {"is": "rate", "lines": [printer.doprint(e) for e in inputs.solved[v.name]]}
+            elif any(s["name"] == v.name for s in sensed):
+                kind |= {"is": "sensed", "of": next(s for s in sensed if s["name"] == v.name)}
+            elif v.name in inputs.changes:
+                kind |= {"is": "change", "of": inputs.changes[v.name][1]}
+            else:
+                continue
+            fields.append(kind)
+        return {"name": name, "fields": fields, "place": "rules" if name in rules else
+                "message" if name in message else "own"}  # fmt: skip
+
+    structs = {s.name: filled_struct(s.name) for s in model.structs if s.name not in wiring.carried}
+    moved = {i for i, j in nonzeros(made, "F" if model.F is not None else "Phi") if i != j}
+    ends = [high for block in model.states for high in block.high]
+    delay = next((v for v in inputs.carried if v.name == DELAY and v.size == 1), None)
+    owner = {v.name: s.name for s in model.structs for v in s.fields}
+    column = None
+    if delay is not None:
+        fed = next(r for r in wiring.units["feedback"][0].results if r.name == delay.name)
+        read = symbols_in(next(o.value for f in model.functions if f.name == "feedback"
+                               for o in f.outputs if o.name == fed.name))  # fmt: skip
+        column = next((i for i, s in enumerate(model.x) if s in read), None)
+    expected = {f for f, _ in inputs.changes.values()}
+    functions = {
+        name: {
+            "c_name": wiring.units[name][1]["c_name"], "reads": wiring.units[name][1]["reads"],
+            "results": [{"name": r.name, "size": r.shape[0], "used": (name, r.name) in inputs.changes.values()}
+                        for r in wiring.units[name][0].results],
+        }
+        for name in sorted(expected)
+    }  # fmt: skip
+    brings = any(u["z"] is None for u in measurements)
+    for m, u in zip(model.measurements, measurements, strict=True):
+        u["late"] = column is not None and any(j == column for _, j in nonzeros(made, f"{m.name}_H"))
+        u["changes"] = [name for name in inputs.changes if name in u["fields"]]
+        u["call"] = wiring.units[f"{m.name}_H"][1]
+    test_dt = min(max(0.01, 1.5 * inputs.dt.low[0]), 0.9 * inputs.dt.high[0])
+    read_at_once = {*propagate["structs"], *(s for u in measurements for s in u["structs"])}
+    read_at_once |= {s for f in functions.values() for s in f["reads"]}
+    return {
+        "sensed": sensed, "numbers": offset, "rules": rules, "message": message, "structs": structs,
+        "strapdown": strapdown | wiring.dense("strapdown"), "correct": correct | wiring.dense("feedback"),
+        "propagate": propagate, "measurements": measurements, "carried": wiring.carried,
+        "moving": strapdown["out"], "delay": delay and {"struct": owner[delay.name], "name": delay.name},
+        "column": column, "changes": {name: {"function": f, "output": o, "struct": owner[name],
+                                             "size": inputs.fields[name].size, "unit": inputs.fields[o].unit}
+                                      for name, (f, o) in inputs.changes.items()},
+        "functions": functions, "brings": brings,
+        "most_rows": max(u["m"] for u in measurements), "most_noise": max(u["size_R"] for u in measurements),
+        "wide": sum(s.name in wiring.carried for s in model.structs),
+        "filled": [name for name, s in structs.items() if s["fields"] and name in read_at_once],
+        "open": ", ".join(number(OPENED * high if i in moved else 0.0) for i, high in enumerate(ends)),
+        "most": ", ".join(number(0.9 * high) for high in ends),
+        "digested": [
+            {"access": f"{'&' if v.size == 1 else ''}live->now.{owner[v.name]}.{v.name}", "size": v.size}
+            for v in inputs.carried
+        ],
+        "test_dt": repr(test_dt), "test_us": round(test_dt * 1e6),
+        "dt": {"low": number(inputs.dt.low[0]), "high": number(inputs.dt.high[0])},
+    }  # fmt: skip
+
+
+def live_manifest(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> dict[str, Any] | None:
+    """What a caller of the loop in C must know to lay its structs out."""
+    v = live_view(model, made, views)
+    return v and {
+        "sensed": [s["name"] for s in v["sensed"]], "rules": v["rules"], "message": v["message"],
+        "variances": v["most_noise"], "z": v["most_rows"] if v["brings"] else 0,
+        "filled": {s: [f["name"] for f in v["structs"][s]["fields"]] for s in v["message"]},
+        "delayed": [u["name"] for u in v["measurements"] if u["late"]],
+    }  # fmt: skip

@@ -1,0 +1,1221 @@
+
+
+
+/* ahr_live.c - the live loop of azimuth hold with the error of its reference, 16 states.  Generated
+ * by Boresight: do not edit. */
+#include "azimuth_hold_reference_live.h"
+
+BS_EXACT_BEGIN
+
+#define N AHR_N_STATES
+#define RING AHR_LIVE_RING
+#define WAITING AHR_LIVE_WAITING
+#define AT(live, n) (&(live)->past[(n) & (RING - 1U)])
+#define MARGIN 4U             /* samples that may come while the oldest one is read */
+#define MOST_BRIDGED 16       /* samples that one gap becomes */
+#define INFORMED 12           /* so many times what noise alone seems to tell of the delay a
+                               * measurement must tell to be heard on it */
+#define MOST_STEPS 16           /* in which an error is carried to now */
+#define TRIES 4               /* how often a reader begins again while sample writes */
+#define FARTHEST (INT64_MAX / 8) /* us; sums of a few cannot overflow */
+
+#define FREE 0U
+#define PUT 1U
+#define ADMITTED 2U
+#define DUE 3U
+#define REFUSED 4U
+#define STAMPED 5U
+
+#define BY_SAMPLE 0
+#define BY_BACKGROUND 1
+
+static bs_real seconds(int64_t us)
+{
+    return (bs_real)us * BS_REAL(1e-6);
+}
+
+static int64_t microseconds(bs_real s)
+{
+    return (int64_t)((s * BS_REAL(1e6)) + BS_REAL(0.5));
+}
+
+static int64_t lesser(int64_t a, int64_t b)
+{
+    return (a < b) ? a : b;
+}
+
+static int64_t greater(int64_t a, int64_t b)
+{
+    return (a > b) ? a : b;
+}
+
+static void copy(bs_real *to, const bs_real *from, int n)
+{
+    for (int i = 0; i < n; ++i) {
+        to[i] = from[i];
+    }
+}
+
+static void copy_bytes(unsigned char *to, const unsigned char *from, size_t n)
+{
+    for (size_t i = 0U; i < n; ++i) {
+        to[i] = from[i];
+    }
+}
+
+static void tell(ahr_live *live, int by, bs_event_code code, int which, int64_t value)
+{
+    ahr_events *const events = &live->events[by];
+    bs_event *const event = &events->event[events->written % AHR_LIVE_EVENTS];
+    event->code = (unsigned char)code;
+    event->which = (unsigned char)which;
+    event->sample = live->count;
+    event->value = (int32_t)greater(lesser(value, INT32_MAX), INT32_MIN);
+    BS_LIVE_BARRIER();
+    events->written += 1U;
+}
+
+static void lose(ahr_live *live, int by, int64_t why)
+{
+    live->state = BS_LIVE_LOST;
+    tell(live, by, BS_EVENT_LOST, 0, why);
+}
+
+/* ---- navigation */
+
+/* What the strapdown moves, out of what is kept of a sample, and into it. */
+static void recall(ahr_carried *at, const ahr_past *past)
+{
+    copy(at->nav.lon_lat_height, past->lon_lat_height, 3);
+    copy(at->nav.v_n, past->v_n, 3);
+    copy(at->nav.q_b2n_wxyz, past->q_b2n_wxyz, 4);
+}
+
+static void keep(ahr_past *past, const ahr_carried *at)
+{
+    copy(past->lon_lat_height, at->nav.lon_lat_height, 3);
+    copy(past->v_n, at->nav.v_n, 3);
+    copy(past->q_b2n_wxyz, at->nav.q_b2n_wxyz, 4);
+}
+
+/* Carry `at` over a part of an interval; before: what the sensors delivered in the one before
+ * it. */
+static bs_status carry(const ahr_live *live,
+                       ahr_carried *at,
+                       const ahr_past *now,
+                       const bs_real before[AHR_N_SENSED],
+                       bs_real part)
+{
+    ahr_carried next = *at;
+    bs_status status;
+    ahr_corrected_imu corrected_imu = { .f_b = { BS_REAL(0.0) } };
+    ahr_increments increments = { .dtheta_ib_b = { BS_REAL(0.0) } };
+    corrected_imu.dt = now->dt * part;
+    increments.dtheta_ib_b[0] = now->sensed[0] * part;
+    increments.dtheta_ib_b[1] = now->sensed[1] * part;
+    increments.dtheta_ib_b[2] = now->sensed[2] * part;
+    increments.dv_b[0] = now->sensed[3] * part;
+    increments.dv_b[1] = now->sensed[4] * part;
+    increments.dv_b[2] = now->sensed[5] * part;
+    increments.dtheta_before[0] = before[0] * part;
+    increments.dtheta_before[1] = before[1] * part;
+    increments.dtheta_before[2] = before[2] * part;
+    increments.dv_before[0] = before[3] * part;
+    increments.dv_before[1] = before[4] * part;
+    increments.dv_before[2] = before[5] * part;
+    (void)live;
+    (void)before;
+    status = ahr_strapdown(&at->nav, &corrected_imu, &increments, next.nav.lon_lat_height,
+                           next.nav.v_n, next.nav.q_b2n_wxyz);
+    if (status == BS_OK) {
+        *at = next;
+    }
+    return status;
+}
+
+/* Take the errors x out of `at`. */
+static bs_status correct(const ahr_live *live, const bs_real x[N], ahr_carried *at)
+{
+    ahr_carried next = *at;
+    bs_status status;
+    (void)live;
+    status = ahr_feedback(x, &at->nav, &at->reference, next.nav.lon_lat_height, next.nav.v_n,
+                          next.nav.q_b2n_wxyz, next.nav.gyro_bias, next.nav.accel_bias,
+                          &next.reference.reference_error);
+    if (status == BS_OK) {
+        *at = next;
+    }
+    return status;
+}
+
+/* What the loop knows of corrected_imu from the means of the sensors over `span` seconds. */
+static void fill_corrected_imu(ahr_corrected_imu *corrected_imu,
+                               const ahr_carried *at,
+                               const bs_real mean[AHR_N_SENSED],
+                               bs_real span)
+{
+    (void)at;
+    (void)mean;
+    (void)span;
+    corrected_imu->f_b[0] = -at->nav.accel_bias[0] + mean[3];
+    corrected_imu->f_b[1] = -at->nav.accel_bias[1] + mean[4];
+    corrected_imu->f_b[2] = -at->nav.accel_bias[2] + mean[5];
+    corrected_imu->omega_ib_b[0] = -at->nav.gyro_bias[0] + mean[0];
+    corrected_imu->omega_ib_b[1] = -at->nav.gyro_bias[1] + mean[1];
+    corrected_imu->omega_ib_b[2] = -at->nav.gyro_bias[2] + mean[2];
+    corrected_imu->dt = span;
+}
+
+static ahr_carried carried_of(const ahr_filter *filter)
+{
+    ahr_carried found;
+    found.nav = filter->nav;
+    found.reference = filter->reference;
+    return found;
+}
+
+/* ---- the past */
+
+/* The interval that ends with sample n, or a part of it. */
+static bs_status carry_by(const ahr_live *live, ahr_carried *at, uint32_t n, bs_real part)
+{
+    const ahr_past *const last = AT(live, n - 1U);
+    const ahr_past *const now = AT(live, n);
+    return carry(live, at, now, (last->dt > BS_REAL(0.0)) ? last->sensed : now->sensed, part);
+}
+
+static uint32_t oldest_kept(const ahr_live *live)
+{
+    return (live->count < (RING - MARGIN)) ? 0U : (live->count - (RING - MARGIN));
+}
+
+/* The newest sample of those from `first` to `last` that does not end behind t; `first`, if all
+ * do. */
+static uint32_t find(const ahr_live *live, int64_t t, uint32_t first, uint32_t last)
+{
+    uint32_t low = first;
+    uint32_t high = last;
+    while (low < high) {
+        const uint32_t middle = low + ((high - low + 1U) / 2U);
+        if (AT(live, middle)->at <= t) {
+            low = middle;
+        } else {
+            high = middle - 1U;
+        }
+    }
+    return low;
+}
+
+/* The part of the interval that ends with sample n which lies before t. */
+static bs_real part_until(const ahr_live *live, uint32_t n, int64_t t)
+{
+    const int64_t begin = AT(live, n - 1U)->at;
+    const int64_t end = AT(live, n)->at;
+    bs_real part = BS_REAL(0.0);
+    if (t >= end) {
+        part = BS_REAL(1.0);
+    } else if (t > begin) {
+        part = seconds(t - begin) / seconds(end - begin);
+    } else {
+        /* it begins behind t */
+    }
+    return part;
+}
+
+/* The navigation as it was flown at t, within the samples to `last`. */
+static bs_status flown_at(const ahr_live *live, int64_t t, uint32_t last, ahr_carried *at)
+{
+    const uint32_t n = find(live, t, oldest_kept(live), last);
+    const bs_real part = (n < last) ? part_until(live, n + 1U, t) : BS_REAL(0.0);
+    *at = live->flown;
+    recall(at, AT(live, n));
+    return (part > BS_REAL(0.0)) ? carry_by(live, at, n + 1U, part) : BS_OK;
+}
+
+/* What the sensors deliver a second, from one instant to another within the samples to `last`; zero
+ * where that is no time.
+ * returns the seconds between them by the samples' own dt */
+static bs_real mean_between(const ahr_live *live,
+                            int64_t from,
+                            int64_t to,
+                            uint32_t last,
+                            bs_real mean[AHR_N_SENSED],
+                            bs_real *missing)
+{
+    bs_real span = BS_REAL(0.0);
+    *missing = BS_REAL(0.0);
+    for (int i = 0; i < AHR_N_SENSED; ++i) {
+        mean[i] = BS_REAL(0.0);
+    }
+    for (uint32_t n = find(live, from, oldest_kept(live), last) + 1U; (n <= last) &&
+         (AT(live, n - 1U)->at < to); ++n) {
+        const ahr_past *const past = AT(live, n);
+        const bs_real part = part_until(live, n, to) - part_until(live, n, from);
+        span += part * past->dt;
+        *missing += part * past->missing;
+        for (int i = 0; i < 3; ++i) {
+            mean[i] += part * past->sensed[i];
+        }
+        for (int i = 3; i < 6; ++i) {
+            mean[i] += part * past->sensed[i];
+        }
+    }
+    for (int i = 0; i < AHR_N_SENSED; ++i) {
+        mean[i] = (span > BS_REAL(0.0)) ? (mean[i] / span) : BS_REAL(0.0);
+    }
+    return span;
+}
+
+/* ---- sample */
+
+static bs_status check_sample(const ahr_sample *sample)
+{
+    bs_status status = bs_check_each(&sample->dt, BS_REAL(1e-06), BS_REAL(10.0), 1);
+    if (status == BS_OK) {
+        status = bs_check_each(sample->dtheta_ib_b, BS_REAL(-0.5), BS_REAL(0.5), 3);
+    }
+    if (status == BS_OK) {
+        status = bs_check_each(sample->dv_b, BS_REAL(-100.0), BS_REAL(100.0), 3);
+    }
+    if ((status == BS_OK) && ((sample->at > FARTHEST) || (sample->at < -FARTHEST))) {
+        status = BS_OUT_OF_RANGE;
+    }
+    return status;
+}
+
+/* Corrections that are due. */
+static void take_corrections(ahr_live *live, uint32_t n, ahr_carried *at)
+{
+    while ((live->applied != live->posted) &&
+           ((int32_t)(live->mail[live->applied % WAITING].due - n) <= 0)) {
+        ahr_correction *const mail = &live->mail[live->applied % WAITING];
+        mail->took = (correct(live, mail->x, at) == BS_OK) ? 1U : 0U;
+        mail->when = n;
+        if (mail->took == 0U) {
+            live->counts.corrections_refused += 1U;
+            tell(live, BY_SAMPLE, BS_EVENT_CORRECTION_REFUSED, 0, 0);
+        }
+        BS_LIVE_BARRIER();
+        live->applied += 1U;
+    }
+}
+
+/* One interval that follows the newest: sensed stands in its place already. */
+static bs_status fly(ahr_live *live, int64_t at, bs_real dt, bs_real missing)
+{
+    const uint32_t n = live->count + 1U;
+    ahr_past *const past = AT(live, n);
+    const ahr_past *const last = AT(live, n - 1U);
+    ahr_carried next = live->now;
+    bs_status status;
+    past->at = at;
+    past->dt = dt;
+    past->missing = missing;
+    status = carry_by(live, &next, n, BS_REAL(1.0));
+    if ((status != BS_OK) && (last->dt > BS_REAL(0.0))) {
+        for (int i = 0; i < 3; ++i) {
+            past->sensed[i] = last->sensed[i] * (dt / last->dt);
+        }
+        for (int i = 3; i < 6; ++i) {
+            past->sensed[i] = last->sensed[i] * (dt / last->dt);
+        }
+        past->missing = dt;
+        live->counts.held += 1U;
+        tell(live, BY_SAMPLE, BS_EVENT_HELD, 0, (int64_t)status);
+        status = carry_by(live, &next, n, BS_REAL(1.0));
+    }
+    if (status != BS_OK) {
+        lose(live, BY_SAMPLE, (int64_t)status);
+        return status;
+    }
+    take_corrections(live, n, &next);
+    keep(past, &next);
+    live->now = next;
+    BS_LIVE_BARRIER();
+    live->count = n;
+    return BS_OK;
+}
+
+/* What is missing between the newest interval and one that begins `late` behind its end. */
+static bs_status bridge(ahr_live *live, const ahr_sample *sample, int64_t late, int64_t span)
+{
+    const int64_t parts = greater(1, lesser(MOST_BRIDGED, (late + (span / 2)) / greater(1, span)));
+    const ahr_past last = *AT(live, live->count);
+    const bs_real dt = seconds(late) / (bs_real)parts;
+    const bs_real own = BS_REAL(0.5) * (dt / sample->dt);
+    bs_status status = BS_OK;
+    (void)own;
+    for (int64_t k = 1; (k <= parts) && (status == BS_OK); ++k) {
+        ahr_past *const past = AT(live, live->count + 1U);
+        past->sensed[0] = own * sample->dtheta_ib_b[0];
+        past->sensed[1] = own * sample->dtheta_ib_b[1];
+        past->sensed[2] = own * sample->dtheta_ib_b[2];
+        past->sensed[3] = own * sample->dv_b[0];
+        past->sensed[4] = own * sample->dv_b[1];
+        past->sensed[5] = own * sample->dv_b[2];
+        /* the mean of the rates before and behind; of those behind, where there are none before */
+        for (int i = 0; i < 3; ++i) {
+            past->sensed[i] += (last.dt > BS_REAL(0.0)) ? (BS_REAL(0.5) *
+                                                           (last.sensed[i] * (dt / last.dt)))
+                : past->sensed[i];
+        }
+        for (int i = 3; i < 6; ++i) {
+            past->sensed[i] += (last.dt > BS_REAL(0.0)) ? (BS_REAL(0.5) *
+                                                           (last.sensed[i] * (dt / last.dt)))
+                : past->sensed[i];
+        }
+        live->counts.missing += 1U;
+        status = fly(live, last.at + ((late * k) / parts), dt, dt);
+    }
+    return status;
+}
+
+/* Messages whose turn has come. */
+static void admit(ahr_live *live)
+{
+    const int64_t now = AT(live, live->count)->at;
+    for (uint32_t i = 0U; i < WAITING; ++i) {
+        ahr_waiting *const one = &live->waiting[i];
+        if (one->state == STAMPED) {
+            const uint32_t kind = one->message.measurement;
+            one->at = one->message.at + one->clock;
+            one->fate = BS_MSG_WAITING;
+            if ((live->came[kind] != 0U) &&
+                (live->measured[kind] == one->message.at + one->clock)) {
+                one->fate = BS_MSG_TWICE;
+            } else if (one->at < (now - (int64_t)live->rules.oldest_us)) {
+                one->fate = BS_MSG_OLD;
+            } else if (one->at > (now + (int64_t)live->rules.ahead_us)) {
+                one->fate = BS_MSG_AHEAD;
+            } else {
+                live->measured[kind] = one->message.at + one->clock;
+                live->came[kind] = 1U;
+            }
+            BS_LIVE_BARRIER();
+            one->state = (one->fate == BS_MSG_WAITING) ? ADMITTED : REFUSED;
+        }
+        if ((one->state == ADMITTED) && (now >= (one->at + (int64_t)live->rules.hold_us))) {
+            one->due = live->count;
+            BS_LIVE_BARRIER();
+            one->state = DUE;
+        }
+    }
+}
+
+bs_status ahr_live_sample(ahr_live *live, const ahr_sample *sample)
+{
+    bs_status status;
+    int64_t late;
+    int64_t span;
+    int64_t jitter;
+    bs_real missing = BS_REAL(0.0);
+    if ((live == NULL) || (sample == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    if (live->state != BS_LIVE_FLYING) {
+        return BS_NOT_READY;
+    }
+    status = check_sample(sample);
+    if (status != BS_OK) {
+        live->counts.bad += 1U;
+        tell(live, BY_SAMPLE, BS_EVENT_BAD_SAMPLE, 0, (int64_t)status);
+        return status;
+    }
+    if ((sample->at == live->stamp) && (live->counts.samples > 0U)) {
+        live->counts.repeated += 1U;
+        tell(live, BY_SAMPLE, BS_EVENT_REPEATED, 0, 0);
+        return BS_OK;
+    }
+    live->sequence += 1U;
+    BS_LIVE_BARRIER();
+    for (uint32_t i = 0U; i < WAITING; ++i) { /* in the clock of the sample before they came */
+        if (live->waiting[i].state == PUT) {
+            live->waiting[i].clock = live->clock;
+            live->waiting[i].state = STAMPED;
+        }
+    }
+    span = microseconds(sample->dt);
+    jitter = (live->rules.jitter_us > 0) ? (int64_t)live->rules.jitter_us : (span / 2);
+    late = ((sample->at + live->clock) - span) - AT(live, live->count)->at;
+    if ((late < -jitter) ||
+        ((late > jitter) && (sample->serial != 0U) && (sample->serial == (live->serial + 1U)))) {
+        live->clock -= late;
+        live->counts.clock_steps += 1U;
+        tell(live, BY_SAMPLE, BS_EVENT_CLOCK, 0, late);
+        late = 0;
+    }
+    if (late > (int64_t)live->rules.bridge_us) {
+        lose(live, BY_SAMPLE, late);
+        status = BS_NOT_READY;
+    } else if (late > jitter) {
+        tell(live, BY_SAMPLE, BS_EVENT_GAP, 0, late);
+        status = bridge(live, sample, late, span);
+    } else {
+        /* it begins where the last one ended */
+    }
+    if (status == BS_OK) {
+        bs_real *const sensed = AT(live, live->count + 1U)->sensed;
+        sensed[0] = sample->dtheta_ib_b[0];
+        sensed[1] = sample->dtheta_ib_b[1];
+        sensed[2] = sample->dtheta_ib_b[2];
+        sensed[3] = sample->dv_b[0];
+        sensed[4] = sample->dv_b[1];
+        sensed[5] = sample->dv_b[2];
+        for (int i = 0; i < 3; ++i) {
+            const bs_real full = live->rules.full_scale[i] * sample->dt;
+            if ((full > BS_REAL(0.0)) && (BS_FABS(sensed[i]) >= full)) {
+                if (missing <= BS_REAL(0.0)) {
+                    live->counts.saturated += 1U;
+                    tell(live, BY_SAMPLE, BS_EVENT_SATURATED, i, 0);
+                }
+                missing = sample->dt;
+            }
+        }
+        for (int i = 3; i < 6; ++i) {
+            const bs_real full = live->rules.full_scale[i] * sample->dt;
+            if ((full > BS_REAL(0.0)) && (BS_FABS(sensed[i]) >= full)) {
+                if (missing <= BS_REAL(0.0)) {
+                    live->counts.saturated += 1U;
+                    tell(live, BY_SAMPLE, BS_EVENT_SATURATED, i, 0);
+                }
+                missing = sample->dt;
+            }
+        }
+        status = fly(live, greater(sample->at + live->clock, AT(live, live->count)->at + 1),
+                     sample->dt, missing);
+    }
+    if (status == BS_OK) {
+        live->stamp = sample->at;
+        live->serial = sample->serial;
+        live->counts.samples += 1U;
+        admit(live);
+    }
+    BS_LIVE_BARRIER();
+    live->sequence += 1U;
+    return status;
+}
+
+/* ---- messages */
+
+bs_status ahr_live_message(ahr_live *live, const ahr_message *message, bs_msg_fate *fate)
+{
+    bs_msg_fate found = BS_MSG_REFUSED;
+    bs_status status = BS_OUT_OF_RANGE;
+    ahr_waiting *room = NULL;
+    if ((live == NULL) || (message == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    if (live->state != BS_LIVE_FLYING) {
+        found = BS_MSG_NOT_READY;
+        status = BS_NOT_READY;
+    } else if ((message->version == BS_LIVE_VERSION) &&
+               (message->size == (uint16_t)sizeof(ahr_message)) &&
+               (message->measurement < (uint16_t)AHR_N_MEASUREMENTS) && (message->at <= FARTHEST) &&
+               (message->at >= -FARTHEST)) {
+        for (uint32_t i = 0U; i < WAITING; ++i) {
+            if ((room == NULL) && (live->waiting[i].state == FREE)) {
+                room = &live->waiting[i];
+            }
+        }
+        found = (room == NULL) ? BS_MSG_FULL : BS_MSG_WAITING;
+    } else {
+        /* no message of this loop */
+    }
+    if (room != NULL) {
+        room->message = *message;
+        room->order = live->order;
+        live->order += 1U;
+        BS_LIVE_BARRIER();
+        room->state = PUT;
+        status = BS_OK;
+    } else {
+        live->counts.fate[found] += 1U;
+        tell(live, BY_BACKGROUND, BS_EVENT_MESSAGE, (int)message->measurement, (int64_t)found);
+    }
+    if (fate != NULL) {
+        *fate = found;
+    }
+    return status;
+}
+
+static void finish(ahr_live *live, ahr_waiting *one, bs_msg_fate fate)
+{
+    live->counts.fate[fate] += 1U;
+    if (fate != BS_MSG_TAKEN) {
+        tell(live, BY_BACKGROUND, BS_EVENT_MESSAGE, (int)one->message.measurement, (int64_t)fate);
+    }
+    BS_LIVE_BARRIER();
+    one->state = FREE;
+}
+
+/* Of the messages that are due the first: by the sample that made them so, by when they were
+ * measured, by their coming. */
+static ahr_waiting *first_due(ahr_live *live)
+{
+    ahr_waiting *first = NULL;
+    for (uint32_t i = 0U; i < WAITING; ++i) {
+        ahr_waiting *const one = &live->waiting[i];
+        if (one->state == DUE) {
+            if (first == NULL) {
+                first = one;
+            } else if (one->due != first->due) {
+                first = ((int32_t)(one->due - first->due) < 0) ? one : first;
+            } else if (one->at != first->at) {
+                first = (one->at < first->at) ? one : first;
+            } else {
+                first = ((int32_t)(one->order - first->order) < 0) ? one : first;
+            }
+        }
+    }
+    return first;
+}
+
+/* ---- the covariance */
+
+/* x is what the filter's navigation errs by, taken out of the navigation that was flown. */
+static bs_status set_filter(ahr_live *live, const ahr_carried *flown)
+{
+    ahr_carried best = *flown;
+    bs_status status = correct(live, live->x, &best);
+    if (status == BS_OK) {
+        status = ahr_filter_set_nav(&live->filter, &best.nav, &best.reference, BS_REFUSE);
+    }
+    return status;
+}
+
+/* Over some seconds, x as the last step of the covariance carries it. */
+static void carry_error(const ahr_live *live, bs_real x[N], bs_real span)
+{
+    bs_real next[N];
+    /* in its steps */
+    bs_real part = (live->Phi_dt > BS_REAL(0.0)) ? (span / live->Phi_dt) : BS_REAL(0.0);
+    const int steps = (part > (bs_real)MOST_STEPS) ? MOST_STEPS : (1 + (int)part);
+    part = (part > BS_REAL(0.0)) ? (part / (bs_real)steps) : BS_REAL(0.0);
+    for (int k = 0; k < steps; ++k) {
+        copy(next, x, N);
+        ahr_predict_state(live->Phi, next);
+        for (int i = 0; i < N; ++i) {
+            x[i] += part * (next[i] - x[i]);
+        }
+    }
+}
+
+/* Corrections that the covariance has come by: x is what is left. */
+static void pass(ahr_live *live)
+{
+    while ((live->passed != live->applied) &&
+           ((int32_t)(live->mail[live->passed % WAITING].when - live->behind) <= 0)) {
+        const ahr_correction *const mail = &live->mail[live->passed % WAITING];
+        if (mail->took != 0U) {
+            recall(&live->flown, AT(live, live->behind));
+            (void)correct(live, mail->x, &live->flown); /* what no strapdown moves; as it was taken
+                                                         * before */
+            for (int i = 0; i < N; ++i) {
+                live->x[i] -= mail->x[i];
+            }
+        }
+        live->passed += 1U;
+    }
+}
+
+/* What is left of x goes to now: due at a sample that is known. */
+static void post(ahr_live *live, uint32_t made_due)
+{
+    ahr_correction *const mail = &live->mail[live->posted % WAITING];
+    const ahr_past *const then = AT(live, made_due);
+    const int64_t due = then->at + ((int64_t)live->rules.latency * microseconds(then->dt));
+    if ((live->posted - live->passed) >= WAITING) {
+        return; /* it goes with the next one */
+    }
+    copy(mail->x, live->x, N);
+    carry_error(live, mail->x, seconds(due - live->at));
+    for (uint32_t k = live->passed; k != live->posted; ++k) {
+        const ahr_correction *const other = &live->mail[k % WAITING];
+        bs_real x[N];
+        copy(x, other->x, N);
+        carry_error(live, x, seconds(due - other->at));
+        for (int i = 0; i < N; ++i) {
+            mail->x[i] -= x[i];
+        }
+    }
+    mail->due = made_due + live->rules.latency;
+    mail->at = due;
+    mail->took = 0U;
+    if ((int32_t)(mail->due - live->count) <= 0) {
+        live->counts.corrections_late += 1U;
+        tell(live, BY_BACKGROUND, BS_EVENT_CORRECTION_LATE, 0, (int64_t)(live->count - mail->due));
+    }
+    live->counts.corrections += 1U;
+    BS_LIVE_BARRIER();
+    live->posted += 1U;
+}
+
+/* Carry the covariance to t, which lies in no interval behind the one that follows `behind`s
+ * step. */
+static void advance(ahr_live *live, int64_t t, uint32_t last)
+{
+    const ahr_carried *at = NULL;
+    ahr_carried middle;
+    bs_real mean[AHR_N_SENSED];
+    bs_real missing = BS_REAL(0.0);
+    const bs_real span = mean_between(live, live->at, t, last, mean, &missing);
+    bs_status status = flown_at(live, live->at + ((t - live->at) / 2), last, &middle);
+    if (status == BS_OK) {
+        status = set_filter(live, &middle);
+    }
+    if ((status == BS_OK) && (span > BS_REAL(0.0))) {
+    ahr_corrected_imu corrected_imu = { .f_b = { BS_REAL(0.0) } };
+    ahr_noise noise = live->rules.noise;
+        middle = carried_of(&live->filter);
+        at = &middle;
+    fill_corrected_imu(&corrected_imu, at, mean, span);
+        (void)at;
+        copy(live->filter.x, live->x, N);
+        status = ahr_filter_propagate(&live->filter, &corrected_imu, &noise);
+        if (bs_good(status)) {
+            copy(live->x, live->filter.x, N);
+            copy(live->Phi, live->filter.Phi, AHR_N_PHI);
+            live->Phi_dt = span;
+            status = BS_OK;
+        }
+    }
+    if ((status == BS_OK) && (missing > BS_REAL(0.0))) {
+        bs_real variance[N];
+        for (int i = 0; i < N; ++i) {
+            const bs_real sigma = live->rules.open[i] * missing;
+            variance[i] = sigma * sigma;
+        }
+        status = ahr_filter_inflate(&live->filter, 0, N, variance);
+        status = bs_good(status) ? BS_OK : status;
+    }
+    if (status != BS_OK) {
+        lose(live, BY_BACKGROUND, (int64_t)status);
+        return;
+    }
+    live->at = t;
+    while ((live->behind != last) && (AT(live, live->behind + 1U)->at <= t)) {
+        live->behind += 1U;
+        pass(live);
+    }
+}
+
+/* Where the next step of the covariance ends on its way to `goal`: at a message, at every so many
+ * samples, and where a correction was taken. */
+static int64_t step_end(const ahr_live *live, int64_t goal, uint32_t last)
+{
+    const uint32_t every = live->rules.every;
+    const uint32_t next = live->behind + (every - (live->behind % every));
+    int64_t end = ((int32_t)(next - last) <= 0) ? lesser(goal, AT(live, next)->at) : goal;
+    for (uint32_t k = live->passed; k != live->applied; ++k) {
+        const uint32_t when = live->mail[k % WAITING].when;
+        if ((int32_t)(when - live->behind) > 0) {
+            end = lesser(end, AT(live, when)->at);
+        }
+    }
+    return end;
+}
+
+/* ---- one measurement */
+
+/* The filter at the instant of the message takes it. */
+static bs_status take(ahr_live *live,
+                      const ahr_waiting *one,
+                      uint32_t last,
+                      ahr_innovation *innovation)
+{
+    const ahr_message *const message = &one->message;
+    const int64_t from = greater(live->at - (int64_t)live->rules.half_us,
+                                 AT(live, oldest_kept(live))->at);
+    const int64_t to = lesser(live->at + (int64_t)live->rules.half_us, AT(live, last)->at);
+    const ahr_carried *at = NULL;
+    ahr_carried then;
+    bs_gates gates = live->rules.gates;
+    bs_real mean[AHR_N_SENSED];
+    bs_real missing;
+    const bs_real span = mean_between(live, from, to, last, mean, &missing);
+    bs_status status = flown_at(live, live->at, last, &then);
+    gates.rows &= message->rows;
+    if ((live->rules.astray != 0U) && (live->astray[message->measurement] >= live->rules.astray)) {
+        gates.options |= BS_INFLATE;
+        gates.joint = BS_REAL(0.0);
+    }
+    if (status == BS_OK) {
+        status = set_filter(live, &then);
+    }
+    if (status != BS_OK) {
+        return status;
+    }
+    then = carried_of(&live->filter);
+    at = &then;
+    switch (message->measurement) {
+    case AHR_MEASUREMENT_ZUPT: {
+        if (status == BS_OK) {
+            status = ahr_filter_measure_zupt(&live->filter, message->variance, &gates, innovation);
+        }
+        break;
+    }
+    case AHR_MEASUREMENT_ZARU: {
+    ahr_corrected_imu corrected_imu = { .f_b = { BS_REAL(0.0) } };
+    fill_corrected_imu(&corrected_imu, at, mean, span);
+        if (status == BS_OK) {
+            status = ahr_filter_measure_zaru(&live->filter, &corrected_imu, message->variance,
+                                             &gates, innovation);
+        }
+        break;
+    }
+    case AHR_MEASUREMENT_AZIMUTH: {
+        if (status == BS_OK) {
+            status = ahr_filter_measure_azimuth(&live->filter, message->variance, &gates,
+                                                innovation);
+        }
+        break;
+    }
+    default:
+        status = BS_OUT_OF_RANGE;
+        break;
+    }
+    (void)at;
+    (void)mean;
+    (void)span;
+    if (bs_good(status)) {
+        for (int i = 0; i < N; ++i) {
+            live->x[i] += live->filter.x[i];
+        }
+    }
+    return status;
+}
+
+/* What the state has to do with what was measured, and the rows that were asked for and were not
+ * taken. */
+static void measure(ahr_live *live, ahr_waiting *one)
+{
+    static const unsigned int all[AHR_N_MEASUREMENTS] = { 7U, 7U, 1U };
+    const uint16_t kind = one->message.measurement;
+    const unsigned int asked = one->message.rows & live->rules.gates.rows & all[kind];
+    ahr_innovation innovation = { .used = 0U };
+    const bs_status status = take(live, one, one->due, &innovation);
+    bs_msg_fate fate = BS_MSG_REFUSED;
+    if (bs_good(status)) {
+        fate = (innovation.used == asked) ? BS_MSG_TAKEN
+            : ((innovation.used == 0U) ? BS_MSG_GATED : BS_MSG_IN_PART);
+        if (fate == BS_MSG_TAKEN) {
+            live->astray[kind] = 0U;
+        } else if (live->astray[kind] < 65535U) {
+            live->astray[kind] = (uint16_t)(live->astray[kind] + 1U);
+            if (live->astray[kind] == live->rules.astray) {
+                tell(live, BY_BACKGROUND, BS_EVENT_ASTRAY, (int)kind, (int64_t)live->rules.astray);
+            }
+        } else {
+            /* it has been told */
+        }
+        if (innovation.used != 0U) {
+            post(live, one->due);
+        }
+    }
+    finish(live, one, fate);
+}
+
+/* ---- background */
+
+/* Samples were overwritten before the covariance had come by them: it goes on where they begin, and
+ * knows as much less as if they had been missing. */
+static void catch_up(ahr_live *live)
+{
+    const uint32_t count = live->count;
+    const uint32_t lost = count - (RING - (2U * MARGIN));
+    if ((count - live->behind) > (RING - (2U * MARGIN))) {
+        bs_real variance[N];
+        const bs_real span = seconds(AT(live, lost)->at - live->at);
+        for (int i = 0; i < N; ++i) {
+            const bs_real sigma = live->rules.open[i] * span;
+            variance[i] = sigma * sigma;
+        }
+        live->counts.overruns += 1U;
+        tell(live, BY_BACKGROUND, BS_EVENT_OVERRUN, 0, (int64_t)(lost - live->behind));
+        if (!bs_good(ahr_filter_inflate(&live->filter, 0, N, variance))) {
+            lose(live, BY_BACKGROUND, (int64_t)BS_NOT_POSITIVE);
+        }
+        live->behind = lost;
+        live->at = AT(live, lost)->at;
+        pass(live);
+    }
+}
+
+bs_status ahr_live_background(ahr_live *live)
+{
+    ahr_waiting *due;
+    int64_t goal;
+    uint32_t last;
+    if (live == NULL) {
+        return BS_NULL_POINTER;
+    }
+    if (live->state != BS_LIVE_FLYING) {
+        return BS_NOT_READY;
+    }
+    for (uint32_t i = 0U; i < WAITING; ++i) {
+        if (live->waiting[i].state == REFUSED) {
+            finish(live, &live->waiting[i], live->waiting[i].fate);
+        }
+    }
+    catch_up(live);
+    last = live->count;
+    BS_LIVE_BARRIER();
+    due = first_due(live);
+    if (due != NULL) {
+        if (due->at < live->at) {
+            finish(live, due, BS_MSG_LATE);
+            return BS_OK;
+        }
+        if (due->at == live->at) {
+            measure(live, due);
+            return BS_OK;
+        }
+        goal = due->at;
+        last = due->due;
+    } else {
+        goal = AT(live, last)->at - (int64_t)live->rules.oldest_us;
+        for (uint32_t i = 0U; i < WAITING; ++i) {
+            if (live->waiting[i].state == ADMITTED) {
+                goal = lesser(goal, live->waiting[i].at);
+            }
+        }
+        {
+            const uint32_t every = live->rules.every;
+            const uint32_t next = live->behind + (every - (live->behind % every));
+            if (((int32_t)(next - last) > 0) || (AT(live, next)->at > goal)) {
+                return BS_NOT_READY;
+            }
+            goal = AT(live, next)->at;
+        }
+    }
+    advance(live, step_end(live, goal, last), last);
+    return BS_OK;
+}
+
+/* ---- begin */
+
+bs_status ahr_live_defaults(ahr_live_rules *rules)
+{
+    static const bs_real open[N] = { BS_REAL(0.0008726646259971648), BS_REAL(0.0008726646259971648),
+                                     BS_REAL(100.0), BS_REAL(10.0), BS_REAL(10.0), BS_REAL(10.0),
+                                     BS_REAL(0.05), BS_REAL(0.05), BS_REAL(0.05), BS_REAL(0.0),
+                                     BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
+                                     BS_REAL(0.0), BS_REAL(0.0) };
+    unsigned char *const bytes = (unsigned char *)rules;
+    if (rules == NULL) {
+        return BS_NULL_POINTER;
+    }
+    for (size_t i = 0U; i < sizeof(*rules); ++i) {
+        bytes[i] = 0U;
+    }
+    rules->bridge_us = 100000;
+    rules->oldest_us = 200000;
+    rules->ahead_us = 100000;
+    rules->half_us = 20000;
+    rules->every = 4U;
+    rules->latency = 4U;
+    rules->astray = 5U;
+    rules->gates.rows = BS_ALL_ROWS;
+    rules->gates.gate = BS_REAL(5.0);
+    copy(rules->open, open, N);
+    return BS_OK;
+}
+
+static bs_status check_rules(const ahr_live_rules *rules)
+{
+    const int32_t us[6] = { rules->jitter_us, rules->bridge_us, rules->oldest_us, rules->hold_us,
+                            rules->ahead_us, rules->half_us };
+    bs_status status = bs_check_each(rules->open, BS_REAL(0.0), BS_REAL(1e12), N);
+    if (status == BS_OK) {
+        status = bs_check_each(rules->full_scale, BS_REAL(0.0), BS_REAL(1e12), AHR_N_SENSED);
+    }
+    for (int i = 0; (i < 6) && (status == BS_OK); ++i) {
+        status = ((us[i] < 0) || (us[i] > 10000000)) ? BS_OUT_OF_RANGE : BS_OK;
+    }
+    if ((status == BS_OK) &&
+        ((rules->every == 0U) || (rules->every > (RING / 4U)) || (rules->latency == 0U) ||
+         (rules->latency > RING) || (rules->hold_us > rules->oldest_us))) {
+        status = BS_OUT_OF_RANGE;
+    }
+    return status;
+}
+
+bs_status ahr_live_begin(ahr_live *live,
+                         const ahr_live_rules *rules,
+                         int64_t at,
+                         const ahr_carried *carried,
+                         const bs_real sigma[N])
+{
+    unsigned char *const bytes = (unsigned char *)live;
+    bs_status status;
+    if ((live == NULL) || (rules == NULL) || (carried == NULL) || (sigma == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    status = ((at > FARTHEST) || (at < -FARTHEST)) ? BS_OUT_OF_RANGE : check_rules(rules);
+    if (status == BS_OK) {
+        status = ahr_filter_init_sigmas(&live->filter, &carried->nav, &carried->reference, sigma);
+    }
+    if (status != BS_OK) {
+        return status;
+    }
+    for (size_t i = 0U; i < sizeof(*live); ++i) {
+        bytes[i] = 0U;
+    }
+    status = ahr_filter_init_sigmas(&live->filter, &carried->nav, &carried->reference, sigma);
+    live->rules = *rules;
+    live->now = *carried;
+    live->flown = *carried;
+    live->stamp = at;
+    live->at = at;
+    live->past[0].at = at;
+    keep(&live->past[0], carried);
+    live->state = BS_LIVE_FLYING;
+    tell(live, BY_BACKGROUND, BS_EVENT_BEGUN, 0, 0);
+    return status;
+}
+
+/* ---- what is told */
+
+bs_status ahr_live_output(const ahr_live *live, int64_t at, ahr_output *output)
+{
+    ahr_output found = { .at = at };
+    ahr_past newest;
+    bs_status status = BS_NOT_READY;
+    if ((live == NULL) || (output == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    if ((at > FARTHEST) || (at < -FARTHEST)) {
+        return BS_OUT_OF_RANGE;
+    }
+    for (int k = 0; (k < TRIES) && (status != BS_OK); ++k) {
+        const uint32_t sequence = live->sequence;
+        BS_LIVE_BARRIER();
+        found.state = live->state;
+        found.carried = live->now;
+        newest = *AT(live, live->count);
+        newest.at -= live->clock;
+        BS_LIVE_BARRIER();
+        status = (((sequence & 1U) == 0U) && (sequence == live->sequence)) ? BS_OK : BS_NOT_READY;
+    }
+    if (status == BS_OK) {
+        const int64_t ahead = at - newest.at;
+        if ((found.state != BS_LIVE_FLYING) || (ahead > (int64_t)live->rules.oldest_us) ||
+            (ahead < 0)) {
+            status = BS_NOT_READY;
+        } else if ((ahead > 0) && (newest.dt > BS_REAL(0.0))) {
+            status = carry(live, &found.carried, &newest, newest.sensed,
+                           seconds(ahead) / newest.dt);
+        } else {
+            /* it is the instant of the newest sample */
+        }
+    }
+    if (status == BS_OK) {
+        *output = found;
+    }
+    return status;
+}
+bs_status ahr_live_sigmas(const ahr_live *live, bs_real sigma[N], int64_t *at)
+{
+    bs_status status;
+    if ((live == NULL) || (sigma == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    status = (live->state == BS_LIVE_EMPTY) ? BS_NOT_READY
+        : ahr_filter_sigmas(&live->filter, sigma);
+    if ((status == BS_OK) && (at != NULL)) {
+        *at = live->at - live->clock;
+    }
+    return status;
+}
+
+
+bs_status ahr_live_covariance(const ahr_live *live, bs_real P[N * N], int64_t *at)
+{
+    bs_status status;
+    if ((live == NULL) || (P == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    status = (live->state == BS_LIVE_EMPTY) ? BS_NOT_READY
+        : ahr_filter_covariance(&live->filter, P);
+    if ((status == BS_OK) && (at != NULL)) {
+        *at = live->at - live->clock;
+    }
+    return status;
+}
+
+bs_status ahr_live_counted(const ahr_live *live, ahr_live_counts *counts)
+{
+    if ((live == NULL) || (counts == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    *counts = live->counts;
+    return BS_OK;
+}
+
+bs_status ahr_live_next_event(ahr_live *live, bs_event *event)
+{
+    ahr_events *from = NULL;
+    if ((live == NULL) || (event == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    for (int by = 0; by < 2; ++by) {
+        ahr_events *const events = &live->events[by];
+        const uint32_t unread = events->written - events->read;
+        if (unread > AHR_LIVE_EVENTS) {
+            live->counts.events_lost += unread - AHR_LIVE_EVENTS;
+            events->read = events->written - AHR_LIVE_EVENTS;
+        }
+        if (events->read != events->written) {
+            const bs_event *const one = &events->event[events->read % AHR_LIVE_EVENTS];
+            if ((from == NULL) ||
+                ((int32_t)(one->sample - from->event[from->read % AHR_LIVE_EVENTS].sample) < 0)) {
+                from = events;
+            }
+        }
+    }
+    if (from == NULL) {
+        return BS_NOT_READY;
+    }
+    *event = from->event[from->read % AHR_LIVE_EVENTS];
+    from->read += 1U;
+    return BS_OK;
+}
+
+size_t ahr_live_size(void)
+{
+    return sizeof(ahr_live);
+}
+
+size_t ahr_live_snapshot_size(void)
+{
+    return sizeof(unsigned char[AHR_LIVE_SNAPSHOT_SIZE]);
+}
+
+/* ---- a snapshot */
+
+static void write_head(unsigned char *to)
+{
+    static const unsigned char magic[4] = { 0x42U, 0x53U, 0x4CU, 0x53U }; /* "BSLS" */
+    static const char hash[] = AHR_MODEL_HASH;
+    const unsigned short one = 1U;
+    copy_bytes(to, magic, sizeof(magic));
+    to[4] = (unsigned char)BS_LIVE_VERSION;
+    to[5] = (unsigned char)sizeof(bs_real);
+    to[6] = BORESIGHT_UD;
+    copy_bytes(&to[7], (const unsigned char *)&one, 1U); /* 1 where the least byte comes first */
+    copy_bytes(&to[8], (const unsigned char *)hash, 64U);
+}
+
+/* CRC-32 (IEEE 802.3) of all that stands before it, its least byte first. */
+static void write_checksum(const unsigned char *bytes, unsigned char checksum[BS_SNAPSHOT_CHECKSUM])
+{
+    uint32_t left = 0xFFFFFFFFU;
+    for (int i = 0; i < (AHR_LIVE_SNAPSHOT_SIZE - BS_SNAPSHOT_CHECKSUM); ++i) {
+        left ^= (uint32_t)bytes[i];
+        for (int bit = 0; bit < 8; ++bit) {
+            left = ((left & 1U) != 0U) ? ((left >> 1U) ^ 0xEDB88320U) : (left >> 1U);
+        }
+    }
+    left ^= 0xFFFFFFFFU;
+    for (int i = 0; i < BS_SNAPSHOT_CHECKSUM; ++i) {
+        checksum[i] = (unsigned char)(left & 0xFFU);
+        left >>= 8U;
+    }
+}
+
+bs_status ahr_live_snapshot(const ahr_live *live, unsigned char bytes[AHR_LIVE_SNAPSHOT_SIZE])
+{
+    bs_status status = BS_NOT_READY;
+    if ((live == NULL) || (bytes == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    for (int k = 0; (k < TRIES) && (status != BS_OK); ++k) {
+        const uint32_t sequence = live->sequence;
+        BS_LIVE_BARRIER();
+        copy_bytes(&bytes[BS_SNAPSHOT_HEAD], (const unsigned char *)live, sizeof(*live));
+        BS_LIVE_BARRIER();
+        status = (((sequence & 1U) == 0U) && (sequence == live->sequence)) ? BS_OK : BS_NOT_READY;
+    }
+    write_head(bytes);
+    write_checksum(bytes, &bytes[BS_SNAPSHOT_HEAD + (int)sizeof(*live)]);
+    return status;
+}
+
+/* Whether no number of a loop leads beyond its own memory, and no instant beyond what can be
+ * summed. */
+static bs_status check_live(const ahr_live *live)
+{
+    bs_status status = check_rules(&live->rules);
+    bool good = (live->state <= BS_LIVE_LOST) && ((live->sequence & 1U) == 0U);
+    good = good && ((live->count - live->behind) < RING) &&
+        ((live->applied - live->passed) <= WAITING);
+    good = good && ((live->posted - live->applied) <= WAITING) &&
+        ((live->posted - live->passed) <= WAITING);
+    good = good && (live->clock <= (4 * (FARTHEST / 2))) && (live->clock >= -(4 * (FARTHEST / 2)));
+    good = good && (live->at <= (4 * (FARTHEST / 2))) && (live->at >= -(4 * (FARTHEST / 2)));
+    for (uint32_t i = 0U; i < WAITING; ++i) {
+        const ahr_waiting *const one = &live->waiting[i];
+        good = good && (one->state <= STAMPED) && (one->fate < BS_MSG_FATES) &&
+            (one->message.measurement < (uint16_t)AHR_N_MEASUREMENTS);
+        good = good && ((live->count - one->due) <= live->count);
+    }
+    return good ? status : BS_OUT_OF_RANGE;
+}
+
+bs_status ahr_live_restore(ahr_live *live, const unsigned char bytes[AHR_LIVE_SNAPSHOT_SIZE])
+{
+    unsigned char wanted[BS_SNAPSHOT_HEAD];
+    unsigned char checksum[BS_SNAPSHOT_CHECKSUM];
+    bs_status status = bs_probe();
+    if ((live == NULL) || (bytes == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    write_head(wanted);
+    for (int i = 0; i < BS_SNAPSHOT_HEAD; ++i) {
+        status = (bytes[i] == wanted[i]) ? status : BS_OUT_OF_RANGE;
+    }
+    write_checksum(bytes, checksum);
+    for (int i = 0; i < BS_SNAPSHOT_CHECKSUM; ++i) {
+        status = (bytes[AHR_LIVE_SNAPSHOT_SIZE - BS_SNAPSHOT_CHECKSUM + i] == checksum[i]) ? status
+            : BS_OUT_OF_RANGE;
+    }
+    if (status == BS_OK) {
+        copy_bytes((unsigned char *)live, &bytes[BS_SNAPSHOT_HEAD], sizeof(*live));
+        status = check_live(live);
+        if (status != BS_OK) { /* no snapshot wrote this: nothing is known any more */
+            for (size_t i = 0U; i < sizeof(*live); ++i) {
+                ((unsigned char *)live)[i] = 0U;
+            }
+        }
+    }
+    return status;
+}
+
+bs_status ahr_live_digest(const ahr_live *live, unsigned char digest[BS_DIGEST_SIZE])
+{
+    bs_digest made;
+    const uint32_t *counted;
+    if ((live == NULL) || (digest == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    (void)bs_digest_begin(&made);
+    (void)bs_digest_reals(&made, live->now.nav.lon_lat_height, 3);
+    (void)bs_digest_reals(&made, live->now.nav.v_n, 3);
+    (void)bs_digest_reals(&made, live->now.nav.q_b2n_wxyz, 4);
+    (void)bs_digest_reals(&made, live->now.nav.gyro_bias, 3);
+    (void)bs_digest_reals(&made, live->now.nav.accel_bias, 3);
+    (void)bs_digest_reals(&made, live->now.reference.q_ref_wxyz, 4);
+    (void)bs_digest_reals(&made, &live->now.reference.reference_error, 1);
+    (void)bs_digest_reals(&made, live->x, N);
+    (void)ahr_filter_digest(&live->filter, &made);
+    for (uint32_t k = live->passed; k != live->posted; ++k) {
+        (void)bs_digest_reals(&made, live->mail[k % WAITING].x, N);
+    }
+    counted = (const uint32_t *)&live->counts;
+    for (size_t i = 0U; i < (sizeof(live->counts) / sizeof(uint32_t)); ++i) {
+        for (unsigned int k = 0U; k < 4U; ++k) {
+            bs_digest_byte(&made, (unsigned char)((counted[i] >> (8U * k)) & 0xFFU));
+        }
+    }
+    return bs_digest_end(&made, digest);
+}

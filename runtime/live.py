@@ -1,0 +1,443 @@
+"""The live loop of the generated C, called from Python: what flies here is what flies on the target."""
+
+import copy
+import ctypes
+from collections.abc import Mapping
+from enum import IntEnum
+from typing import Any
+
+import numpy as np
+
+from boresight import BoresightError
+from boresight.runtime.array import Array
+from boresight.runtime.library import Library, load
+from boresight.runtime.status import Status
+
+VERSION = 1  # BS_LIVE_VERSION of boresight_live.h
+ALL_ROWS = 0xFFFFFFFF
+
+
+class Fate(IntEnum):
+    """bs_msg_fate of boresight_live.h: what became of a message."""
+
+    WAITING = 0
+    TAKEN = 1
+    IN_PART = 2
+    GATED = 3
+    OLD = 4
+    LATE = 5
+    TWICE = 6
+    AHEAD = 7
+    REFUSED = 8
+    FULL = 9
+    NOT_READY = 10
+
+
+class Event(IntEnum):
+    """bs_event_code of boresight_live.h: what has happened."""
+
+    BEGUN = 1
+    MESSAGE = 2
+    GAP = 3
+    CLOCK = 4
+    REPEATED = 5
+    BAD_SAMPLE = 6
+    HELD = 7
+    SATURATED = 8
+    LOST = 9
+    ASTRAY = 10
+    CORRECTION_LATE = 11
+    CORRECTION_REFUSED = 12
+    OVERRUN = 13
+
+
+WORDS = {
+    Event.BEGUN: "the loop has begun",
+    Event.GAP: "{value} us of samples were missing and are bridged",
+    Event.CLOCK: "the sensors' clock stepped by {value} us; the loop goes on in its own",
+    Event.REPEATED: "a sample came twice and was left out",
+    Event.BAD_SAMPLE: "a sample was left out: {status}",
+    Event.HELD: "the strapdown refused a sample ({status}), and the one before was used again",
+    Event.SATURATED: "component {which} of the sensors stood at its full scale",
+    Event.LOST: "the loop is lost ({value}); begin again",
+    Event.ASTRAY: "{value} messages of {measurement} in a row did not fit; the next ones are taken with a larger R",
+    Event.CORRECTION_LATE: "a correction came {value} samples too late; raise latency",
+    Event.CORRECTION_REFUSED: "a correction would have led out of the model's boxes and was dropped",
+    Event.OVERRUN: "the background did not come for too long; {value} samples were not read",
+}
+MESSAGES = {
+    Fate.IN_PART: "some rows lay beyond the gate",
+    Fate.GATED: "all rows lay beyond the gate",
+    Fate.OLD: "it is older than oldest_us",
+    Fate.LATE: "one that was measured later had been taken before; raise hold_us",
+    Fate.TWICE: "one of the same instant has come before",
+    Fate.AHEAD: "its instant lies more than ahead_us ahead of the samples: compare the clocks",
+    Fate.REFUSED: "a number is none, or lies outside its box",
+    Fate.FULL: "as many messages wait as there is room for",
+    Fate.NOT_READY: "the loop is lost, or has not begun",
+}
+
+
+class Layout:
+    """The structs of one model's loop, as its header lays them out."""
+
+    def __init__(self, library: Library):
+        described = (library.manifest.get("filter") or {}).get("live")
+        if described is None:
+            raise BoresightError(
+                f"{library.name} has no live loop: it is printed for an error state with a strapdown and a feedback"
+            )
+        self.library, self.described = library, described
+        self.real = real = ctypes.c_float if library.precision == "float" else ctypes.c_double
+        fields, n = library.field, len(library.states)
+        numbers = sum(fields[name]["size"] for name in described["sensed"])
+
+        def struct(name: str, parts: list[tuple[str, Any]]) -> Any:
+            return type(name, (ctypes.Structure,), {"_fields_": parts})
+
+        def vector(name: str) -> tuple[str, Any]:
+            size = fields[name]["size"]
+            return name, real * size if size > 1 else real
+
+        def own(names: list[str]) -> list[tuple[str, Any]]:
+            return [(name, struct(name, [vector(field) for field in library.layout[name]])) for name in names]
+
+        carried = library.manifest["filter"]["carried"]
+        self.carried = struct("carried", own(carried))
+        self.sample = struct("sample", [
+            ("at", ctypes.c_int64), ("serial", ctypes.c_uint32), ("dt", real), *map(vector, described["sensed"])
+        ])  # fmt: skip
+        gates = struct("gates", [("rows", ctypes.c_uint), ("gate", real), ("joint", real),
+                                 ("iterations", ctypes.c_int), ("options", ctypes.c_uint)])  # fmt: skip
+        us = ("jitter_us", "bridge_us", "oldest_us", "hold_us", "ahead_us", "half_us")
+        self.rules = struct("rules", [
+            *((name, ctypes.c_int32) for name in us),
+            *((name, ctypes.c_uint16) for name in ("every", "latency", "astray")),
+            ("gates", gates), ("open", real * n), ("full_scale", real * numbers), *own(described["rules"]),
+        ])  # fmt: skip
+        self.message = struct("message", [
+            *((name, ctypes.c_uint16) for name in ("version", "size", "measurement")), ("rows", ctypes.c_uint32),
+            ("at", ctypes.c_int64), ("variance", real * described["variances"]),
+            *([("z", real * described["z"])] if described["z"] else []), *own(described["message"]),
+        ])  # fmt: skip
+        self.output = struct("output", [("at", ctypes.c_int64), ("state", ctypes.c_int), ("carried", self.carried)])
+        self.event = struct("event", [("code", ctypes.c_ubyte), ("which", ctypes.c_ubyte), ("sample", ctypes.c_uint32),
+                                      ("value", ctypes.c_int32)])  # fmt: skip
+        names = ("samples", "missing", "held", "bad", "repeated", "clock_steps", "saturated")
+        after = ("corrections", "corrections_late", "corrections_refused", "overruns", "events_lost")
+        self.counts = struct("counts", [*((name, ctypes.c_uint32) for name in names),
+                                        ("fate", ctypes.c_uint32 * len(Fate)),
+                                        *((name, ctypes.c_uint32) for name in after)])  # fmt: skip
+
+    def place(self, into: Any, name: str, value: Any, function: str) -> None:
+        """Write a field by its name into a struct of structs.  Raises BoresightError on a shape that does not fit."""
+        size = self.library.field[name]["size"]
+        array = np.asarray(value, dtype=float)
+        if array.shape != (() if size == 1 else (size,)) and array.shape != (size,):
+            raise BoresightError(f"{function}: {name} has shape {array.shape}; give ({size},)")
+        owner = next(s for s, _ in into._fields_ if name in self.library.layout.get(s, ()))
+        setattr(getattr(into, owner), name, float(array.reshape(())) if size == 1 and array.ndim == 0 else
+                float(array[0]) if size == 1 else (self.real * size)(*array))  # fmt: skip
+
+    def values(self, struct: Any) -> dict[str, Array]:
+        """Every field of a struct of structs, by name."""
+        found = {}
+        for owner, _ in struct._fields_:
+            for name in self.library.layout[owner]:
+                value = getattr(getattr(struct, owner), name)
+                found[name] = np.array(value, dtype=float)
+        return found
+
+
+class Live:
+    """The live loop of a model: samples and late messages in, navigation out, by the C that is exported.
+
+    One run.  Instants are integers of microseconds of the sensors' clock; all else is SI and rad.
+
+    Parameters
+    ----------
+    model : Library or str
+        Of `load`, or its name; in double or float.
+    rules : mapping of str to value, optional
+        Of PREFIX_live_rules, such as `hold_us` or `every`; `gate` and `joint` stand for those of
+        `gates`.
+    **constants : array
+        What the model's functions read beside the sensors and the messages, such as the root
+        densities of the noises; what is not given is zero.
+
+    Raises
+    ------
+    BoresightError
+        A model without a loop, a rule or a constant that it does not have.
+
+    Notes
+    -----
+    When not to use it: for many runs side by side; `CompiledFilter` and `Epoch` take these.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from boresight import Live
+    >>> loop = Live("velocity-attitude", gyro_noise=np.full(3, 6e-5), accel_noise=np.full(3, 1e-3))
+    >>> loop.begin(0, {"lat_lon_height": [0.6, 0.1, 0], "v_n": np.zeros(3), "q_b2n_wxyz": [1, 0, 0, 0],
+    ...                "q_b2m_wxyz": [1, 0, 0, 0]}, phi=0.02, dv_n=1.0, d_tau=0.05)
+    >>> for k in range(1, 101):
+    ...     loop.sample(10_000 * k, 0.01, dtheta_ib_b=np.zeros(3), dv_b=[0, 0, -0.0979])
+    ...     if k % 20 == 0:
+    ...         loop.message("velocity", 10_000 * k, np.full(3, 4e-4), v_m_n=np.zeros(3))
+    ...     while loop.background():
+    ...         pass
+    >>> loop.counts()["TAKEN"]
+    4
+    """
+
+    def __init__(self, model: Any, rules: Mapping[str, Any] | None = None, **constants: Any):
+        self.library: Library = load(model) if not isinstance(model, Library) else model
+        self.layout = Layout(self.library)
+        self.kinds = {name: m["index"] for name, m in self.library.manifest["filter"]["measurements"].items()}
+        self.rules = self.layout.rules()
+        self._function("defaults")(ctypes.byref(self.rules))
+        self._memory = ctypes.create_string_buffer(self._function("size", size=True)())
+        self._sample, self._background = self._function("sample"), self._function("background")
+        for name, value in (rules or {}).items():
+            self._rule(name, value)
+        known = {name for s in self.layout.described["rules"] for name in self.library.layout[s]}
+        for name, value in constants.items():
+            if name not in known:
+                raise BoresightError(
+                    f"live: {self.library.name} has no constant {name!r}; it has {', '.join(sorted(known))}"
+                )
+            self.layout.place(self.rules, name, value, "live")
+
+    def _rule(self, name: str, value: Any) -> None:
+        owner = self.rules.gates if name in ("gate", "joint") else self.rules
+        if not hasattr(owner, name) or name in self.library.layout:
+            names = [n for n, _ in self.layout.rules._fields_ if n not in ("gates", *self.library.layout)]
+            raise BoresightError(f"live: there is no rule {name!r}; there are gate, joint, {', '.join(names)}")
+        size = getattr(getattr(owner, name), "_length_", 0)
+        setattr(owner, name, (self.layout.real * size)(*np.broadcast_to(value, size)) if size else value)
+
+    def _function(self, name: str, size: bool = False) -> Any:
+        suffixes = ("_f32", "_f32_joseph") if self.library.precision == "float" else ("",)
+        base = f"{self.library.manifest['c_prefix']}_live_{name}"
+        found = next(getattr(self.library.dll, base + s) for s in suffixes if hasattr(self.library.dll, base + s))
+        found.restype = ctypes.c_size_t if size else ctypes.c_int
+        return found
+
+    def _call(self, name: str, *arguments: Any) -> int:
+        passed = [
+            a if isinstance(a, (ctypes.Array, ctypes.c_int64)) or a is None else ctypes.byref(a) for a in arguments
+        ]
+        return int(self._function(name)(self._memory, *passed))
+
+    def begin(self, at_us: int, nav: Mapping[str, Any], sigma: Any = None, **sigmas: Any) -> None:
+        """Begin with what is known at an instant.
+
+        Parameters
+        ----------
+        at_us : int
+            us; the next sample's interval begins here.
+        nav : mapping of str to array
+            The carried fields; one that is not given is zero.
+        sigma : (n,) array, optional
+            Of each state; or by block:
+        **sigmas : float or (size,) array
+            By block of states, as `phi=0.02`; a block that is not given has zero.
+
+        Raises
+        ------
+        BoresightError
+            A field or a block that the model does not have, and what the C refuses.
+        """
+        carried = self.layout.carried()
+        for name, value in nav.items():
+            if not any(name in self.library.layout[s] for s, _ in self.layout.carried._fields_):
+                raise BoresightError(f"begin: {self.library.name} does not carry {name!r}")
+            self.layout.place(carried, name, value, "begin")
+        spread = np.zeros(len(self.library.states)) if sigma is None else np.array(sigma, dtype=float)
+        start = 0
+        for block in self.library.manifest["blocks"]:
+            end = start + block["size"]
+            spread[start:end] = sigmas.pop(block["name"], spread[start:end])
+            start = end
+        if sigmas:
+            names = ", ".join(block["name"] for block in self.library.manifest["blocks"])
+            raise BoresightError(f"begin: there is no block {next(iter(sigmas))!r} of states; there are {names}")
+        status = self._call("begin", self.rules, ctypes.c_int64(int(at_us)), carried,
+                            (self.layout.real * len(spread))(*spread))  # fmt: skip
+        if status:
+            raise BoresightError(f"begin: {Status(status).name.lower()}: a rule, nav or a sigma lies outside its range")
+
+    def sample(self, at_us: Any, dt: Any, *, serial: Any = 0, **sensed: Any) -> Array:
+        """One sample of the sensors, or several one after the other, each with all that is to be done behind it.
+
+        Parameters
+        ----------
+        at_us : int or (K,) array of int
+            us, when the interval ends, by the sensors' clock.
+        dt : float or (K,) array
+            s, the length of the interval.
+        serial : int or (K,) array of int, optional
+            Counts samples; 0 where there is no counter.
+        **sensed : (size,) or (K, size) array
+            What the sensors deliver, such as `dtheta_ib_b` and `dv_b`.
+
+        Returns
+        -------
+        (...,) array of int
+            Status of the C; 0 where it was taken.
+
+        Raises
+        ------
+        BoresightError
+            A name or a shape that does not fit; what a number is, the C judges.
+        """
+        given = self._samples(at_us, dt, serial, sensed)
+        status = [self._taken(given.ctypes.data + k * given.itemsize) for k in range(given.size)]
+        return np.array(status).reshape(given.shape)
+
+    def _samples(self, at_us: Any, dt: Any, serial: Any, sensed: dict[str, Any]) -> Array:
+        """Samples as the C reads them."""
+        if set(sensed) != set(self.layout.described["sensed"]):
+            names = ", ".join(self.layout.described["sensed"])
+            raise BoresightError(
+                f"sample: {self.library.name} reads {names}; it was given {', '.join(sensed) or 'nothing'}"
+            )
+        given = np.zeros(np.shape(at_us), self.layout.sample)
+        try:
+            given["at"], given["dt"], given["serial"] = at_us, dt, serial
+            for name, value in sensed.items():
+                given[name] = value
+        except (TypeError, ValueError) as error:
+            raise BoresightError(f"sample: {error}") from None
+        return given
+
+    def _taken(self, address: int) -> int:
+        status = self._sample(self._memory, ctypes.c_void_p(address))
+        while self._background(self._memory) == 0:
+            pass
+        return int(status)
+
+    def background(self) -> bool:
+        """Do one thing that is to be done; False where there was nothing."""
+        return self._background(self._memory) == Status.OK
+
+    def message(self, measurement: str, at_us: int, variance: Any, *, rows: int = ALL_ROWS, **fields: Any) -> Fate:
+        """One measurement; what becomes of it is counted when its turn comes.
+
+        Parameters
+        ----------
+        measurement : str
+            Its name in the model.
+        at_us : int
+            us, when it was measured, by the sensors' clock as far as the message knows.
+        variance : (m,) array
+            R, the squares of its sigmas; (m, m) of one with correlated rows.
+        rows : int, optional
+            Bit i: row i is there.
+        **fields : array
+            What its functions read beside the navigation and the sensors.
+
+        Returns
+        -------
+        Fate
+            WAITING, or why it was refused at once.
+        """
+        if measurement not in self.kinds:
+            raise BoresightError(
+                f"message: {self.library.name} has no measurement {measurement!r}; it has {', '.join(self.kinds)}"
+            )
+        given = self.layout.message(
+            VERSION, ctypes.sizeof(self.layout.message), self.kinds[measurement], rows, int(at_us)
+        )
+        variances = np.asarray(variance, dtype=float).ravel()
+        given.variance[: len(variances)] = list(variances)
+        for name, value in fields.items():
+            if name == "z":
+                given.z[: np.size(value)] = list(np.ravel(value))
+            elif not any(name in self.library.layout[s] for s in self.layout.described["message"]):
+                raise BoresightError(f"message: {measurement} reads no {name!r} of a message")
+            else:
+                self.layout.place(given, name, value, measurement)
+        fate = ctypes.c_int()
+        self._call("message", given, fate)
+        return Fate(fate.value)
+
+    def output(self, at_us: int) -> dict[str, Array]:
+        """The navigation at an instant not before the newest sample; {} where there is none.
+
+        Parameters
+        ----------
+        at_us : int
+            us, by the sensors' clock.
+
+        Returns
+        -------
+        dict of str to array
+            The carried fields, and `sigma` (n,) of the states as the covariance has it.
+        """
+        out = self.layout.output()
+        sigma = (self.layout.real * len(self.library.states))()
+        if self._call("output", ctypes.c_int64(int(at_us)), out):
+            return {}
+        self._call("sigmas", sigma, None)
+        return {**self.layout.values(out.carried), "sigma": np.array(sigma, dtype=float)}
+
+    def covariance(self) -> tuple[Array, int]:
+        """P (n, n) of the state, and the instant that it has reached, us by the sensors' clock."""
+        n, at = len(self.library.states), ctypes.c_int64()
+        P = (self.layout.real * n**2)()
+        self._call("covariance", P, at)
+        return np.array(P, dtype=float).reshape(n, n), at.value
+
+    def counts(self) -> dict[str, int]:
+        """What has been counted since the loop began: fates of messages by their names, and events."""
+        counted = self.layout.counts()
+        self._call("counted", counted)
+        fates = {fate.name: int(counted.fate[fate]) for fate in Fate if fate}
+        return fates | {name: getattr(counted, name) for name, _ in self.layout.counts._fields_ if name != "fate"}
+
+    def events(self) -> list[str]:
+        """One line for each event since the last call."""
+        lines, event = [], self.layout.event()
+        while self._call("next_event", event) == Status.OK:
+            names = list(self.kinds)
+            kind = names[event.which] if event.which < len(names) else "?"
+            if event.code == Event.MESSAGE:
+                text = f"a message of {kind} was not taken: {MESSAGES[Fate(event.value)]}"
+            else:
+                status = Status(event.value).name if 0 <= event.value < len(Status) else str(event.value)
+                text = WORDS[Event(event.code)].format(
+                    value=event.value, which=event.which, measurement=kind, status=status
+                )
+            lines.append(f"sample {event.sample}: {text}")
+        return lines
+
+    def snapshot(self) -> bytes:
+        """All of the loop, for `restore`."""
+        room = ctypes.create_string_buffer(self._function("snapshot_size", size=True)())
+        if self._call("snapshot", room):
+            raise BoresightError("snapshot: the loop was being written")
+        return room.raw
+
+    def restore(self, snapshot: bytes) -> None:
+        """Go on from a snapshot.  Raises BoresightError on one of another loop, or that has changed."""
+        size = self._function("snapshot_size", size=True)()
+        if len(snapshot) != size or self._call("restore", (ctypes.c_char * size).from_buffer_copy(snapshot)):
+            raise BoresightError("restore: this is no snapshot of this loop, or it has changed")
+
+    def digest(self) -> str:
+        """SHA-256 of what the loop knows: equal on two machines that have flown the same."""
+        digest = (ctypes.c_ubyte * 32)()
+        self._call("digest", digest)
+        return bytes(digest).hex()
+
+    def __copy__(self) -> "Live":
+        made = object.__new__(type(self))
+        made.__dict__ |= self.__dict__
+        made._memory = ctypes.create_string_buffer(self._memory.raw, len(self._memory))
+        made.rules = copy.copy(self.rules)
+        return made
+
+    def __deepcopy__(self, memo: Any) -> "Live":
+        return self.__copy__()
