@@ -57,7 +57,7 @@ def place_rate(place, v_n):
 
 def matrix(turn):
     """(..., 3) rotation vector -> (..., 3, 3)."""
-    turn = np.asarray(turn, float)
+    turn = np.array(turn, float)
     return Rotation.from_rotvec(turn.reshape(-1, 3)).as_matrix().reshape(*turn.shape[:-1], 3, 3)
 
 
@@ -183,6 +183,7 @@ MOTIONS = {
     "straight": straight_on(8.0),
     "s-turns": s_turns(),
     "catapult": catapult(),
+    "far north": replace(ship(rate=1 * DEG), place=(84 * DEG, 0.2, 20.0)),
 }
 
 
@@ -261,8 +262,17 @@ def track(motion, seconds, rate_hz=50, mounting=(0.0, 0.0, 0.0), lever_b=(0.0, 0
         rate = place_rate(inside, v_n)
         inside = ends[:-1, None] + dt * (INTO @ rate)
         ends[1:] = ends[0] + np.cumsum(dt * (WEIGHTS @ place_rate(inside, v_n)), axis=0)
-    whole = Track(motion, matrix(np.asarray(mounting)), np.asarray(lever_b, float), time, ends, motion.v_n(time),
-                  np.empty(0), np.empty(0), np.empty(0))  # fmt: skip
+    whole = Track(
+        motion,
+        matrix(np.asarray(mounting)),
+        np.asarray(lever_b, float),
+        time,
+        ends,
+        motion.v_n(time),
+        np.empty(0),
+        np.empty(0),
+        np.empty(0),
+    )
     omega, _, f = whole.rates(at, inside)
     q = quaternion(whole.attitude(time)[1])
     return replace(whole, q_b2n_wxyz=q, dtheta=dt * (WEIGHTS @ omega), dv=dt * (WEIGHTS @ f))
@@ -291,6 +301,7 @@ class Setting:
     lever_believed: tuple | None = None  # as true
     tau: float = 0.035  # s, true at t = 0
     tau_drift: float = 0.0  # s/s
+    tau_step: tuple = (np.inf, 0.0)  # s, when, and by what the delay steps
     tau_believed: float = 0.0
     tau_sigma: float = 0.05
     tau_noise: float = 1e-7  # sqrt(s), what the loop is given
@@ -300,19 +311,32 @@ class Setting:
     v_sigma: float = 0.02  # m/s
     a_sigma: float = 0.3e-3  # rad
 
+    def tau_at(self, stamp):
+        """True delay of what is stamped at s, s."""
+        return self.tau + self.tau_drift * stamp + self.tau_step[1] * (stamp > self.tau_step[0])
+
     def constants(self):
         """What the model's functions ask for, of the slave and its noise."""
         lever = self.lever_b if self.lever_believed is None else self.lever_believed
-        full = {"gyro_noise": self.gyro_noise, "accel_noise": self.accel_noise, "gyro_bias_noise": 1e-8,
-                "accel_bias_noise": 1e-7, "mu_noise": 1e-8}  # fmt: skip
+        full = {
+            "gyro_noise": self.gyro_noise,
+            "accel_noise": self.accel_noise,
+            "gyro_bias_noise": 1e-8,
+            "accel_bias_noise": 1e-7,
+            "mu_noise": 1e-8,
+        }
         return (
             {"lever_b": np.array(lever)} | {n: np.full(3, v) for n, v in full.items()} | {"tau_noise": self.tau_noise}
         )
 
     def sigmas(self):
         """Of what the filter estimates beside velocity and attitude, one sigma."""
-        return {"q_b2m_wxyz": np.array(self.mounting), "gyro_bias": np.full(3, self.gyro_bias),
-                "accel_bias": np.full(3, self.accel_bias), "tau": self.tau_sigma}  # fmt: skip
+        return {
+            "q_b2m_wxyz": np.array(self.mounting),
+            "gyro_bias": np.full(3, self.gyro_bias),
+            "accel_bias": np.full(3, self.accel_bias),
+            "tau": self.tau_sigma,
+        }
 
 
 @dataclass(frozen=True)
@@ -335,8 +359,10 @@ class Flight:
 
     setting: Setting
     track: Track
+    interval: np.ndarray  # (K,) int, of the track, that the sample is of
     end_us: np.ndarray  # (K,) int64, tags of the slave
     dt: np.ndarray  # (K,) s, which comes with the sample
+    clock: np.ndarray  # (K,) s, by which stamps are ahead of the slave's tags
     dtheta: np.ndarray  # (K, runs, 3)
     dv: np.ndarray  # (K, runs, 3)
     messages: Messages
@@ -344,15 +370,23 @@ class Flight:
     accel_bias: np.ndarray  # (runs, 3)
     q_believed: np.ndarray  # (runs, 4) mounting as it is believed at the start
 
-    def tau(self, k):
-        """True delay at the end of the k-th interval, s."""
-        return self.setting.tau + self.setting.tau_drift * self.track.time[k + 1]
+    @property
+    def end(self):
+        """(K,) s, when the samples end by a clock that is right."""
+        return self.track.time[self.interval + 1]
 
     def truth(self, k):
-        """What is true at the end of the k-th interval, by the names of nav."""
-        return {"lat_lon_height": self.track.place[k + 1], "v_n": self.track.v_n[k + 1],
-                "q_b2n_wxyz": self.track.q_b2n_wxyz[k + 1], "gyro_bias": self.gyro_bias, "accel_bias": self.accel_bias,
-                "q_b2m_wxyz": quaternion(self.track.C_b2m), "tau": self.tau(k)}  # fmt: skip
+        """What is true at the end of the k-th sample, by the names of nav; the delay is that by the slave's tags."""
+        true, i = self.track, self.interval[k] + 1
+        return {
+            "lat_lon_height": true.place[i],
+            "v_n": true.v_n[i],
+            "q_b2n_wxyz": true.q_b2n_wxyz[i],
+            "gyro_bias": self.gyro_bias,
+            "accel_bias": self.accel_bias,
+            "q_b2m_wxyz": quaternion(true.C_b2m),
+            "tau": self.setting.tau_at(true.time[i]) + self.clock[k],
+        }
 
     def events(self, run) -> Iterator[tuple]:
         """("sample", at_us, dt, dtheta, dv) and ("message", at_us, fields) of one run in order of arrival."""
@@ -383,7 +417,20 @@ def fly(setting: Setting, **changes) -> Flight:
     dv = true.dv[:, None] + accel_bias * dt + setting.accel_noise * white[1]
     end_us = np.round(true.time[1:] / US).astype(np.int64)
     sent = send(setting, true, end_us, random)
-    return Flight(setting, true, end_us, np.full(K, dt), dtheta, dv, sent, gyro_bias, accel_bias, believed)
+    return Flight(
+        setting=setting,
+        track=true,
+        interval=np.arange(K),
+        end_us=end_us,
+        dt=np.full(K, dt),
+        clock=np.zeros(K),
+        dtheta=dtheta,
+        dv=dv,
+        messages=sent,
+        gyro_bias=gyro_bias,
+        accel_bias=accel_bias,
+        q_believed=believed,
+    )
 
 
 def send(setting, true, end_us, random):
@@ -392,8 +439,7 @@ def send(setting, true, end_us, random):
     due = np.arange(setting.begin, last, 1 / setting.master_hz)
     shape = len(due), setting.runs
     stamp_us = np.round((due[:, None] + setting.jitter * np.abs(random.standard_normal(shape)).clip(0, 4)) / US)
-    # the delay as it is at the stamp
-    measured = stamp_us * US - (setting.tau + setting.tau_drift * stamp_us * US)
+    measured = stamp_us * US - setting.tau_at(stamp_us * US)
     v, q, place = true.master(measured)
     v = v + setting.v_sigma * random.standard_normal(v.shape)
     q = quaternion(matrix(setting.a_sigma * random.standard_normal(v.shape)) @ matrix_of_quaternion(q))

@@ -17,19 +17,33 @@ MOUNTING, LEVER = np.array([2.0, -3.0, 40.0]) * DEG, np.array([-2.4, 1.2, 1.75])
 
 def drift(model, true):
     """Largest error of velocity (m/s), attitude (rad) and place (m, of height and of the level) along a track."""
-    nav = {"lat_lon_height": true.place[0], "v_n": true.v_n[0], "q_b2n_wxyz": true.q_b2n_wxyz[0],
-           "gyro_bias": np.zeros(3), "accel_bias": np.zeros(3)}  # fmt: skip
+    nav = {
+        "lat_lon_height": true.place[0],
+        "v_n": true.v_n[0],
+        "q_b2n_wxyz": true.q_b2n_wxyz[0],
+        "gyro_bias": np.zeros(3),
+        "accel_bias": np.zeros(3),
+    }
     dt, worst = true.time[1], np.zeros(3)
     for k in range(len(true.dtheta)):
         before = max(k - 1, 0)
-        nav |= model.strapdown(dtheta_ib_b=true.dtheta[k], dv_b=true.dv[k], dtheta_before=true.dtheta[before],
-                               dv_before=true.dv[before], dt=dt, **nav)  # fmt: skip
+        nav |= model.strapdown(
+            dtheta_ib_b=true.dtheta[k],
+            dv_b=true.dv[k],
+            dtheta_before=true.dtheta[before],
+            dv_before=true.dv[before],
+            dt=dt,
+            **nav,
+        )
         place = nav["lat_lon_height"] - true.place[k + 1]
-        worst = np.maximum(worst, [
-            np.abs(nav["v_n"] - true.v_n[k + 1]).max(),
-            np.abs(turn_between(nav["q_b2n_wxyz"], true.q_b2n_wxyz[k + 1])).max(),
-            np.abs(place * [6.4e6, 6.4e6 * np.cos(true.place[0, 0]), 1]).max(),
-        ])  # fmt: skip
+        worst = np.maximum(
+            worst,
+            [
+                np.abs(nav["v_n"] - true.v_n[k + 1]).max(),
+                np.abs(turn_between(nav["q_b2n_wxyz"], true.q_b2n_wxyz[k + 1])).max(),
+                np.abs(place * [6.4e6, 6.4e6 * np.cos(true.place[0, 0]), 1]).max(),
+            ],
+        )
     return worst
 
 
@@ -55,8 +69,13 @@ def test_messages_without_errors_have_no_residual(model, name):
     t = np.linspace(1, 29, 57)
     place = true.place_at(t)
     v, q, _ = true.master(t)
-    nav = {"lat_lon_height": place, "v_n": true.motion.v_n(t), "q_b2n_wxyz": quaternion(true.attitude(t)[1]),
-           "omega_ib_b": true.rates(t, place)[0], "lag": 0.0}  # fmt: skip
+    nav = {
+        "lat_lon_height": place,
+        "v_n": true.motion.v_n(t),
+        "q_b2n_wxyz": quaternion(true.attitude(t)[1]),
+        "omega_ib_b": true.rates(t, place)[0],
+        "lag": 0.0,
+    }
     z = model.velocity_z(**nav, lever_b=LEVER, v_m_n=v, a_n=np.zeros(3))
     # the model takes the lever arm's velocity against the level, which turns with the slave: 3.2 m / 6.4e6 m of v
     neglected = np.cross(omega_en_n(place, true.motion.v_n(t)), times(true.attitude(t)[1], LEVER))
