@@ -42,8 +42,8 @@ class Flown:
     errors: list = field(default_factory=list)  # (L, runs, 16)
     P: list = field(default_factory=list)  # (L, runs, 16, 16)
     nis: list = field(default_factory=list)  # (L, runs) of the messages taken, else nan
-    refused: list = field(default_factory=list)  # (L, runs) bool
-    came: list = field(default_factory=list)  # (L, runs) bool
+    refused: list = field(default_factory=list)  # (L, runs) how many messages, of
+    came: list = field(default_factory=list)  # (L, runs) so many
     notes: list = field(default_factory=list)  # (s, run or None, code or text)
     raised: str = ""  # what ended it, if anything did
 
@@ -95,7 +95,7 @@ def judged(flown: Flown, last=None) -> Judged:
     last = time[-1] if last is None else last
     half, end = time >= last / 2, time >= time[-1] - 5
     half = half if half.any() else end
-    keep = [i for i in range(N) if P[..., i, i].max() > 0]
+    keep = [i for i in range(N) if np.nanmax(P[..., i, i]) != 0]
     whole = nees(errors[..., keep], P[..., keep, :][..., keep])
     nav = [*range(6), *range(12, 15)]
     part = nees(errors[half][..., nav], P[half][..., nav, :][..., nav])
@@ -165,8 +165,7 @@ def information(flight: Flight, runs=4):
     """
     setting, true, sent = flight.setting, flight.track, flight.messages
     constants, sigmas = setting.constants(), setting.sigmas()
-    names = "gyro_noise", "accel_noise", "gyro_bias_noise", "accel_bias_noise", "mu_noise"
-    W = np.diag(np.append([constants[name] for name in names], setting.tau_noise) ** 2)
+    W = density(constants)
     start = np.concatenate(
         [
             np.full(3, 10.0),
@@ -187,14 +186,24 @@ def information(flight: Flight, runs=4):
             dt = (measured[m] - now) / steps
             F, G = system(true, now + dt * (np.arange(steps) + 0.5))
             for F_k, G_k in zip(F, G, strict=True):
-                step = np.eye(N) + F_k * dt + F_k @ F_k * (dt**2 / 2)
-                half = G_k @ W @ G_k.T * (dt / 2)
-                P = step @ (P + half) @ step.T + half
+                P = predicted(P, F_k, G_k @ W @ G_k.T, dt)
             now = measured[m]
             if sent.came[m, run]:
                 P = corrected(P, H[m], np.diag(sent.R[m, run]))
             out[m, run] = np.sqrt(np.diagonal(P))
     return sent.measured[:, :runs].mean(axis=1), out
+
+
+def density(constants):
+    """(16, 16) of the white noise w of `system`."""
+    names = "gyro_noise", "accel_noise", "gyro_bias_noise", "accel_bias_noise", "mu_noise"
+    return np.diag(np.append([constants[name] for name in names], constants["tau_noise"]) ** 2)
+
+
+def predicted(P, F, Q, dt):
+    """P after dt, s; F and the density Q are those of its middle."""
+    step = np.eye(N) + F * dt + F @ F * (dt**2 / 2)
+    return step @ (P + Q * (dt / 2)) @ step.T + Q * (dt / 2)
 
 
 def corrected(P, H, R):

@@ -4,8 +4,8 @@ import signal
 from contextlib import contextmanager
 
 import numpy as np
-from judge import Flown, N, errors_of
-from simulator import US, Flight, matrix_of_euler, quaternion
+from judge import Flown, N, density, errors_of, predicted, system
+from simulator import US, Flight, matrix_of_quaternion, quaternion
 
 from boresight import Message, load, transfer
 from boresight.runtime.transfer import Increments, Transfer, Verdict
@@ -101,87 +101,125 @@ def nav_of(loop):
 
 # ---- the live loop
 
-# one sigma of a start that is only roughly known, by block of the state; the others are the setting's
-ROUGH = {"phi": [0.5, 0.5, 2.0], "dv": [100.0, 100.0, 10.0]}
-BLOCKS = {"gyro_bias": "dbg", "accel_bias": "dba", "q_b2m_wxyz": "dmu", "tau": "d_tau"}
+# One sigma of a start at the first message: it is late, has no lever arm in it, and the slave's axes are not the
+# master's.  So wide that what the message has to do with the mounting is forgotten.
+START = {"phi": [0.1, 0.1, 0.3], "dv_n": [3.0, 3.0, 3.0]}
+BLOCKS = {"gyro_bias": "d_gyro_bias", "accel_bias": "d_accel_bias", "q_b2m_wxyz": "dmu", "tau": "d_tau"}
 
 
-def live(flight: Flight, runs=None, rules=None, call_s=2.0, taken=lambda fate: fate == 0):
-    """Each run by a loop of its own, from the first sample on; background once behind each sample.
+def live(flight: Flight, runs=None, rules=None, call_s=2.0):
+    """Each run by a loop of its own, begun at the first message; background behind each sample until nothing is left.
 
-    output()["P"] is what NEES is of; without it, of the sigmas alone, as if the errors were independent.
-    A loop that states the NIS of its last message as `nis` has its mean too; one that adds to the stamps says how much
-    by output()["clock"], s.
+    A row is the loop just before a message arrives, when the corrections of the one before are due.  P is that of
+    `covariance`, carried from its instant to now by what is true.  A loop that is lost begins anew, as a driver would
+    do it, from the next message.
     """
-    from boresight.runtime.live import Live
-
-    setting, whole = flight.setting, Flown()
-    rows = {}
-    for run in range(setting.runs if runs is None else runs):
+    runs, whole, rows = flight.setting.runs if runs is None else runs, Flown(), {}
+    for run in range(runs):
         try:
-            loop, k = Live("velocity-attitude", rules=rules, **setting.constants()), -1
-            loop.begin(0, rough(flight, run), sigmas(flight))
-            for kind, at_us, *given in flight.events(run):
-                with within(call_s):
-                    if kind == "sample":
-                        k += 1
-                        dt, dtheta, dv = given
-                        status = loop.sample(at_us, dt, dtheta_ib_b=dtheta, dv_b=dv)
-                        if status:
-                            whole.notes.append((flight.end[k], run, f"sample {status}"))
-                        loop.background()
-                        continue
-                    fields, R = given[0], given[0]["R"]
-                    lever = setting.constants()["lever_b"]
-                    fates = [
-                        loop.message("velocity", at_us, R[:3], v_m_n=fields["v_m_n"], lever_b=lever),
-                        loop.message("dcm", at_us, R[3:], q_m2n_wxyz=fields["q_m2n_wxyz"]),
-                    ]
-                    while loop.background():
-                        pass
-                    nav = loop.output(int(flight.end_us[k]))
-                nav["tau"] = nav["tau"] - nav.pop("clock", 0.0)
-                sigma = np.asarray(nav["sigma"], float)
-                P = np.asarray(nav.get("P", np.diag(sigma**2)), float)
-                refused = not all(taken(fate) for fate in fates)
-                if refused:
-                    whole.notes.append((flight.end[k], run, f"message {fates}"))
-                rows.setdefault(k, {})[run] = (
-                    errors_of({n: np.asarray(v)[None] for n, v in nav.items()}, true_of(flight, k, [run]))[0],
-                    P,
-                    np.nan if refused else getattr(loop, "nis", np.nan),
-                    refused,
-                )
+            for k, row in one_run(flight, run, rules, call_s, whole.notes):
+                rows.setdefault(k, {})[run] = row
         except Exception as error:
             whole.raised = f"run {run}: {type(error).__name__}: {error}".splitlines()[0]
-    together(whole, rows, flight, setting.runs if runs is None else runs)
+    together(whole, rows, flight, runs)
     return whole
 
 
+def one_run(flight, run, rules, call_s, notes):
+    """(k, (errors, P, refused, came)) before each message, and at the end."""
+    from boresight.runtime.live import Live
+
+    constants = flight.setting.constants()
+    lever_b, k, counted, begun = constants.pop("lever_b"), -1, {}, False
+    loop = Live("velocity-attitude", rules=rules, **constants)
+
+    def row():
+        nonlocal counted
+        notes.extend((flight.end[k], run, line) for line in loop.events())
+        before, counted = counted, loop.counts()
+        new = {name: counted[name] - before.get(name, 0) for name in counted}
+        taken = new["TAKEN"]
+        refused = sum(
+            new[name] for name in ("IN_PART", "GATED", "OLD", "LATE", "TWICE", "AHEAD", "REFUSED", "FULL", "NOT_READY")
+        )
+        nav = loop.output(int(flight.end_us[k]))
+        if not nav:
+            return np.full(N, np.nan), np.full((N, N), np.nan), refused, taken + refused
+        nav = {name: np.asarray(value, float)[None] for name, value in nav.items()}
+        P, at_us = loop.covariance()
+        P = carried_to_now(flight, k, P, (int(flight.end_us[k]) - at_us) * US)
+        return errors_of(nav, true_of(flight, k, [run]))[0], P, refused, taken + refused
+
+    for kind, at_us, *given in flight.events(run):
+        if kind == "sample":
+            k += 1
+            if not begun:
+                continue
+            dt, dtheta, dv = given
+            with within(call_s):
+                loop.sample(at_us, dt, dtheta_ib_b=dtheta, dv_b=dv)
+                while loop.background():
+                    pass
+            continue
+        fields, R = given[0], given[0]["R"]
+        if begun:
+            yield k, row()
+        with within(call_s):
+            if not begun or not loop.output(int(flight.end_us[k])):
+                loop.begin(int(flight.end_us[k]), start(fields, flight, run), **sigmas(flight))
+                begun = True
+                continue
+            loop.message("velocity", at_us, R[:3], v_m_n=fields["v_m_n"], lever_b=lever_b)
+            loop.message("dcm", at_us, R[3:], q_m2n_wxyz=fields["q_m2n_wxyz"])
+            while loop.background():
+                pass
+    yield k, row()
+
+
+def carried_to_now(flight: Flight, k, P, age):
+    """P of so many seconds before the end of the k-th sample, carried there by what is true."""
+    if not 0 < age < 2:
+        return P
+    constants = flight.setting.constants()
+    W = density(constants)
+    steps = int(np.ceil(age / 0.05))
+    dt = age / steps
+    for F, G in zip(*system(flight.track, flight.end[k] - age + dt * (np.arange(steps) + 0.5)), strict=True):
+        P = predicted(P, F, G @ W @ G.T, dt)
+    return P
+
+
 def together(whole, rows, flight, runs):
-    """The runs' own rows as arrays of all runs, those that nothing came to as they were before."""
+    """The runs' own rows as arrays of all runs, those without a row as they were before."""
     errors, P = np.full((runs, N), np.nan), np.full((runs, N, N), np.nan)
     for k in sorted(rows):
-        nis, refused, came = np.full(runs, np.nan), np.zeros(runs, bool), np.zeros(runs, bool)
+        refused, came = np.zeros(runs, int), np.zeros(runs, int)
         for run, row in rows[k].items():
-            errors[run], P[run], nis[run], refused[run] = row
-            came[run] = True
-        whole.append(time=flight.end[k], errors=errors.copy(), P=P.copy(), nis=nis, refused=refused, came=came)
+            errors[run], P[run], refused[run], came[run] = row
+        whole.append(
+            time=flight.end[k],
+            errors=errors.copy(),
+            P=P.copy(),
+            nis=np.full(runs, np.nan),
+            refused=refused,
+            came=came,
+        )
 
 
-def rough(flight: Flight, run):
-    """nav at the first sample as somebody has it who knows the place, and nothing of velocity and heading."""
+def start(fields, flight: Flight, run):
+    """nav as a driver has it of the first message."""
+    q_b2n = matrix_of_quaternion(fields["q_m2n_wxyz"]) @ matrix_of_quaternion(flight.q_believed[run])
     return {
-        "lat_lon_height": flight.messages.position[0, run],
-        "v_n": np.zeros(3),
-        "q_b2n_wxyz": quaternion(matrix_of_euler(np.zeros(3))),
+        "lat_lon_height": fields["position"],
+        "v_n": fields["v_m_n"],
+        "q_b2n_wxyz": quaternion(q_b2n),
+        "q_b2m_wxyz": flight.q_believed[run],
         "gyro_bias": np.zeros(3),
         "accel_bias": np.zeros(3),
-        "q_b2m_wxyz": flight.q_believed[run],
         "tau": flight.setting.tau_believed,
     }
 
 
 def sigmas(flight: Flight):
-    named = {BLOCKS[name]: np.atleast_1d(size) for name, size in flight.setting.sigmas().items()}
-    return {name: np.array(size) for name, size in ROUGH.items()} | named
+    named = {BLOCKS[name]: size for name, size in flight.setting.sigmas().items()}
+    return {name: np.array(size) for name, size in START.items()} | named

@@ -54,7 +54,7 @@ def main():
         runs = len({run for _, run, _ in flown.notes})
         verdict = "ok " if met(one, flight, flown, found) else "BAD"
         print(f"{verdict} {one.asked:10} {one.name:52} {found}; {runs} runs", flush=True)
-        if one.asked == "informed":
+        if one.asked == "informed" and flown.time:
             _, _, claimed, of = informed(flight, flown)
             print(
                 f"        sigma of the delay {claimed[0]:.2f} to {claimed[-1]:.2f} ms, by the true rates "
