@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 
 import numpy as np
+from scipy.stats import chi2
 from simulator import (
     Flight,
     derivative,
@@ -15,7 +16,6 @@ from simulator import (
 
 PHI, DV, GYRO_BIAS, ACCEL_BIAS, MOUNT = (slice(k, k + 3) for k in range(0, 15, 3))
 TAU, N = 15, 16
-BAND = 12.8, 19.6  # of the mean NEES of 16 states over 30 runs at one instant, 99.9 %
 
 
 def errors_of(nav, truth):
@@ -59,8 +59,18 @@ def nees(errors, P):
     return np.sum(errors * np.linalg.solve(P, errors[..., None])[..., 0], axis=-1)
 
 
+def inside(mean, runs):
+    """Whether the mean NEES of 16 states, of so many runs at one instant, is as 99.9 % of such means are.
+
+    12.8 to 19.6 of 30 runs.  Means over time as well lie closer to 16.
+    """
+    low, high = chi2.ppf([0.0005, 0.9995], N * runs) / runs
+    return low < mean < high
+
+
 @dataclass(frozen=True)
 class Judged:
+    runs: int
     nees: float  # mean of the second half
     nees_end: float  # mean of the last 5 s
     nees_nav: float  # of velocity, attitude and mounting alone, per 9 states, second half
@@ -73,7 +83,7 @@ class Judged:
 
     @property
     def consistent(self):
-        return not self.raised and BAND[0] < self.nees < BAND[1]
+        return not self.raised and inside(self.nees, self.runs)
 
     def __str__(self):
         phi, tau = slice(0, 3), TAU
@@ -89,7 +99,7 @@ def judged(flown: Flown, last=None) -> Judged:
     time = np.array(flown.time)
     if not len(time):
         nothing = np.full(N, np.nan)
-        return Judged(*5 * [np.nan], nothing, nothing, len(flown.notes), flown.raised or "no message was taken")
+        return Judged(0, *5 * [np.nan], nothing, nothing, len(flown.notes), flown.raised or "no message was taken")
     errors, P, nis = (np.array(part) for part in (flown.errors, flown.P, flown.nis))
     refused, came = np.array(flown.refused), np.array(flown.came)
     last = time[-1] if last is None else last
@@ -101,6 +111,7 @@ def judged(flown: Flown, last=None) -> Judged:
     part = nees(errors[half][..., nav], P[half][..., nav, :][..., nav])
     mean_nis = np.nanmean(nis[half]) if np.isfinite(nis[half]).any() else np.nan
     return Judged(
+        errors.shape[1],
         whole[half].mean(),
         whole[end].mean(),
         part.mean(),
@@ -210,3 +221,31 @@ def corrected(P, H, R):
     gain = P @ H.T @ np.linalg.inv(H @ P @ H.T + R)
     rest = np.eye(len(P)) - gain @ H
     return rest @ P @ rest.T + gain @ R @ gain.T
+
+
+# ---- what is asked
+
+
+def met(asked, most_refused, flight: Flight, flown: Flown) -> bool:
+    """Whether a flown condition is as it is asked to be, see `conditions`."""
+    found = judged(flown, flight.setting.seconds)
+    if flown.raised or np.isnan(found.nees_end):
+        return False
+    most = len({run for _, run, _ in flown.notes}) >= 0.9 * flight.setting.runs
+    if asked == "recovers":
+        return most and inside(found.nees_end, found.runs)
+    if asked == "named":
+        return most or found.consistent
+    well = found.consistent and found.refused <= most_refused
+    return well and (asked == "consistent" or informed(flight, flown)[0].all())
+
+
+def informed(flight: Flight, flown: Flown):
+    """(L, runs) bool of the second half: the sigma of the delay is within -5 and +20 % of what the true rates leave of
+    it; and the two, (L,) ms."""
+    time, sigma = information(flight, runs=1)
+    of = np.interp(flown.time, time, sigma[:, 0, TAU])[:, None]
+    claimed = np.sqrt(np.array(flown.P)[..., TAU, TAU])
+    half = np.array(flown.time) > flight.setting.seconds / 2
+    within = (claimed > 0.95 * of) & (claimed < 1.2 * of)
+    return within[half], 1e3 * claimed[half].mean(axis=1), 1e3 * of[half, 0]

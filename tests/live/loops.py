@@ -167,6 +167,7 @@ def one_run(flight, run, rules, call_s, notes):
         with within(call_s):
             if not begun or not loop.output(int(flight.end_us[k])):
                 loop.begin(int(flight.end_us[k]), start(fields, flight, run), **sigmas(flight))
+                notes.extend((flight.end[k], run, line) for line in loop.events() if begun)
                 begun = True
                 continue
             loop.message("velocity", at_us, R[:3], v_m_n=fields["v_m_n"], lever_b=lever_b)
