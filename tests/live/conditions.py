@@ -67,11 +67,11 @@ def from_time(flight, begin, end=np.inf):
     return (arrives >= begin) & (arrives < end)
 
 
-def one_off(at, v=(0, 0, 0), turn=(0, 0, 0), count=1):
-    """The first message from `at` on, or several, is off by a velocity, m/s, and a turn about n, e, d, rad."""
+def one_off(when, v=(0, 0, 0), turn=(0, 0, 0), count=1):
+    """The first message from `when` on, or several, is off by a velocity, m/s, and a turn about n, e, d, rad."""
 
     def change(flight):
-        first = np.flatnonzero(from_time(flight, at))[:count]
+        first = np.flatnonzero(from_time(flight, when))[:count]
         v_m_n, q, came = (getattr(flight.messages, name).copy() for name in ("v_m_n", "q_m2n_wxyz", "came"))
         v_m_n[first] += v
         q[first] = turned(q[first], np.broadcast_to(np.asarray(turn, float), v_m_n[first].shape))
@@ -81,11 +81,11 @@ def one_off(at, v=(0, 0, 0), turn=(0, 0, 0), count=1):
     return change
 
 
-def message_of(at, **fields):
-    """The first message from `at` on has these values in place of its own."""
+def message_of(when, **fields):
+    """The first message from `when` on has these values in place of its own."""
 
     def change(flight):
-        m, new = int(np.argmax(from_time(flight, at))), {"came": flight.messages.came.copy()}
+        m, new = int(np.argmax(from_time(flight, when))), {"came": flight.messages.came.copy()}
         new["came"][m] = True
         for name, value in fields.items():
             new[name] = getattr(flight.messages, name).copy()
@@ -161,12 +161,12 @@ def by_tau(tau):
     return change
 
 
-def stamps_step(at, by):
+def stamps_step(when, by):
     """The master's clock steps."""
 
     def change(flight):
-        stamp, ahead = flight.messages.stamp_us, flight.clock + by * (flight.end >= at)
-        late = (round(by / US) * from_time(flight, at))[:, None]
+        stamp, ahead = flight.messages.stamp_us, flight.clock + by * (flight.end >= when)
+        late = (round(by / US) * from_time(flight, when))[:, None]
         return messages(replace(flight, clock=ahead), stamp_us=stamp + late)
 
     return change
@@ -232,10 +232,10 @@ def velocity_filtered(seconds):
         sent, true = flight.messages, flight.track
         grid = np.arange(-10 * seconds, true.time[-1] + 0.01, 0.01)
         v = true.master(grid)[0]
-        kept, low = np.exp(-0.01 / seconds), np.empty_like(v)
+        keep, low = np.exp(-0.01 / seconds), np.empty_like(v)
         low[0] = v[0]
         for i in range(1, len(v)):
-            low[i] = kept * low[i - 1] + (1 - kept) * (v[i] + v[i - 1]) / 2
+            low[i] = keep * low[i - 1] + (1 - keep) * (v[i] + v[i - 1]) / 2
         behind = np.stack([np.interp(sent.measured, grid, (low - v)[:, i]) for i in range(3)], -1)
         return messages(flight, v_m_n=sent.v_m_n + behind)
 
@@ -262,7 +262,7 @@ def rounded(v=0.01, angle=1e-4):
 # ---- changes of the slave
 
 
-def kept(flight, which):
+def only(flight, which):
     """The flight with these samples alone, (K,) bool; messages arrive behind the last sample before them."""
     number = np.cumsum(which) - 1
     after = number[flight.messages.after.clip(0, len(which) - 1)]
@@ -271,41 +271,41 @@ def kept(flight, which):
 
 
 def gap(begin, seconds):
-    return lambda flight: kept(flight, (flight.end <= begin) | (flight.end > begin + seconds + 1e-9))
+    return lambda flight: only(flight, (flight.end <= begin) | (flight.end > begin + seconds + 1e-9))
 
 
-def tags_step(at, by, stamps=False, behind=0.0):
+def tags_step(when, by, stamps=False, behind=0.0):
     """The slave's clock steps, and the stamps of the messages with it if they are by the same clock.
 
     behind: s, what the tags are at the start of the flight.
     """
 
     def change(flight):
-        end_us = flight.end_us + round(by / US) * (flight.end > at)
+        end_us = flight.end_us + round(by / US) * (flight.end > when)
         if not stamps:
-            return replace(flight, end_us=end_us, clock=flight.clock - by * (flight.end > at))
+            return replace(flight, end_us=end_us, clock=flight.clock - by * (flight.end > when))
         stamp = flight.messages.stamp_us
-        return messages(replace(flight, end_us=end_us), stamp_us=stamp + round(by / US) * (stamp * US > at + behind))
+        return messages(replace(flight, end_us=end_us), stamp_us=stamp + round(by / US) * (stamp * US > when + behind))
 
     return change
 
 
-def restarts(at, after):
+def restarts(when, after):
     """The slave's counter, which had run for so many seconds before the flight, begins at 0.2 s; stamps are by it."""
 
     def change(flight):
         before = round(after / US)
         sent = messages(replace(flight, end_us=flight.end_us + before), stamp_us=flight.messages.stamp_us + before)
-        return tags_step(at, 0.2 - at - after, stamps=True, behind=after)(sent)
+        return tags_step(when, 0.2 - when - after, stamps=True, behind=after)(sent)
 
     return change
 
 
-def sample_of(at, **fields):
-    """One sample, the first from `at` on, has these values in place of its own."""
+def sample_of(when, **fields):
+    """One sample, the first from `when` on, has these values in place of its own."""
 
     def change(flight):
-        k, new = int(np.argmax(flight.end >= at)), {}
+        k, new = int(np.argmax(flight.end >= when)), {}
         for name, value in fields.items():
             new[name] = getattr(flight, name).copy()
             new[name][k] = value
@@ -441,9 +441,9 @@ def stuck(begin, seconds, gyro=(0, 1, 2), accel=(0, 1, 2), at_zero=False):
     return change
 
 
-def axes_swapped(at):
+def axes_swapped(when):
     def change(flight):
-        late = (flight.end > at)[:, None, None]
+        late = (flight.end > when)[:, None, None]
         order = [1, 0, 2]
         return replace(
             flight,
@@ -478,10 +478,12 @@ CONDITIONS = [
     # nothing is wrong
     *(
         Condition(f"healthy, {name}", "consistent", name)
-        for name in ("ship", "ship straight on", "calm", "s-turns", "catapult", "parked", "straight")
+        for name in ("ship", "ship, steady course", "calm", "s-turns", "catapult", "parked", "steady course")
     ),
     Condition("healthy, 200 Hz and 10 Hz", "consistent", setting={"slave_hz": 200, "master_hz": 10.0, "seconds": 30.0}),
     Condition("healthy, 10 Hz and 1 Hz", "consistent", "calm", {"slave_hz": 10, "master_hz": 1.0, "seconds": 60.0}),
+    Condition("healthy, parked, mounting 10 deg", "consistent", "parked", HEADING_10),
+    Condition("healthy, mounting 10 deg", "consistent", "ship", HEADING_10 | {"seconds": 40.0}),
     Condition("few digits", "consistent", change=rounded()),
     Condition("84 N", "consistent", "far north"),
     # S1: one message off, at rest and early

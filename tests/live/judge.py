@@ -1,4 +1,4 @@
-"""What a flown loop did, beside the truth and beside what the data can tell."""
+"""What a record loop did, beside the truth and beside what the data can tell."""
 
 from dataclasses import dataclass, field
 
@@ -35,7 +35,7 @@ def errors_of(nav, truth):
 
 
 @dataclass
-class Flown:
+class Record:
     """A loop behind each of L messages; what never came is nan and not counted."""
 
     time: list = field(default_factory=list)  # (L,) s, true
@@ -94,14 +94,14 @@ class Judged:
         return text + (f"; {self.raised}" if self.raised else "")
 
 
-def judged(flown: Flown, last=None) -> Judged:
+def judged(record: Record, last=None) -> Judged:
     """Of a flight that was to end at `last` s; one that was ended is judged until its end."""
-    time = np.array(flown.time)
+    time = np.array(record.time)
     if not len(time):
         nothing = np.full(N, np.nan)
-        return Judged(0, *5 * [np.nan], nothing, nothing, len(flown.notes), flown.raised or "no message was taken")
-    errors, P, nis = (np.array(part) for part in (flown.errors, flown.P, flown.nis))
-    refused, came = np.array(flown.refused), np.array(flown.came)
+        return Judged(0, *5 * [np.nan], nothing, nothing, len(record.notes), record.raised or "no message was taken")
+    errors, P, nis = (np.array(part) for part in (record.errors, record.P, record.nis))
+    refused, came = np.array(record.refused), np.array(record.came)
     last = time[-1] if last is None else last
     half, end = time >= last / 2, time >= time[-1] - 5
     half = half if half.any() else end
@@ -119,8 +119,8 @@ def judged(flown: Flown, last=None) -> Judged:
         refused.sum() / came.sum(),
         np.sqrt(np.mean(errors[end] ** 2, axis=(0, 1))),
         np.sqrt(np.mean(np.einsum("...ii->...i", P[end]), axis=(0, 1))),
-        len(flown.notes),
-        flown.raised,
+        len(record.notes),
+        record.raised,
     )
 
 
@@ -226,26 +226,26 @@ def corrected(P, H, R):
 # ---- what is asked
 
 
-def met(asked, most_refused, flight: Flight, flown: Flown) -> bool:
-    """Whether a flown condition is as it is asked to be, see `conditions`."""
-    found = judged(flown, flight.setting.seconds)
-    if flown.raised or np.isnan(found.nees_end):
+def met(asked, most_refused, flight: Flight, record: Record) -> bool:
+    """Whether a record condition is as it is asked to be, see `conditions`."""
+    found = judged(record, flight.setting.seconds)
+    if record.raised or np.isnan(found.nees_end):
         return False
-    most = len({run for _, run, _ in flown.notes}) >= 0.9 * flight.setting.runs
+    most = len({run for _, run, _ in record.notes}) >= 0.9 * flight.setting.runs
     if asked == "recovers":
         return most and inside(found.nees_end, found.runs)
     if asked == "named":
         return most or found.consistent
     well = found.consistent and found.refused <= most_refused
-    return well and (asked == "consistent" or informed(flight, flown)[0].all())
+    return well and (asked == "consistent" or informed(flight, record)[0].all())
 
 
-def informed(flight: Flight, flown: Flown):
+def informed(flight: Flight, record: Record):
     """(L, runs) bool of the second half: the sigma of the delay is within -5 and +20 % of what the true rates leave of
     it; and the two, (L,) ms."""
     time, sigma = information(flight, runs=1)
-    of = np.interp(flown.time, time, sigma[:, 0, TAU])[:, None]
-    claimed = np.sqrt(np.array(flown.P)[..., TAU, TAU])
-    half = np.array(flown.time) > flight.setting.seconds / 2
+    of = np.interp(record.time, time, sigma[:, 0, TAU])[:, None]
+    claimed = np.sqrt(np.array(record.P)[..., TAU, TAU])
+    half = np.array(record.time) > flight.setting.seconds / 2
     within = (claimed > 0.95 * of) & (claimed < 1.2 * of)
     return within[half], 1e3 * claimed[half].mean(axis=1), 1e3 * of[half, 0]

@@ -1,10 +1,10 @@
-"""A flight through a loop: `transferred` through runtime's Transfer, `live` through its Live, run by run."""
+"""A flight through a loop: `fly_transfer` through runtime's Transfer, `fly_live` through its Live, run by run."""
 
 import signal
 from contextlib import contextmanager
 
 import numpy as np
-from judge import Flown, N, density, errors_of, predicted, system
+from judge import N, Record, density, errors_of, predicted, system
 from simulator import US, Flight, matrix_of_quaternion, quaternion
 
 from boresight import Message, load, transfer
@@ -40,9 +40,9 @@ def true_of(flight: Flight, k, runs=slice(None)):
 # ---- the loop of today
 
 
-def transferred(flight: Flight, rules=None, call_s=20.0, empty_batches=False, **settings):
+def fly_transfer(flight: Flight, rules=None, call_s=20.0, empty_batches=False, **settings):
     """All runs side by side; with a batch of no sample before each message, if so asked."""
-    model, setting, sent, flown = load("velocity-attitude"), flight.setting, flight.messages, Flown()
+    model, setting, sent, record = load("velocity-attitude"), flight.setting, flight.messages, Record()
     order = np.argsort(sent.after, kind="stable")
     constants, end = setting.constants(), flight.end_us * US
     tau = np.full(setting.runs, setting.tau_believed)
@@ -59,16 +59,16 @@ def transferred(flight: Flight, rules=None, call_s=20.0, empty_batches=False, **
 
     try:
         K = int(sent.after[order[0]]) + 1
-        past = Increments(end[:K] - flight.dt[:K], end[:K], flight.dtheta[:K], flight.dv[:K])
-        nav, P, kept = transfer.first(
+        increments = Increments(end[:K] - flight.dt[:K], end[:K], flight.dtheta[:K], flight.dv[:K])
+        nav, P, past = transfer.first(
             message(order[0]),
             model,
             constants,
             sigmas=setting.sigmas(),
-            increments=past,
+            increments=increments,
             estimates={"q_b2m_wxyz": flight.q_believed, "tau": tau},
         )
-        loop = Transfer(model, nav, P, constants, time=end[K - 1], past=kept, rules=rules, every=2, **settings)
+        loop = Transfer(model, nav, P, constants, time=end[K - 1], past=past, rules=rules, every=2, **settings)
         for m in order[1:]:
             k = int(sent.after[m]) + 1
             with within(call_s):
@@ -79,7 +79,7 @@ def transferred(flight: Flight, rules=None, call_s=20.0, empty_batches=False, **
                 K = k
                 result = loop.master(message(m))
             came = result.verdict != Verdict.ABSENT
-            flown.append(
+            record.append(
                 time=flight.end[k - 1],
                 errors=errors_of(nav_of(loop), true_of(flight, k - 1)),
                 P=loop.P.copy(),
@@ -88,10 +88,10 @@ def transferred(flight: Flight, rules=None, call_s=20.0, empty_batches=False, **
                 refused=came & ~result.taken,
             )
     except Exception as error:
-        flown.raised = f"{type(error).__name__}: {error}".splitlines()[0]
+        record.raised = f"{type(error).__name__}: {error}".splitlines()[0]
     if "loop" in locals():
-        flown.notes = [(note.time, run, note.text) for note in loop.notes for run in note.runs]
-    return flown
+        record.notes = [(note.time, run, note.text) for note in loop.notes for run in note.runs]
+    return record
 
 
 def nav_of(loop):
@@ -107,14 +107,14 @@ START = {"phi": [0.1, 0.1, 0.3], "dv_n": [3.0, 3.0, 3.0]}
 BLOCKS = {"gyro_bias": "d_gyro_bias", "accel_bias": "d_accel_bias", "q_b2m_wxyz": "dmu", "tau": "d_tau"}
 
 
-def live(flight: Flight, runs=None, rules=None, call_s=2.0):
+def fly_live(flight: Flight, runs=None, rules=None, call_s=2.0):
     """Each run by a loop of its own, begun at the first message; background behind each sample until nothing is left.
 
     A row is the loop just before a message arrives, when the corrections of the one before are due.  P is that of
-    `covariance`, carried from its instant to now by what is true.  A loop that is lost begins anew, as a driver would
-    do it, from the next message.
+    `covariance`, propagated from its instant to now by what is true.  A loop that is lost begins anew from the next
+    message, as a driver would do it.
     """
-    runs, whole, rows = flight.setting.runs if runs is None else runs, Flown(), {}
+    runs, whole, rows = flight.setting.runs if runs is None else runs, Record(), {}
     for run in range(runs):
         try:
             for k, row in one_run(flight, run, rules, call_s, whole.notes):
@@ -147,7 +147,7 @@ def one_run(flight, run, rules, call_s, notes):
             return np.full(N, np.nan), np.full((N, N), np.nan), refused, taken + refused
         nav = {name: np.asarray(value, float)[None] for name, value in nav.items()}
         P, at_us = loop.covariance()
-        P = carried_to_now(flight, k, P, (int(flight.end_us[k]) - at_us) * US)
+        P = to_now(flight, k, P, (int(flight.end_us[k]) - at_us) * US)
         return errors_of(nav, true_of(flight, k, [run]))[0], P, refused, taken + refused
 
     for kind, at_us, *given in flight.events(run):
@@ -168,7 +168,7 @@ def one_run(flight, run, rules, call_s, notes):
             if not begun or not loop.output(int(flight.end_us[k])):
                 loop.begin(int(flight.end_us[k]), start(fields, flight, run), **sigmas(flight))
                 notes.extend((flight.end[k], run, line) for line in loop.events() if begun)
-                begun = True
+                begun, counted = True, {}  # it counts from here
                 continue
             loop.message("velocity", at_us, R[:3], v_m_n=fields["v_m_n"], lever_b=lever_b)
             loop.message("dcm", at_us, R[3:], q_m2n_wxyz=fields["q_m2n_wxyz"])
@@ -177,8 +177,8 @@ def one_run(flight, run, rules, call_s, notes):
     yield k, row()
 
 
-def carried_to_now(flight: Flight, k, P, age):
-    """P of so many seconds before the end of the k-th sample, carried there by what is true."""
+def to_now(flight: Flight, k, P, age):
+    """P of so many seconds before the end of the k-th sample, propagated to there by what is true."""
     if not 0 < age < 2:
         return P
     constants = flight.setting.constants()

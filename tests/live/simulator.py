@@ -132,7 +132,7 @@ def turn(speed, rate, **swings):
     return Motion(euler, lambda t: along(t, speed, 0.5 + rate * t))
 
 
-def straight_on(speed, **swings):
+def steady_course(speed, **swings):
     return turn(speed, 0.0, **swings)
 
 
@@ -153,7 +153,7 @@ def s_turns(speed=100.0, load=2.0, period=20.0):
 
 
 def catapult(at=14.0, a=30.0, span=2.0, edge=0.05):
-    """At rest, then `a` m/s^2 for `span` s with soft edges, then straight on with a slow swing."""
+    """At rest, then `a` m/s^2 for `span` s with soft edges, then a steady course with a slow swing."""
 
     def speed(t):
         def soft(x):
@@ -173,14 +173,14 @@ def catapult(at=14.0, a=30.0, span=2.0, edge=0.05):
 
 MOTIONS = {
     "ship": ship(rate=1 * DEG),
-    "ship straight on": ship(),
+    "ship, steady course": ship(),
     "calm": ship(swing=0.15),
     "steady turn": turn(8.0, 1 * DEG),
     "loiter": turn(25.0, 5 * DEG),
     "turntable": turntable(10 * DEG, 3.0),
     "small roll": turn(8.0, 0.0, roll=[(0.2 * DEG, 0.15, 0.3)]),
     "parked": turn(0.0, 0.0),
-    "straight": straight_on(8.0),
+    "steady course": steady_course(8.0),
     "s-turns": s_turns(),
     "catapult": catapult(),
     "far north": replace(ship(rate=1 * DEG), place=(84 * DEG, 0.2, 20.0)),

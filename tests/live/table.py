@@ -9,7 +9,7 @@ from collections import Counter
 
 from conditions import CONDITIONS
 from judge import informed, judged, met
-from loops import live, transferred
+from loops import fly_live, fly_transfer
 
 
 def main():
@@ -22,14 +22,14 @@ def main():
         if given.words and not any(word in one.name for word in given.words):
             continue
         flight = one.flight(runs=given.runs)
-        flown = live(flight) if given.live else transferred(flight, empty_batches=one.empty_batches)
-        found = judged(flown, flight.setting.seconds)
-        texts = Counter(re.sub(r"-?\d[\d.e+-]*", "#", str(text)).split(" (run")[0] for _, _, text in flown.notes)
-        runs = len({run for _, run, _ in flown.notes})
-        verdict = "ok " if met(one.asked, one.refused, flight, flown) else "BAD"
+        record = fly_live(flight) if given.live else fly_transfer(flight, empty_batches=one.empty_batches)
+        found = judged(record, flight.setting.seconds)
+        texts = Counter(re.sub(r"-?\d[\d.e+-]*", "#", str(text)).split(" (run")[0] for _, _, text in record.notes)
+        runs = len({run for _, run, _ in record.notes})
+        verdict = "ok " if met(one.asked, one.refused, flight, record) else "BAD"
         print(f"{verdict} {one.asked:10} {one.name:52} {found}; {runs} runs", flush=True)
-        if one.asked == "informed" and flown.time:
-            _, claimed, of = informed(flight, flown)
+        if one.asked == "informed" and record.time:
+            _, claimed, of = informed(flight, record)
             print(
                 f"        sigma of the delay {claimed[0]:.2f} to {claimed[-1]:.2f} ms, by the true rates "
                 f"{of[0]:.2f} to {of[-1]:.2f}"

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from judge import ACCEL_BIAS, DV, GYRO_BIAS, MOUNT, PHI, TAU, N, information, inside, judged, nees, observed, system
-from loops import transferred
+from loops import fly_transfer
 from simulator import MOTIONS, derivative, quaternion, standard, track
 
 from boresight import load
@@ -74,12 +74,12 @@ def test_nees_of_what_is_drawn_from_P_is_sixteen():
 
 def test_a_healthy_flight_is_consistent_and_knows_no_more_than_there_is():
     flight = standard("ship", seconds=20.0, runs=10)
-    flown = transferred(flight)
-    found = judged(flown, 20.0)
-    assert not flown.raised and not flown.notes
+    record = fly_transfer(flight)
+    found = judged(record, 20.0)
+    assert not record.raised and not record.notes
     assert 12 < found.nees < 21 and 5.6 < found.nis < 6.4
     of = information(flight, runs=1)[1][-1, 0]
     assert (found.claimed > 0.95 * of).all() and found.claimed[TAU] < 1.2 * of[TAU]
     # the judge sees an error that is not in P
-    flown.errors[-1][:, TAU] += 5 * found.claimed[TAU]
-    assert judged(flown, 20.0).nees_end > found.nees_end + 0.5
+    record.errors[-1][:, TAU] += 5 * found.claimed[TAU]
+    assert judged(record, 20.0).nees_end > found.nees_end + 0.5
