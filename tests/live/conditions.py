@@ -34,13 +34,17 @@ from simulator import (
 )
 
 
+def unchanged(flight):
+    return flight
+
+
 @dataclass(frozen=True)
 class Condition:
     name: str
     asked: str
     motion: str = "ship"
     setting: dict = field(default_factory=dict)
-    change: Callable[[Flight], Flight] = lambda flight: flight
+    change: Callable[[Flight], Flight] = unchanged
     empty_batches: bool = False
     refused: float = 0.01  # share of the messages that may be refused, of what is to be consistent
 
