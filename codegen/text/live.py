@@ -6,19 +6,31 @@ measurement; or the age of a measurement, which is none at its own instant; or a
 message.
 """
 
+import itertools
 from typing import Any
 
+import numpy as np
 import sympy as sp
 from sympy.printing.c import C99CodePrinter
 
+from boresight.codegen.functions.tape import evaluate
 from boresight.codegen.functions.unit import Unit
 from boresight.codegen.text.covariance import nonzeros
-from boresight.codegen.text.filter import Wiring, changing, has_filter, measuring, predicting, stepping
+from boresight.codegen.text.filter import (
+    FLOWN,
+    Wiring,
+    answered_by_all,
+    changing,
+    has_filter,
+    measuring,
+    predicting,
+    stepping,
+)
 from boresight.codegen.text.names import number
 from boresight.derive.expressions import symbols_in
 from boresight.derive.linear import is_rate
 from boresight.derive.model import Model, Variable
-from boresight.derive.units import SECOND, units
+from boresight.derive.units import RADIAN, SECOND, units
 
 LAG, DELAY, BEFORE = "lag", "tau", "_before"
 OPENED = 0.1  # of the box of a state that others drive: by how much it may err for each second of missing samples
@@ -137,6 +149,48 @@ class Inputs:
         return rules, message
 
 
+def resets(model: Model, made: list[Unit]) -> list[tuple[int, int, int, float]]:
+    """(i, j, k, b): how a correction by x turns the errors that are left, e' = (I - B(x)) (e - x), B(x)_ij = b x_k.
+
+    Errors of a rotation do not add: two feedbacks are one by their sum and half of their cross product.
+    """
+    (unit,) = (unit for unit in made if unit.name == "feedback")
+    names = [r.name for r in unit.results]
+    points = answered_by_all(model, made)
+    ends, n = [0, *itertools.accumulate(v.size for v in model.states)], model.n
+    found: list[dict[tuple[int, int, int], float]] = []
+    for point in range(FLOWN):
+        here = {v.name: part[point : point + 1] for v, part in zip(model.inputs, points, strict=True)}
+
+        def fed(base: dict[str, Any], x: Any) -> dict[str, Any]:
+            values = base | {"x": x[None]}
+            results, _ = evaluate(unit.tape, [values[a.name] for a in unit.args])
+            out = {name: np.array(base[name]) for name in names}
+            for (output, nz, _), value in zip(unit.tape.results, results, strict=True):
+                out[names[output]][:, nz] = value
+            return base | out
+
+        def flat(base: dict[str, Any]) -> Any:
+            return np.concatenate([base[name][0] for name in names])
+
+        one, step = np.eye(n), 1e-4
+        J = np.stack([(flat(fed(here, step * e)) - flat(fed(here, -step * e))) / (2 * step) for e in one], axis=1)
+        back, small, terms = np.linalg.pinv(J), 1e-3, {}
+        for first, last in itertools.pairwise(ends):
+            if last - first != 3 or units(model.states[ends.index(first)].unit, 3)[0] != RADIAN:
+                continue
+            for j, k in itertools.product(range(first, last), repeat=2):
+                wanted = flat(fed(fed(here, small * one[k]), small * one[j]))
+                whole = small * (one[j] + one[k])
+                for _ in range(3):
+                    whole = whole + back @ (wanted - flat(fed(here, whole)))
+                bent = (whole - small * (one[j] + one[k])) / small**2
+                terms |= {(i, j, k): bent[i] for i in range(first, last) if abs(bent[i]) > 0.1}
+        found.append(terms)
+    same = {key for key in found[0] if all(abs(2 * f.get(key, 0) - round(2 * found[0][key])) < 0.1 for f in found)}
+    return [(*key, round(2 * found[0][key]) / 2) for key in sorted(same)]
+
+
 def path(place: str, v: Variable, i: int | None = None) -> str:
     return f"{place}.{v.name}" if v.size == 1 else f"{place}.{v.name}[{i}]" if i is not None else f"{place}.{v.name}"
 
@@ -244,6 +298,7 @@ def live_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> di
             {"access": f"{'&' if v.size == 1 else ''}live->now.{owner[v.name]}.{v.name}", "size": v.size}
             for v in inputs.carried
         ],
+        "resets": resets(model, made),
         "test_dt": repr(test_dt), "test_us": round(test_dt * 1e6),
         "dt": {"low": number(inputs.dt.low[0]), "high": number(inputs.dt.high[0])},
     }  # fmt: skip

@@ -100,6 +100,7 @@ def nav_of(loop):
 
 
 # ---- the live loop
+MODEL = __import__("os").environ.get("LIVE_MODEL", "velocity-attitude")
 
 # One sigma of a start at the first message: it is late, has no lever arm in it, and the slave's axes are not the
 # master's.  So wide that what the message has to do with the mounting is forgotten.
@@ -131,7 +132,7 @@ def one_run(flight, run, rules, call_s, notes):
 
     constants = flight.setting.constants()
     lever_b, k, counted, begun = constants.pop("lever_b"), -1, {}, False
-    loop = Live("velocity-attitude", rules=rules, **constants)
+    loop = Live(MODEL, rules=rules, **constants)
 
     def row():
         nonlocal counted

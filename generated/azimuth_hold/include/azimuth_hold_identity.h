@@ -20,7 +20,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "0eaec213b2ebd4aafb2ef19d9f8c709443462997a29160f8739ec309259f5dec"
+#define AH_MODEL_HASH "76141a3f726b958e6aa8a0c96fb74e76154915d56513f28673c0546a50f63272"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

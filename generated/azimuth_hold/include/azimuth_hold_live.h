@@ -54,8 +54,8 @@ typedef struct {
     int32_t jitter_us;  /* by how much an interval may begin before or behind the end of the last;
                          * 0: half of its own length */
     int32_t bridge_us;  /* samples may be missing for so long, beyond it the loop is lost */
-    int32_t oldest_us;  /* so old may a message be; the covariance follows behind by that where
-                         * there is none */
+    int32_t oldest_us;  /* so old may a message be, and no older than three quarters of the samples
+                         * kept; the covariance follows behind by that where there is none */
     int32_t hold_us;    /* a message waits until it is so old, for others that were measured before
                          * it */
     int32_t ahead_us;   /* by so much may a message's instant lie ahead of the samples */
@@ -101,6 +101,7 @@ typedef struct {
     int64_t at;
     bs_real dt;
     bs_real missing; /* s, of this interval: bridged, held or saturated */
+    int64_t stepped; /* us, by which the clock of the samples stepped before it */
     bs_real sensed[AH_N_SENSED];
     bs_real lon_lat_height[3];
     bs_real v_n[3];
@@ -139,6 +140,7 @@ typedef struct {
     ah_carried now;        /* at the newest sample */
     volatile uint32_t count;    /* its number */
     int64_t clock;              /* us, from the samples' clock to the loop's own */
+    int64_t stepped;            /* us, by which the clock stepped since the newest sample */
     int64_t stamp;              /* us, of the newest sample, by its own clock */
     uint32_t serial;
     ah_past past[AH_LIVE_RING];
@@ -157,6 +159,7 @@ typedef struct {
     int64_t measured[AH_N_MEASUREMENTS]; /* us, when the last of each kind was measured */
     uint16_t came[AH_N_MEASUREMENTS];    /* whether one has come, */
     uint16_t astray[AH_N_MEASUREMENTS];  /* and how many in a row did not fit */
+    bs_real kept[AH_N_PACKED]; /* scratch memory: P before a measurement */
     ah_live_counts counts;
     ah_events events[2];   /* of sample, and of the background */
 } ah_live;

@@ -20,7 +20,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "940f8a6b8b5bab4904d083227af189250798e9fe27bf2a0f6cc0889d3c1f2406"
+#define AHR_MODEL_HASH "489f0e87a6e43502bc6b1c392b0dc00bcabedcc99393699b69ef90ba15ccc197"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

@@ -53,8 +53,8 @@ typedef struct {
     int32_t jitter_us;  /* by how much an interval may begin before or behind the end of the last;
                          * 0: half of its own length */
     int32_t bridge_us;  /* samples may be missing for so long, beyond it the loop is lost */
-    int32_t oldest_us;  /* so old may a message be; the covariance follows behind by that where
-                         * there is none */
+    int32_t oldest_us;  /* so old may a message be, and no older than three quarters of the samples
+                         * kept; the covariance follows behind by that where there is none */
     int32_t hold_us;    /* a message waits until it is so old, for others that were measured before
                          * it */
     int32_t ahead_us;   /* by so much may a message's instant lie ahead of the samples */
@@ -102,6 +102,7 @@ typedef struct {
     int64_t at;
     bs_real dt;
     bs_real missing; /* s, of this interval: bridged, held or saturated */
+    int64_t stepped; /* us, by which the clock of the samples stepped before it */
     bs_real sensed[EM_N_SENSED];
     bs_real q_b2n_wxyz[4];
 } em_past;
@@ -138,6 +139,7 @@ typedef struct {
     em_carried now;        /* at the newest sample */
     volatile uint32_t count;    /* its number */
     int64_t clock;              /* us, from the samples' clock to the loop's own */
+    int64_t stepped;            /* us, by which the clock stepped since the newest sample */
     int64_t stamp;              /* us, of the newest sample, by its own clock */
     uint32_t serial;
     em_past past[EM_LIVE_RING];
@@ -156,6 +158,7 @@ typedef struct {
     int64_t measured[EM_N_MEASUREMENTS]; /* us, when the last of each kind was measured */
     uint16_t came[EM_N_MEASUREMENTS];    /* whether one has come, */
     uint16_t astray[EM_N_MEASUREMENTS];  /* and how many in a row did not fit */
+    bs_real kept[EM_N_PACKED]; /* scratch memory: P before a measurement */
     em_live_counts counts;
     em_events events[2];   /* of sample, and of the background */
 } em_live;

@@ -7,14 +7,29 @@
 
 BS_EXACT_BEGIN
 
+#if BORESIGHT_UD
+#define INIT em_ud_init
+#define ADD em_ud_add
+#define DENSE em_ud_dense
+#else
+#define INIT em_joseph_init
+#define ADD em_joseph_add
+#define DENSE em_joseph_dense
+#endif
+
 #define N EM_N_STATES
 #define RING EM_LIVE_RING
 #define WAITING EM_LIVE_WAITING
 #define AT(live, n) (&(live)->past[(n) & (RING - 1U)])
+#define KEPT (RING - (RING / 4U)) /* samples that a message may be old */
 #define MARGIN 4U             /* samples that may come while the oldest one is read */
 #define MOST_BRIDGED 16       /* samples that one gap becomes */
-#define INFORMED 12           /* so many times what noise alone seems to tell of the delay a
-                               * measurement must tell to be heard on it */
+#define INFORMED BS_REAL(12.0)         /* so many times what noise alone seems to tell of the delay
+                                        * a measurement must tell to be heard on it */
+#define FADING BS_REAL(0.8)     /* from one message to the next, of what told of the delay */
+#define BENDING BS_REAL(1e-3)   /* s, sigma of the delay above which its second order is looked
+                                 * at */
+#define LEAST_TURN BS_REAL(2e-4) /* rad, of a correction that turns the covariance */
 #define MOST_STEPS 16           /* in which an error is carried to now */
 #define TRIES 4               /* how often a reader begins again while sample writes */
 #define FARTHEST (INT64_MAX / 8) /* us; sums of a few cannot overflow */
@@ -168,6 +183,13 @@ static uint32_t oldest_kept(const em_live *live)
     return (live->count < (RING - MARGIN)) ? 0U : (live->count - (RING - MARGIN));
 }
 
+/* Before this instant nothing is measured any more. */
+static int64_t oldest_instant(const em_live *live, uint32_t count)
+{
+    const int64_t by_rule = AT(live, count)->at - (int64_t)live->rules.oldest_us;
+    return (count < KEPT) ? by_rule : greater(by_rule, AT(live, count - KEPT)->at);
+}
+
 /* The newest sample of those from `first` to `last` that does not end behind t; `first`, if all
  * do. */
 static uint32_t find(const em_live *live, int64_t t, uint32_t first, uint32_t last)
@@ -284,6 +306,8 @@ static bs_status fly(em_live *live, int64_t at, bs_real dt, bs_real missing)
     past->at = at;
     past->dt = dt;
     past->missing = missing;
+    past->stepped = live->stepped;
+    live->stepped = 0;
     status = carry_by(live, &next, n, BS_REAL(1.0));
     if ((status != BS_OK) && (last->dt > BS_REAL(0.0))) {
         for (int i = 0; i < 3; ++i) {
@@ -345,7 +369,7 @@ static void admit(em_live *live)
             if ((live->came[kind] != 0U) &&
                 (live->measured[kind] == one->message.at + one->clock)) {
                 one->fate = BS_MSG_TWICE;
-            } else if (one->at < (now - (int64_t)live->rules.oldest_us)) {
+            } else if (one->at < oldest_instant(live, live->count)) {
                 one->fate = BS_MSG_OLD;
             } else if (one->at > (now + (int64_t)live->rules.ahead_us)) {
                 one->fate = BS_MSG_AHEAD;
@@ -402,6 +426,7 @@ bs_status em_live_sample(em_live *live, const em_sample *sample)
     if ((late < -jitter) ||
         ((late > jitter) && (sample->serial != 0U) && (sample->serial == (live->serial + 1U)))) {
         live->clock -= late;
+        live->stepped += late;
         live->counts.clock_steps += 1U;
         tell(live, BY_SAMPLE, BS_EVENT_CLOCK, 0, late);
         late = 0;
@@ -411,6 +436,7 @@ bs_status em_live_sample(em_live *live, const em_sample *sample)
         status = BS_NOT_READY;
     } else if (late > jitter) {
         tell(live, BY_SAMPLE, BS_EVENT_GAP, 0, late);
+        live->stepped += (sample->serial == 0U) ? late : 0; /* or the clock has stepped */
         status = bridge(live, sample, late, span);
     } else {
         /* it begins where the last one ended */
@@ -521,6 +547,84 @@ static em_waiting *first_due(em_live *live)
 
 /* ---- the covariance */
 
+#define BENT 6
+
+/* Errors of a rotation do not add: what two feedbacks take out, first x and then y, is x + y + B(x)
+ * y, B(x)_ij = b x_k. */
+static const unsigned char bent[BENT][3] = {
+    { 0U, 1U, 2U },
+    { 0U, 2U, 1U },
+    { 1U, 0U, 2U },
+    { 1U, 2U, 0U },
+    { 2U, 0U, 1U },
+    { 2U, 1U, 0U },
+};
+static const bs_real bends[BENT] = { BS_REAL(0.5), BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(0.5),
+                                     BS_REAL(0.5), BS_REAL(-0.5) };
+
+static void compose(bs_real x[N], const bs_real y[N])
+{
+    bs_real more[N] = { BS_REAL(0.0) };
+    for (int q = 0; q < BENT; ++q) {
+        more[bent[q][0]] += bends[q] * (x[bent[q][2]] * y[bent[q][1]]);
+    }
+    for (int i = 0; i < N; ++i) {
+        x[i] += y[i] + more[i];
+    }
+}
+
+/* What is left of x behind a feedback of y: (I - B(y)) (x - y). */
+static void take_out(bs_real x[N], const bs_real y[N])
+{
+    bs_real left[N];
+    for (int i = 0; i < N; ++i) {
+        left[i] = x[i] - y[i];
+        x[i] = left[i];
+    }
+    for (int q = 0; q < BENT; ++q) {
+        x[bent[q][0]] -= bends[q] * (y[bent[q][2]] * left[bent[q][1]]);
+    }
+}
+
+/* The covariance of what is left behind a feedback of y, T P T' with T = I - B(y); where y turns by
+ * less than LEAST_TURN it is as it was. */
+static void turn_covariance(em_live *live, const bs_real y[N])
+{
+    em_filter *const filter = &live->filter;
+    bs_real *const dense = &filter->work[EM_N_PACKED];
+    bs_real most = BS_REAL(0.0);
+    for (int q = 0; q < BENT; ++q) {
+        const bs_real size = BS_FABS(y[bent[q][2]]);
+        most = (size > most) ? size : most;
+    }
+    if (most < LEAST_TURN) {
+        return;
+    }
+    DENSE(filter->P, dense);
+    for (int side = 0; side < 2; ++side) { /* rows, then columns */
+        const int along = (side == 0) ? 1 : N;
+        const int across = (side == 0) ? N : 1;
+        for (int c = 0; c < N; ++c) {
+            bs_real more[N] = { BS_REAL(0.0) };
+            for (int q = 0; q < BENT; ++q) {
+                more[bent[q][0]] -= bends[q] *
+                    (y[bent[q][2]] * dense[((int)bent[q][1] * across) + (c * along)]);
+            }
+            for (int i = 0; i < N; ++i) {
+                dense[(i * across) + (c * along)] += more[i];
+            }
+        }
+    }
+    for (int i = 0; i < N; ++i) {
+        for (int j = 0; j < i; ++j) {
+            dense[(j * N) + i] = dense[(i * N) + j];
+        }
+    }
+    if (INIT(dense, filter->Q, filter->work) == BS_OK) {
+        copy(filter->P, filter->Q, EM_N_PACKED);
+    }
+}
+
 /* x is what the filter's navigation errs by, taken out of the navigation that was flown. */
 static bs_status set_filter(em_live *live, const em_carried *flown)
 {
@@ -559,9 +663,7 @@ static void pass(em_live *live)
             recall(&live->flown, AT(live, live->behind));
             (void)correct(live, mail->x, &live->flown); /* what no strapdown moves; as it was taken
                                                          * before */
-            for (int i = 0; i < N; ++i) {
-                live->x[i] -= mail->x[i];
-            }
+            take_out(live->x, mail->x);
         }
         live->passed += 1U;
     }
@@ -666,6 +768,188 @@ static int64_t step_end(const em_live *live, int64_t goal, uint32_t last)
 
 /* ---- one measurement */
 
+/* told: how much errors of H alone seem to tell of each state, in parts of its unit squared: H is
+ * made of rates, which have the noise of the sensors in them, and stands on states that are not
+ * known. */
+static void errors_tell_euler(const em_live *live,
+                              const em_message *message,
+                              const em_carried *best,
+                              const bs_real means[EM_N_SENSED],
+                              bs_real span,
+                              bs_real apart,
+                              bs_real told[N])
+{
+    /* of its box, that a state may err by */
+    static const bs_real most[N] = { BS_REAL(0.45), BS_REAL(0.45), BS_REAL(0.45), BS_REAL(0.45),
+                                     BS_REAL(0.45), BS_REAL(0.45) };
+    const em_carried *at = best;
+    em_carried other;
+    bs_real sigma[N];
+    const bs_real density[EM_N_SENSED] = { live->rules.noise.gyro_noise[0],
+                                           live->rules.noise.gyro_noise[1],
+                                           live->rules.noise.gyro_noise[2],  };
+    bs_real mean[EM_N_SENSED];
+    bs_real H[3 * N];
+    bs_real here[3 * N] = { BS_REAL(0.0) };
+    const bs_real root = BS_SQRT(span);
+    em_angles angles = message->angles;
+    (void)apart;
+    if (em_filter_sigmas(&live->filter, sigma) != BS_OK) {
+        return;
+    }
+    /* k = 0: as it is; then each state by its sigma; then each sensor by that of its mean */
+    for (int turn = 0; turn < (1 + N + (1 * EM_N_SENSED)); ++turn) {
+        const int k = (turn <= N) ? -turn : (turn - N);
+        const int j = (k > 0) ? ((k - 1) % EM_N_SENSED) : 0;
+        copy(mean, means, EM_N_SENSED);
+        at = best;
+        if (k > 0) {
+            mean[j] += density[j] / root;
+        } else if (k < 0) {
+            bs_real x[N] = { BS_REAL(0.0) };
+            x[-1 - k] = (sigma[-1 - k] < most[-1 - k]) ? sigma[-1 - k] : most[-1 - k];
+            other = *best;
+            (void)correct(live, x, &other);
+            at = &other;
+        } else {
+            /* as it is */
+        }
+        (void)at;
+        (void)message;
+        if (em_euler_H(&angles, H) == BS_OK) {
+            for (int i = 0; i < (3 * N); ++i) {
+                const bs_real off = H[i] - here[i];
+                if (k == 0) {
+                    here[i] = off;
+                } else {
+                    told[i % N] += (off * off) / message->variance[i / N];
+                }
+            }
+        }
+    }
+}
+
+/* told: how much errors of H alone seem to tell of each state, in parts of its unit squared: H is
+ * made of rates, which have the noise of the sensors in them, and stands on states that are not
+ * known. */
+static void errors_tell_euler_exact(const em_live *live,
+                                    const em_message *message,
+                                    const em_carried *best,
+                                    const bs_real means[EM_N_SENSED],
+                                    bs_real span,
+                                    bs_real apart,
+                                    bs_real told[N])
+{
+    /* of its box, that a state may err by */
+    static const bs_real most[N] = { BS_REAL(0.45), BS_REAL(0.45), BS_REAL(0.45), BS_REAL(0.45),
+                                     BS_REAL(0.45), BS_REAL(0.45) };
+    const em_carried *at = best;
+    em_carried other;
+    bs_real sigma[N];
+    const bs_real density[EM_N_SENSED] = { live->rules.noise.gyro_noise[0],
+                                           live->rules.noise.gyro_noise[1],
+                                           live->rules.noise.gyro_noise[2],  };
+    bs_real mean[EM_N_SENSED];
+    bs_real H[3 * N];
+    bs_real here[3 * N] = { BS_REAL(0.0) };
+    const bs_real root = BS_SQRT(span);
+    em_angles angles = message->angles;
+    (void)apart;
+    if (em_filter_sigmas(&live->filter, sigma) != BS_OK) {
+        return;
+    }
+    /* k = 0: as it is; then each state by its sigma; then each sensor by that of its mean */
+    for (int turn = 0; turn < (1 + N + (1 * EM_N_SENSED)); ++turn) {
+        const int k = (turn <= N) ? -turn : (turn - N);
+        const int j = (k > 0) ? ((k - 1) % EM_N_SENSED) : 0;
+        copy(mean, means, EM_N_SENSED);
+        at = best;
+        if (k > 0) {
+            mean[j] += density[j] / root;
+        } else if (k < 0) {
+            bs_real x[N] = { BS_REAL(0.0) };
+            x[-1 - k] = (sigma[-1 - k] < most[-1 - k]) ? sigma[-1 - k] : most[-1 - k];
+            other = *best;
+            (void)correct(live, x, &other);
+            at = &other;
+        } else {
+            /* as it is */
+        }
+        (void)at;
+        (void)message;
+        if (em_euler_exact_H(live->filter.x, &at->nav, &angles, H) == BS_OK) {
+            for (int i = 0; i < (3 * N); ++i) {
+                const bs_real off = H[i] - here[i];
+                if (k == 0) {
+                    here[i] = off;
+                } else {
+                    told[i % N] += (off * off) / message->variance[i / N];
+                }
+            }
+        }
+    }
+}
+
+
+/* Take back a part of what the last measurement said of state j, whose variance fell by `fall`, and
+ * of all that follows it as P had it before: the gain of the others that is left is the best that
+ * does not move it. */
+static void forget(em_live *live, int j, bs_real fall, bs_real part)
+{
+    const bs_real *const P = live->kept;
+    bs_real along[N];
+    bs_real variance;
+    for (int i = 0; i < N; ++i) {
+#if BORESIGHT_UD
+        along[i] = BS_REAL(0.0);
+        for (int k = (i > j) ? i : j; k < N; ++k) {
+            const bs_real *const column = &P[(k * (k + 1)) / 2];
+            const bs_real u = (i == k) ? BS_REAL(1.0) : column[i];
+            const bs_real w = (j == k) ? BS_REAL(1.0) : column[j];
+            along[i] += u * (column[k] * w);
+        }
+#else
+        along[i] = (i < j) ? P[((j * (j + 1)) / 2) + i] : P[((i * (i + 1)) / 2) + j];
+#endif
+    }
+    variance = along[j];
+    if (variance > BS_REAL(0.0)) {
+        const bs_real moved = part * live->filter.x[j];
+        for (int i = 0; i < N; ++i) {
+            along[i] /= variance;
+            live->filter.x[i] -= moved * along[i];
+        }
+        ADD(live->filter.P, (part * part) * fall, along);
+    }
+}
+
+/* Of each state: where errors alone may have told a good part of what the measurement told, it is
+ * taken back. */
+static bs_status forget_errors(em_live *live,
+                               uint16_t kind,
+                               const bs_real before[N],
+                               const bs_real told[N])
+{
+    bs_real after[N];
+    bs_status status = em_filter_sigmas(&live->filter, after);
+    for (int j = 0; (j < N) && (status == BS_OK); ++j) {
+        const bs_real was = before[j] * before[j];
+        const bs_real is = after[j] * after[j];
+        const bs_real by_errors = told[j] * (was * is);
+        bool doubtful = (INFORMED * by_errors) > (was - is);
+        (void)kind;
+        if ((by_errors > BS_REAL(0.0)) && (was > is)) {
+            if (doubtful) {
+                forget(live, j, was - is, BS_REAL(1.0));
+                status = em_filter_sigmas(&live->filter, after);
+            } else {
+                /* it is told by the measurement */
+            }
+        }
+    }
+    return status;
+}
+
 /* The filter at the instant of the message takes it. */
 static bs_status take(em_live *live,
                       const em_waiting *one,
@@ -679,10 +963,12 @@ static bs_status take(em_live *live,
     const em_carried *at = NULL;
     em_carried then;
     bs_gates gates = live->rules.gates;
+    bs_real variance[3];
     bs_real mean[EM_N_SENSED];
     bs_real missing;
     const bs_real span = mean_between(live, from, to, last, mean, &missing);
     bs_status status = flown_at(live, live->at, last, &then);
+    copy(variance, message->variance, 3);
     gates.rows &= message->rows;
     if ((live->rules.astray != 0U) && (live->astray[message->measurement] >= live->rules.astray)) {
         gates.options |= BS_INFLATE;
@@ -699,17 +985,38 @@ static bs_status take(em_live *live,
     switch (message->measurement) {
     case EM_MEASUREMENT_EULER: {
     em_angles angles = message->angles;
+        bs_real before[N];
+        bs_real told[N] = { BS_REAL(0.0) };
+        if ((status == BS_OK) && (span > BS_REAL(0.0))) {
+            errors_tell_euler(live, message, at, mean, span, seconds(to - from), told);
+        }
+        (void)em_filter_sigmas(&live->filter, before);
+        copy(live->kept, live->filter.P, EM_N_PACKED);
         if (status == BS_OK) {
-            status = em_filter_measure_euler(&live->filter, &angles, message->variance, &gates,
-                                             innovation);
+            status = em_filter_measure_euler(&live->filter, &angles, variance, &gates, innovation);
+        }
+        if (bs_good(status) && (innovation->used != 0U)) {
+            const bs_status left = forget_errors(live, message->measurement, before, told);
+            status = (left == BS_OK) ? status : left;
         }
         break;
     }
     case EM_MEASUREMENT_EULER_EXACT: {
     em_angles angles = message->angles;
+        bs_real before[N];
+        bs_real told[N] = { BS_REAL(0.0) };
+        if ((status == BS_OK) && (span > BS_REAL(0.0))) {
+            errors_tell_euler_exact(live, message, at, mean, span, seconds(to - from), told);
+        }
+        (void)em_filter_sigmas(&live->filter, before);
+        copy(live->kept, live->filter.P, EM_N_PACKED);
         if (status == BS_OK) {
-            status = em_filter_measure_euler_exact(&live->filter, &angles, message->variance,
-                                                   &gates, innovation);
+            status = em_filter_measure_euler_exact(&live->filter, &angles, variance, &gates,
+                                                   innovation);
+        }
+        if (bs_good(status) && (innovation->used != 0U)) {
+            const bs_status left = forget_errors(live, message->measurement, before, told);
+            status = (left == BS_OK) ? status : left;
         }
         break;
     }
@@ -721,9 +1028,8 @@ static bs_status take(em_live *live,
     (void)mean;
     (void)span;
     if (bs_good(status)) {
-        for (int i = 0; i < N; ++i) {
-            live->x[i] += live->filter.x[i];
-        }
+        turn_covariance(live, live->filter.x);
+        compose(live->x, live->filter.x);
     }
     return status;
 }
@@ -816,7 +1122,7 @@ bs_status em_live_background(em_live *live)
         goal = due->at;
         last = due->due;
     } else {
-        goal = AT(live, last)->at - (int64_t)live->rules.oldest_us;
+        goal = oldest_instant(live, last);
         for (uint32_t i = 0U; i < WAITING; ++i) {
             if (live->waiting[i].state == ADMITTED) {
                 goal = lesser(goal, live->waiting[i].at);
@@ -849,7 +1155,7 @@ bs_status em_live_defaults(em_live_rules *rules)
         bytes[i] = 0U;
     }
     rules->bridge_us = 100000;
-    rules->oldest_us = 200000;
+    rules->oldest_us = 500000;
     rules->ahead_us = 100000;
     rules->half_us = 20000;
     rules->every = 4U;

@@ -20,7 +20,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "44ccb5556ecc7d6a41ad73e1f3cf3d9b09285a0bb99e4b35c2a4461dc488e51c"
+#define VA_MODEL_HASH "3851b33bd0d7b7381e85b933a3e113cb6067444a704d172e3bc7b0378949273c"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

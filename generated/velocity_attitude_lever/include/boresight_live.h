@@ -33,7 +33,8 @@ typedef enum {
     BS_MSG_TAKEN = 1,    /* with all the rows that were asked for */
     BS_MSG_IN_PART = 2,  /* some rows lay beyond the gate */
     BS_MSG_GATED = 3,    /* all rows did */
-    BS_MSG_OLD = 4,      /* it was measured more than oldest_us ago */
+    BS_MSG_OLD = 4,      /* it was measured more than oldest_us ago, or before the samples that are
+                          * kept */
     BS_MSG_LATE = 5,     /* one that was measured after it has been taken: raise hold_us */
     BS_MSG_TWICE = 6,    /* one of this kind and this instant has come before */
     BS_MSG_AHEAD = 7,    /* it claims to be measured more than ahead_us from now */

@@ -59,8 +59,8 @@ typedef struct {
     int32_t jitter_us;  /* by how much an interval may begin before or behind the end of the last;
                          * 0: half of its own length */
     int32_t bridge_us;  /* samples may be missing for so long, beyond it the loop is lost */
-    int32_t oldest_us;  /* so old may a message be; the covariance follows behind by that where
-                         * there is none */
+    int32_t oldest_us;  /* so old may a message be, and no older than three quarters of the samples
+                         * kept; the covariance follows behind by that where there is none */
     int32_t hold_us;    /* a message waits until it is so old, for others that were measured before
                          * it */
     int32_t ahead_us;   /* by so much may a message's instant lie ahead of the samples */
@@ -108,6 +108,7 @@ typedef struct {
     int64_t at;
     bs_real dt;
     bs_real missing; /* s, of this interval: bridged, held or saturated */
+    int64_t stepped; /* us, by which the clock of the samples stepped before it */
     bs_real sensed[VAS_N_SENSED];
     bs_real lat_lon_height[3];
     bs_real v_n[3];
@@ -150,6 +151,7 @@ typedef struct {
     vas_carried now;        /* at the newest sample */
     volatile uint32_t count;    /* its number */
     int64_t clock;              /* us, from the samples' clock to the loop's own */
+    int64_t stepped;            /* us, by which the clock stepped since the newest sample */
     int64_t stamp;              /* us, of the newest sample, by its own clock */
     uint32_t serial;
     vas_past past[VAS_LIVE_RING];
@@ -168,8 +170,11 @@ typedef struct {
     int64_t measured[VAS_N_MEASUREMENTS]; /* us, when the last of each kind was measured */
     uint16_t came[VAS_N_MEASUREMENTS];    /* whether one has come, */
     uint16_t astray[VAS_N_MEASUREMENTS];  /* and how many in a row did not fit */
-    bs_real told[VAS_N_MEASUREMENTS]; /* by the noise of the sensors on the delay, 1/s^2 */
-    bs_real kept[VAS_N_PACKED]; /* P before a measurement */
+    bs_real gained[VAS_N_MEASUREMENTS]; /* 1/s^2, what the last messages of each kind told of the
+                                         * delay, */
+    bs_real doubted[VAS_N_MEASUREMENTS]; /* and what errors of H alone may have told of it */
+    int64_t taken[VAS_N_MEASUREMENTS]; /* us, the instant of the last message of each kind */
+    bs_real kept[VAS_N_PACKED]; /* scratch memory: P before a measurement */
     vas_live_counts counts;
     vas_events events[2];   /* of sample, and of the background */
 } vas_live;

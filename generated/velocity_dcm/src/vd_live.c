@@ -7,14 +7,29 @@
 
 BS_EXACT_BEGIN
 
+#if BORESIGHT_UD
+#define INIT vd_ud_init
+#define ADD vd_ud_add
+#define DENSE vd_ud_dense
+#else
+#define INIT vd_joseph_init
+#define ADD vd_joseph_add
+#define DENSE vd_joseph_dense
+#endif
+
 #define N VD_N_STATES
 #define RING VD_LIVE_RING
 #define WAITING VD_LIVE_WAITING
 #define AT(live, n) (&(live)->past[(n) & (RING - 1U)])
+#define KEPT (RING - (RING / 4U)) /* samples that a message may be old */
 #define MARGIN 4U             /* samples that may come while the oldest one is read */
 #define MOST_BRIDGED 16       /* samples that one gap becomes */
-#define INFORMED 12           /* so many times what noise alone seems to tell of the delay a
-                               * measurement must tell to be heard on it */
+#define INFORMED BS_REAL(12.0)         /* so many times what noise alone seems to tell of the delay
+                                        * a measurement must tell to be heard on it */
+#define FADING BS_REAL(0.8)     /* from one message to the next, of what told of the delay */
+#define BENDING BS_REAL(1e-3)   /* s, sigma of the delay above which its second order is looked
+                                 * at */
+#define LEAST_TURN BS_REAL(2e-4) /* rad, of a correction that turns the covariance */
 #define MOST_STEPS 16           /* in which an error is carried to now */
 #define TRIES 4               /* how often a reader begins again while sample writes */
 #define FARTHEST (INT64_MAX / 8) /* us; sums of a few cannot overflow */
@@ -184,6 +199,13 @@ static uint32_t oldest_kept(const vd_live *live)
     return (live->count < (RING - MARGIN)) ? 0U : (live->count - (RING - MARGIN));
 }
 
+/* Before this instant nothing is measured any more. */
+static int64_t oldest_instant(const vd_live *live, uint32_t count)
+{
+    const int64_t by_rule = AT(live, count)->at - (int64_t)live->rules.oldest_us;
+    return (count < KEPT) ? by_rule : greater(by_rule, AT(live, count - KEPT)->at);
+}
+
 /* The newest sample of those from `first` to `last` that does not end behind t; `first`, if all
  * do. */
 static uint32_t find(const vd_live *live, int64_t t, uint32_t first, uint32_t last)
@@ -306,6 +328,8 @@ static bs_status fly(vd_live *live, int64_t at, bs_real dt, bs_real missing)
     past->at = at;
     past->dt = dt;
     past->missing = missing;
+    past->stepped = live->stepped;
+    live->stepped = 0;
     status = carry_by(live, &next, n, BS_REAL(1.0));
     if ((status != BS_OK) && (last->dt > BS_REAL(0.0))) {
         for (int i = 0; i < 3; ++i) {
@@ -387,7 +411,7 @@ static void admit(vd_live *live)
             if ((live->came[kind] != 0U) &&
                 (live->measured[kind] == one->message.at + one->clock)) {
                 one->fate = BS_MSG_TWICE;
-            } else if (one->at < (now - (int64_t)live->rules.oldest_us)) {
+            } else if (one->at < oldest_instant(live, live->count)) {
                 one->fate = BS_MSG_OLD;
             } else if (one->at > (now + (int64_t)live->rules.ahead_us)) {
                 one->fate = BS_MSG_AHEAD;
@@ -444,6 +468,7 @@ bs_status vd_live_sample(vd_live *live, const vd_sample *sample)
     if ((late < -jitter) ||
         ((late > jitter) && (sample->serial != 0U) && (sample->serial == (live->serial + 1U)))) {
         live->clock -= late;
+        live->stepped += late;
         live->counts.clock_steps += 1U;
         tell(live, BY_SAMPLE, BS_EVENT_CLOCK, 0, late);
         late = 0;
@@ -453,6 +478,7 @@ bs_status vd_live_sample(vd_live *live, const vd_sample *sample)
         status = BS_NOT_READY;
     } else if (late > jitter) {
         tell(live, BY_SAMPLE, BS_EVENT_GAP, 0, late);
+        live->stepped += (sample->serial == 0U) ? late : 0; /* or the clock has stepped */
         status = bridge(live, sample, late, span);
     } else {
         /* it begins where the last one ended */
@@ -576,6 +602,84 @@ static vd_waiting *first_due(vd_live *live)
 
 /* ---- the covariance */
 
+#define BENT 6
+
+/* Errors of a rotation do not add: what two feedbacks take out, first x and then y, is x + y + B(x)
+ * y, B(x)_ij = b x_k. */
+static const unsigned char bent[BENT][3] = {
+    { 3U, 4U, 5U },
+    { 3U, 5U, 4U },
+    { 4U, 3U, 5U },
+    { 4U, 5U, 3U },
+    { 5U, 3U, 4U },
+    { 5U, 4U, 3U },
+};
+static const bs_real bends[BENT] = { BS_REAL(0.5), BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(0.5),
+                                     BS_REAL(0.5), BS_REAL(-0.5) };
+
+static void compose(bs_real x[N], const bs_real y[N])
+{
+    bs_real more[N] = { BS_REAL(0.0) };
+    for (int q = 0; q < BENT; ++q) {
+        more[bent[q][0]] += bends[q] * (x[bent[q][2]] * y[bent[q][1]]);
+    }
+    for (int i = 0; i < N; ++i) {
+        x[i] += y[i] + more[i];
+    }
+}
+
+/* What is left of x behind a feedback of y: (I - B(y)) (x - y). */
+static void take_out(bs_real x[N], const bs_real y[N])
+{
+    bs_real left[N];
+    for (int i = 0; i < N; ++i) {
+        left[i] = x[i] - y[i];
+        x[i] = left[i];
+    }
+    for (int q = 0; q < BENT; ++q) {
+        x[bent[q][0]] -= bends[q] * (y[bent[q][2]] * left[bent[q][1]]);
+    }
+}
+
+/* The covariance of what is left behind a feedback of y, T P T' with T = I - B(y); where y turns by
+ * less than LEAST_TURN it is as it was. */
+static void turn_covariance(vd_live *live, const bs_real y[N])
+{
+    vd_filter *const filter = &live->filter;
+    bs_real *const dense = &filter->work[VD_N_PACKED];
+    bs_real most = BS_REAL(0.0);
+    for (int q = 0; q < BENT; ++q) {
+        const bs_real size = BS_FABS(y[bent[q][2]]);
+        most = (size > most) ? size : most;
+    }
+    if (most < LEAST_TURN) {
+        return;
+    }
+    DENSE(filter->P, dense);
+    for (int side = 0; side < 2; ++side) { /* rows, then columns */
+        const int along = (side == 0) ? 1 : N;
+        const int across = (side == 0) ? N : 1;
+        for (int c = 0; c < N; ++c) {
+            bs_real more[N] = { BS_REAL(0.0) };
+            for (int q = 0; q < BENT; ++q) {
+                more[bent[q][0]] -= bends[q] *
+                    (y[bent[q][2]] * dense[((int)bent[q][1] * across) + (c * along)]);
+            }
+            for (int i = 0; i < N; ++i) {
+                dense[(i * across) + (c * along)] += more[i];
+            }
+        }
+    }
+    for (int i = 0; i < N; ++i) {
+        for (int j = 0; j < i; ++j) {
+            dense[(j * N) + i] = dense[(i * N) + j];
+        }
+    }
+    if (INIT(dense, filter->Q, filter->work) == BS_OK) {
+        copy(filter->P, filter->Q, VD_N_PACKED);
+    }
+}
+
 /* x is what the filter's navigation errs by, taken out of the navigation that was flown. */
 static bs_status set_filter(vd_live *live, const vd_carried *flown)
 {
@@ -614,9 +718,7 @@ static void pass(vd_live *live)
             recall(&live->flown, AT(live, live->behind));
             (void)correct(live, mail->x, &live->flown); /* what no strapdown moves; as it was taken
                                                          * before */
-            for (int i = 0; i < N; ++i) {
-                live->x[i] -= mail->x[i];
-            }
+            take_out(live->x, mail->x);
         }
         live->passed += 1U;
     }
@@ -652,6 +754,17 @@ static void post(vd_live *live, uint32_t made_due)
     live->counts.corrections += 1U;
     BS_LIVE_BARRIER();
     live->posted += 1U;
+}
+
+/* The samples' clock has stepped, and the clock of the messages with it or not: the delay may be
+ * off by as much. */
+static void doubt_delay(vd_live *live, int64_t stepped)
+{
+    if ((stepped != 0) && (stepped < (int64_t)live->rules.oldest_us) &&
+        (stepped > -(int64_t)live->rules.oldest_us)) {
+        const bs_real variance = seconds(stepped) * seconds(stepped);
+        (void)vd_filter_inflate(&live->filter, 9, 1, &variance);
+    }
 }
 
 /* Carry the covariance to t, which lies in no interval behind the one that follows `behind`s
@@ -700,6 +813,7 @@ static void advance(vd_live *live, int64_t t, uint32_t last)
     while ((live->behind != last) && (AT(live, live->behind + 1U)->at <= t)) {
         live->behind += 1U;
         pass(live);
+        doubt_delay(live, AT(live, live->behind)->stepped);
     }
 }
 
@@ -721,14 +835,51 @@ static int64_t step_end(const vd_live *live, int64_t goal, uint32_t last)
 
 /* ---- one measurement */
 
-/* How much errors of H alone seem to tell of the delay, 1/s^2: its column is made of rates, which
- * have the noise of the sensors in them, and stands on states that are not known. */
-static bs_real errors_tell_velocity(const vd_live *live,
-                                    const vd_message *message,
-                                    const vd_carried *best,
-                                    const bs_real means[VD_N_SENSED],
-                                    bs_real span,
-                                    bs_real apart)
+/* By how much the delay's column of H changes in a second, about the instant of the message. */
+static bs_status bend_of_velocity(const vd_live *live,
+                                  const vd_message *message,
+                                  int64_t from,
+                                  int64_t to,
+                                  uint32_t last,
+                                  bs_real bend[3])
+{
+    bs_status status = BS_OK;
+    bs_real H[3 * N];
+    for (int k = 0; (k < 2) && (status == BS_OK); ++k) {
+        const int64_t t = (k == 0) ? from : to;
+        vd_carried flown;
+        const vd_carried *const at = &flown;
+        bs_real mean[VD_N_SENSED];
+        bs_real missing;
+        const bs_real span = mean_between(live, t - (int64_t)live->rules.half_us, t +
+                                          (int64_t)live->rules.half_us, last, mean, &missing);
+        vd_master master = message->master;
+        status = flown_at(live, t, last, &flown);
+        (void)at;
+        (void)span;
+        (void)message;
+        if (status == BS_OK) {
+            status = vd_velocity_H(&master, H);
+        }
+        for (int i = 0; (i < 3) && (status == BS_OK); ++i) {
+            const bs_real column = H[(i * N) + 9];
+            bend[i] = (k == 0) ? column
+                : ((to > from) ? ((column - bend[i]) / seconds(to - from)) : BS_REAL(0.0));
+        }
+    }
+    return status;
+}
+
+/* told: how much errors of H alone seem to tell of each state, in parts of its unit squared: H is
+ * made of rates, which have the noise of the sensors in them, and stands on states that are not
+ * known. */
+static void errors_tell_velocity(const vd_live *live,
+                                 const vd_message *message,
+                                 const vd_carried *best,
+                                 const bs_real means[VD_N_SENSED],
+                                 bs_real span,
+                                 bs_real apart,
+                                 bs_real told[N])
 {
     /* of its box, that a state may err by */
     static const bs_real most[N] = { BS_REAL(90.0), BS_REAL(90.0), BS_REAL(90.0), BS_REAL(0.45),
@@ -745,13 +896,12 @@ static bs_real errors_tell_velocity(const vd_live *live,
                                            live->rules.noise.accel_noise[2],  };
     bs_real mean[VD_N_SENSED];
     bs_real H[3 * N];
-    bs_real column[3] = { BS_REAL(0.0) };
-    bs_real told = BS_REAL(0.0);
+    bs_real here[3 * N] = { BS_REAL(0.0) };
     const bs_real root = BS_SQRT(span);
     vd_master master = message->master;
     (void)apart;
     if (vd_filter_sigmas(&live->filter, sigma) != BS_OK) {
-        return BS_REAL(0.0);
+        return;
     }
     /* k = 0: as it is; then each state by its sigma; then each sensor by that of its mean */
     for (int turn = 0; turn < (1 + N + (1 * VD_N_SENSED)); ++turn) {
@@ -772,29 +922,64 @@ static bs_real errors_tell_velocity(const vd_live *live,
         }
         (void)at;
         (void)message;
-        if (vd_velocity_H(&master, H) != BS_OK) {
-            return BS_REAL(0.0);
-        }
-        for (int i = 0; i < 3; ++i) {
-            const bs_real off = H[(i * N) + 9] - column[i];
-            if (k == 0) {
-                column[i] = off;
-            } else {
-                told += (off * off) / message->variance[i];
+        if (vd_velocity_H(&master, H) == BS_OK) {
+            for (int i = 0; i < (3 * N); ++i) {
+                const bs_real off = H[i] - here[i];
+                if (k == 0) {
+                    here[i] = off;
+                } else {
+                    told[i % N] += (off * off) / message->variance[i / N];
+                }
             }
         }
     }
-    return told;
 }
 
-/* How much errors of H alone seem to tell of the delay, 1/s^2: its column is made of rates, which
- * have the noise of the sensors in them, and stands on states that are not known. */
-static bs_real errors_tell_dcm(const vd_live *live,
-                               const vd_message *message,
-                               const vd_carried *best,
-                               const bs_real means[VD_N_SENSED],
-                               bs_real span,
-                               bs_real apart)
+/* By how much the delay's column of H changes in a second, about the instant of the message. */
+static bs_status bend_of_dcm(const vd_live *live,
+                             const vd_message *message,
+                             int64_t from,
+                             int64_t to,
+                             uint32_t last,
+                             bs_real bend[3])
+{
+    bs_status status = BS_OK;
+    bs_real H[3 * N];
+    for (int k = 0; (k < 2) && (status == BS_OK); ++k) {
+        const int64_t t = (k == 0) ? from : to;
+        vd_carried flown;
+        const vd_carried *const at = &flown;
+        bs_real mean[VD_N_SENSED];
+        bs_real missing;
+        const bs_real span = mean_between(live, t - (int64_t)live->rules.half_us, t +
+                                          (int64_t)live->rules.half_us, last, mean, &missing);
+        vd_master master = message->master;
+        status = flown_at(live, t, last, &flown);
+        (void)at;
+        (void)span;
+        (void)message;
+        if (status == BS_OK) {
+            status = vd_dcm_H(&master, H);
+        }
+        for (int i = 0; (i < 3) && (status == BS_OK); ++i) {
+            const bs_real column = H[(i * N) + 9];
+            bend[i] = (k == 0) ? column
+                : ((to > from) ? ((column - bend[i]) / seconds(to - from)) : BS_REAL(0.0));
+        }
+    }
+    return status;
+}
+
+/* told: how much errors of H alone seem to tell of each state, in parts of its unit squared: H is
+ * made of rates, which have the noise of the sensors in them, and stands on states that are not
+ * known. */
+static void errors_tell_dcm(const vd_live *live,
+                            const vd_message *message,
+                            const vd_carried *best,
+                            const bs_real means[VD_N_SENSED],
+                            bs_real span,
+                            bs_real apart,
+                            bs_real told[N])
 {
     /* of its box, that a state may err by */
     static const bs_real most[N] = { BS_REAL(90.0), BS_REAL(90.0), BS_REAL(90.0), BS_REAL(0.45),
@@ -811,13 +996,12 @@ static bs_real errors_tell_dcm(const vd_live *live,
                                            live->rules.noise.accel_noise[2],  };
     bs_real mean[VD_N_SENSED];
     bs_real H[3 * N];
-    bs_real column[3] = { BS_REAL(0.0) };
-    bs_real told = BS_REAL(0.0);
+    bs_real here[3 * N] = { BS_REAL(0.0) };
     const bs_real root = BS_SQRT(span);
     vd_master master = message->master;
     (void)apart;
     if (vd_filter_sigmas(&live->filter, sigma) != BS_OK) {
-        return BS_REAL(0.0);
+        return;
     }
     /* k = 0: as it is; then each state by its sigma; then each sensor by that of its mean */
     for (int turn = 0; turn < (1 + N + (1 * VD_N_SENSED)); ++turn) {
@@ -838,29 +1022,64 @@ static bs_real errors_tell_dcm(const vd_live *live,
         }
         (void)at;
         (void)message;
-        if (vd_dcm_H(&master, H) != BS_OK) {
-            return BS_REAL(0.0);
-        }
-        for (int i = 0; i < 3; ++i) {
-            const bs_real off = H[(i * N) + 9] - column[i];
-            if (k == 0) {
-                column[i] = off;
-            } else {
-                told += (off * off) / message->variance[i];
+        if (vd_dcm_H(&master, H) == BS_OK) {
+            for (int i = 0; i < (3 * N); ++i) {
+                const bs_real off = H[i] - here[i];
+                if (k == 0) {
+                    here[i] = off;
+                } else {
+                    told[i % N] += (off * off) / message->variance[i / N];
+                }
             }
         }
     }
-    return told;
 }
 
-/* How much errors of H alone seem to tell of the delay, 1/s^2: its column is made of rates, which
- * have the noise of the sensors in them, and stands on states that are not known. */
-static bs_real errors_tell_dcm_exact(const vd_live *live,
-                                     const vd_message *message,
-                                     const vd_carried *best,
-                                     const bs_real means[VD_N_SENSED],
-                                     bs_real span,
-                                     bs_real apart)
+/* By how much the delay's column of H changes in a second, about the instant of the message. */
+static bs_status bend_of_dcm_exact(const vd_live *live,
+                                   const vd_message *message,
+                                   int64_t from,
+                                   int64_t to,
+                                   uint32_t last,
+                                   bs_real bend[3])
+{
+    bs_status status = BS_OK;
+    bs_real H[3 * N];
+    for (int k = 0; (k < 2) && (status == BS_OK); ++k) {
+        const int64_t t = (k == 0) ? from : to;
+        vd_carried flown;
+        const vd_carried *const at = &flown;
+        bs_real mean[VD_N_SENSED];
+        bs_real missing;
+        const bs_real span = mean_between(live, t - (int64_t)live->rules.half_us, t +
+                                          (int64_t)live->rules.half_us, last, mean, &missing);
+        vd_master master = message->master;
+        status = flown_at(live, t, last, &flown);
+        (void)at;
+        (void)span;
+        (void)message;
+        if (status == BS_OK) {
+            status = vd_dcm_exact_H(live->filter.x, &at->nav, &master, H);
+        }
+        for (int i = 0; (i < 3) && (status == BS_OK); ++i) {
+            const bs_real column = H[(i * N) + 9];
+            bend[i] = (k == 0) ? column
+                : ((to > from) ? ((column - bend[i]) / seconds(to - from)) : BS_REAL(0.0));
+        }
+    }
+    return status;
+}
+
+/* told: how much errors of H alone seem to tell of each state, in parts of its unit squared: H is
+ * made of rates, which have the noise of the sensors in them, and stands on states that are not
+ * known. */
+static void errors_tell_dcm_exact(const vd_live *live,
+                                  const vd_message *message,
+                                  const vd_carried *best,
+                                  const bs_real means[VD_N_SENSED],
+                                  bs_real span,
+                                  bs_real apart,
+                                  bs_real told[N])
 {
     /* of its box, that a state may err by */
     static const bs_real most[N] = { BS_REAL(90.0), BS_REAL(90.0), BS_REAL(90.0), BS_REAL(0.45),
@@ -877,13 +1096,12 @@ static bs_real errors_tell_dcm_exact(const vd_live *live,
                                            live->rules.noise.accel_noise[2],  };
     bs_real mean[VD_N_SENSED];
     bs_real H[3 * N];
-    bs_real column[3] = { BS_REAL(0.0) };
-    bs_real told = BS_REAL(0.0);
+    bs_real here[3 * N] = { BS_REAL(0.0) };
     const bs_real root = BS_SQRT(span);
     vd_master master = message->master;
     (void)apart;
     if (vd_filter_sigmas(&live->filter, sigma) != BS_OK) {
-        return BS_REAL(0.0);
+        return;
     }
     /* k = 0: as it is; then each state by its sigma; then each sensor by that of its mean */
     for (int turn = 0; turn < (1 + N + (1 * VD_N_SENSED)); ++turn) {
@@ -904,57 +1122,88 @@ static bs_real errors_tell_dcm_exact(const vd_live *live,
         }
         (void)at;
         (void)message;
-        if (vd_dcm_exact_H(live->filter.x, &at->nav, &master, H) != BS_OK) {
-            return BS_REAL(0.0);
-        }
-        for (int i = 0; i < 3; ++i) {
-            const bs_real off = H[(i * N) + 9] - column[i];
-            if (k == 0) {
-                column[i] = off;
-            } else {
-                told += (off * off) / message->variance[i];
+        if (vd_dcm_exact_H(live->filter.x, &at->nav, &master, H) == BS_OK) {
+            for (int i = 0; i < (3 * N); ++i) {
+                const bs_real off = H[i] - here[i];
+                if (k == 0) {
+                    here[i] = off;
+                } else {
+                    told[i % N] += (off * off) / message->variance[i / N];
+                }
             }
         }
     }
-    return told;
 }
 
-/* The variance of the delay fell by `fall`, of which errors alone may have `told` so much.  Where
- * that is a good part of it, take back what the last measurement said of the delay and of all that
- * follows it as P had it before: the gain of the others that is left is the best that moves no
- * delay.  Else take that part back. */
-static void forget_delay(vd_live *live, bs_real fall, bs_real told)
+
+/* Take back a part of what the last measurement said of state j, whose variance fell by `fall`, and
+ * of all that follows it as P had it before: the gain of the others that is left is the best that
+ * does not move it. */
+static void forget(vd_live *live, int j, bs_real fall, bs_real part)
 {
-    const bs_real part = (((bs_real)INFORMED * told) > fall) ? BS_REAL(1.0) : BS_SQRT(told / fall);
     const bs_real *const P = live->kept;
     bs_real along[N];
-    bs_real delay;
+    bs_real variance;
     for (int i = 0; i < N; ++i) {
 #if BORESIGHT_UD
         along[i] = BS_REAL(0.0);
-        for (int k = (i > 9) ? i : 9; k < N; ++k) {
+        for (int k = (i > j) ? i : j; k < N; ++k) {
             const bs_real *const column = &P[(k * (k + 1)) / 2];
             const bs_real u = (i == k) ? BS_REAL(1.0) : column[i];
-            const bs_real w = (9 == k) ? BS_REAL(1.0) : column[9];
+            const bs_real w = (j == k) ? BS_REAL(1.0) : column[j];
             along[i] += u * (column[k] * w);
         }
 #else
-        along[i] = (i < 9) ? P[45 + i] : P[((i * (i + 1)) / 2) + 9];
+        along[i] = (i < j) ? P[((j * (j + 1)) / 2) + i] : P[((i * (i + 1)) / 2) + j];
 #endif
     }
-    delay = along[9];
-    if ((delay > BS_REAL(0.0)) && (fall > BS_REAL(0.0)) && (told > BS_REAL(0.0))) {
-        const bs_real moved = part * live->filter.x[9];
+    variance = along[j];
+    if (variance > BS_REAL(0.0)) {
+        const bs_real moved = part * live->filter.x[j];
         for (int i = 0; i < N; ++i) {
-            along[i] /= delay;
+            along[i] /= variance;
             live->filter.x[i] -= moved * along[i];
         }
-#if BORESIGHT_UD
-        vd_ud_add(live->filter.P, (part * part) * fall, along);
-#else
-        vd_joseph_add(live->filter.P, (part * part) * fall, along);
-#endif
+        ADD(live->filter.P, (part * part) * fall, along);
     }
+}
+
+/* Of each state: where errors alone may have told a good part of what the measurement told, it is
+ * taken back; of the delay that part, where it is less. */
+static bs_status forget_errors(vd_live *live,
+                               uint16_t kind,
+                               const bs_real before[N],
+                               const bs_real told[N])
+{
+    bs_real after[N];
+    bs_status status = vd_filter_sigmas(&live->filter, after);
+    for (int j = 0; (j < N) && (status == BS_OK); ++j) {
+        const bs_real was = before[j] * before[j];
+        const bs_real is = after[j] * after[j];
+        const bs_real by_errors = told[j] * (was * is);
+        bool doubtful = (INFORMED * by_errors) > (was - is);
+        /* of the last few messages together: one of them may tell much by chance */
+        if ((j == 9) && (was > is) && (is > BS_REAL(0.0))) {
+            live->gained[kind] = (FADING * live->gained[kind]) + ((was - is) / (was * is));
+            live->doubted[kind] = (live->doubted[kind] > BS_REAL(0.0)) ? ((FADING *
+                                                                           live->doubted[kind]) +
+                                                                          told[j])
+                : (told[j] / (BS_REAL(1.0) - FADING));
+            doubtful = (INFORMED * live->doubted[kind]) > live->gained[kind];
+        }
+        if ((by_errors > BS_REAL(0.0)) && (was > is)) {
+            if (doubtful) {
+                forget(live, j, was - is, BS_REAL(1.0));
+                status = vd_filter_sigmas(&live->filter, after);
+            } else if (j == 9) {
+                forget(live, j, was - is, (by_errors < (was - is)) ? BS_SQRT(by_errors / (was - is))
+                       : BS_REAL(1.0));
+            } else {
+                /* it is told by the measurement */
+            }
+        }
+    }
+    return status;
 }
 
 /* The filter at the instant of the message takes it. */
@@ -970,10 +1219,12 @@ static bs_status take(vd_live *live,
     const vd_carried *at = NULL;
     vd_carried then;
     bs_gates gates = live->rules.gates;
+    bs_real variance[3];
     bs_real mean[VD_N_SENSED];
     bs_real missing;
     const bs_real span = mean_between(live, from, to, last, mean, &missing);
     bs_status status = flown_at(live, live->at, last, &then);
+    copy(variance, message->variance, 3);
     gates.rows &= message->rows;
     if ((live->rules.astray != 0U) && (live->astray[message->measurement] >= live->rules.astray)) {
         gates.options |= BS_INFLATE;
@@ -990,59 +1241,93 @@ static bs_status take(vd_live *live,
     switch (message->measurement) {
     case VD_MEASUREMENT_VELOCITY: {
     vd_master master = message->master;
-        bs_real before = BS_REAL(0.0);
-        bs_real after = BS_REAL(0.0);
+        bs_real before[N];
+        bs_real told[N] = { BS_REAL(0.0) };
         if ((status == BS_OK) && (span > BS_REAL(0.0))) {
-            live->told[0] = errors_tell_velocity(live, message, at, mean, span, seconds(to - from));
+            errors_tell_velocity(live, message, at, mean, span, seconds(to - from), told);
         }
-        (void)vd_filter_variance(&live->filter, 9, &before);
+        (void)vd_filter_sigmas(&live->filter, before);
         copy(live->kept, live->filter.P, VD_N_PACKED);
+        if ((status == BS_OK) && (before[9] > BENDING)) { /* E[d^4] = 3 sigma^4, one error in all
+                                                           * messages of a second */
+            bs_real bend[3];
+            const bs_real since = seconds(greater(live->at - live->taken[0], 10000));
+            const bs_real weight = BS_REAL(0.75) / ((since < BS_REAL(1.0)) ? since : BS_REAL(1.0));
+            status = bend_of_velocity(live, message, from, to, last, bend);
+            for (int i = 0; (i < 3) && (status == BS_OK); ++i) {
+                const bs_real off = (before[9] * before[9]) * bend[i];
+                variance[i] += weight * (off * off);
+            }
+        }
+        live->taken[0] = live->at;
         if (status == BS_OK) {
-            status = vd_filter_measure_velocity(&live->filter, &master, message->variance, &gates,
+            status = vd_filter_measure_velocity(&live->filter, &master, variance, &gates,
                                                 innovation);
         }
         if (bs_good(status) && (innovation->used != 0U)) {
-            (void)vd_filter_variance(&live->filter, 9, &after);
-            forget_delay(live, before - after, live->told[0] * (before * after));
+            const bs_status left = forget_errors(live, message->measurement, before, told);
+            status = (left == BS_OK) ? status : left;
         }
         break;
     }
     case VD_MEASUREMENT_DCM: {
     vd_master master = message->master;
-        bs_real before = BS_REAL(0.0);
-        bs_real after = BS_REAL(0.0);
+        bs_real before[N];
+        bs_real told[N] = { BS_REAL(0.0) };
         if ((status == BS_OK) && (span > BS_REAL(0.0))) {
-            live->told[1] = errors_tell_dcm(live, message, at, mean, span, seconds(to - from));
+            errors_tell_dcm(live, message, at, mean, span, seconds(to - from), told);
         }
-        (void)vd_filter_variance(&live->filter, 9, &before);
+        (void)vd_filter_sigmas(&live->filter, before);
         copy(live->kept, live->filter.P, VD_N_PACKED);
+        if ((status == BS_OK) && (before[9] > BENDING)) { /* E[d^4] = 3 sigma^4, one error in all
+                                                           * messages of a second */
+            bs_real bend[3];
+            const bs_real since = seconds(greater(live->at - live->taken[1], 10000));
+            const bs_real weight = BS_REAL(0.75) / ((since < BS_REAL(1.0)) ? since : BS_REAL(1.0));
+            status = bend_of_dcm(live, message, from, to, last, bend);
+            for (int i = 0; (i < 3) && (status == BS_OK); ++i) {
+                const bs_real off = (before[9] * before[9]) * bend[i];
+                variance[i] += weight * (off * off);
+            }
+        }
+        live->taken[1] = live->at;
         if (status == BS_OK) {
-            status = vd_filter_measure_dcm(&live->filter, &master, message->variance, &gates,
-                                           innovation);
+            status = vd_filter_measure_dcm(&live->filter, &master, variance, &gates, innovation);
         }
         if (bs_good(status) && (innovation->used != 0U)) {
-            (void)vd_filter_variance(&live->filter, 9, &after);
-            forget_delay(live, before - after, live->told[1] * (before * after));
+            const bs_status left = forget_errors(live, message->measurement, before, told);
+            status = (left == BS_OK) ? status : left;
         }
         break;
     }
     case VD_MEASUREMENT_DCM_EXACT: {
     vd_master master = message->master;
-        bs_real before = BS_REAL(0.0);
-        bs_real after = BS_REAL(0.0);
+        bs_real before[N];
+        bs_real told[N] = { BS_REAL(0.0) };
         if ((status == BS_OK) && (span > BS_REAL(0.0))) {
-            live->told[2] = errors_tell_dcm_exact(live, message, at, mean, span,
-                                                  seconds(to - from));
+            errors_tell_dcm_exact(live, message, at, mean, span, seconds(to - from), told);
         }
-        (void)vd_filter_variance(&live->filter, 9, &before);
+        (void)vd_filter_sigmas(&live->filter, before);
         copy(live->kept, live->filter.P, VD_N_PACKED);
+        if ((status == BS_OK) && (before[9] > BENDING)) { /* E[d^4] = 3 sigma^4, one error in all
+                                                           * messages of a second */
+            bs_real bend[3];
+            const bs_real since = seconds(greater(live->at - live->taken[2], 10000));
+            const bs_real weight = BS_REAL(0.75) / ((since < BS_REAL(1.0)) ? since : BS_REAL(1.0));
+            status = bend_of_dcm_exact(live, message, from, to, last, bend);
+            for (int i = 0; (i < 3) && (status == BS_OK); ++i) {
+                const bs_real off = (before[9] * before[9]) * bend[i];
+                variance[i] += weight * (off * off);
+            }
+        }
+        live->taken[2] = live->at;
         if (status == BS_OK) {
-            status = vd_filter_measure_dcm_exact(&live->filter, &master, message->variance, &gates,
+            status = vd_filter_measure_dcm_exact(&live->filter, &master, variance, &gates,
                                                  innovation);
         }
         if (bs_good(status) && (innovation->used != 0U)) {
-            (void)vd_filter_variance(&live->filter, 9, &after);
-            forget_delay(live, before - after, live->told[2] * (before * after));
+            const bs_status left = forget_errors(live, message->measurement, before, told);
+            status = (left == BS_OK) ? status : left;
         }
         break;
     }
@@ -1054,9 +1339,8 @@ static bs_status take(vd_live *live,
     (void)mean;
     (void)span;
     if (bs_good(status)) {
-        for (int i = 0; i < N; ++i) {
-            live->x[i] += live->filter.x[i];
-        }
+        turn_covariance(live, live->filter.x);
+        compose(live->x, live->filter.x);
     }
     return status;
 }
@@ -1149,7 +1433,7 @@ bs_status vd_live_background(vd_live *live)
         goal = due->at;
         last = due->due;
     } else {
-        goal = AT(live, last)->at - (int64_t)live->rules.oldest_us;
+        goal = oldest_instant(live, last);
         for (uint32_t i = 0U; i < WAITING; ++i) {
             if (live->waiting[i].state == ADMITTED) {
                 goal = lesser(goal, live->waiting[i].at);
@@ -1183,7 +1467,7 @@ bs_status vd_live_defaults(vd_live_rules *rules)
         bytes[i] = 0U;
     }
     rules->bridge_us = 100000;
-    rules->oldest_us = 200000;
+    rules->oldest_us = 500000;
     rules->ahead_us = 100000;
     rules->half_us = 20000;
     rules->every = 4U;

@@ -1,0 +1,198 @@
+"""The live loop of the C, flown from Python by flights that share nothing with it."""
+
+import ctypes
+import random
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from conditions import CONDITIONS
+from judge import judged, met
+from loops import fly_live, sigmas, start
+from simulator import standard
+
+from boresight import BoresightError, Live, load
+
+NAMED = {condition.name: condition for condition in CONDITIONS}
+
+
+def flown(name, runs=4, **changes):
+    flight = NAMED[name].flight(runs=runs, **changes)
+    record = fly_live(flight)
+    return judged(record, flight.setting.seconds), record
+
+
+def loop_of(flight, run=0, rules=None, model="velocity-attitude"):
+    constants = flight.setting.constants()
+    constants.pop("lever_b")
+    return Live(model, rules, **constants)
+
+
+def fly(flight, loop, run=0, behind=lambda: 10**6, cut=None):
+    """One run to its end; behind(): how many things the background may do behind a sample.  cut: (k, function)."""
+    lever_b, begun, k = flight.setting.constants()["lever_b"], False, -1
+    for kind, at_us, *given in flight.events(run):
+        if kind == "sample":
+            k += 1
+            if begun:
+                packed = loop._samples(at_us, given[0], 0, {"dtheta_ib_b": given[1], "dv_b": given[2]})
+                loop._sample(loop._memory, ctypes.c_void_p(packed.ctypes.data))
+                for _ in range(behind()):
+                    if not loop.background():
+                        break
+            if cut and k == cut[0]:
+                cut[1](loop)
+        elif not begun:
+            loop.begin(int(flight.end_us[k]), start(given[0], flight, run), **sigmas(flight))
+            begun = True
+        else:
+            fields = given[0]
+            loop.message("velocity", at_us, fields["R"][:3], v_m_n=fields["v_m_n"], lever_b=lever_b)
+            loop.message("dcm", at_us, fields["R"][3:], q_m2n_wxyz=fields["q_m2n_wxyz"])
+    while loop.background():
+        pass
+    return loop.digest()
+
+
+@pytest.fixture(scope="module")
+def short():
+    return standard(runs=2, seconds=12.0)
+
+
+@pytest.mark.parametrize("name", ["healthy, ship", "healthy, catapult", "healthy, parked", "messages 0.2 s late"])
+def test_a_healthy_flight_is_consistent_and_loses_no_message(name):
+    one, runs = NAMED[name], 6
+    flight = one.flight(runs=runs)
+    assert met(one.asked, one.refused, flight, fly_live(flight))
+
+
+@pytest.mark.parametrize("name", ["delay, loiter", "delay, steady turn", "delay, parked"])
+def test_a_delay_is_not_learned_from_noise(name):
+    _, record = flown(name, runs=2)
+    assert 47.5 < 1e3 * np.sqrt(np.mean([P[:, 15, 15] for P in record.P[-5:]])) < 60
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "parked, one velocity 500 m/s off",
+        "parked, one heading 90 deg off",
+        "moving, one velocity 3 m/s off at 4.1 s",
+        "counter of the slave restarts, 20 s to 0.2 s",
+        "one dt of 1e-9 s",
+        "one gyro sample is no number",
+        "0.04 s of the slave lost",
+    ],
+)
+def test_what_is_wrong_is_named_and_the_rest_of_the_flight_is_taken(name):
+    found, record = flown(name)
+    assert not record.raised and len({run for _, run, _ in record.notes}) == 4
+    assert found.nees_end < 30 and found.refused < 0.02
+
+
+def test_when_the_background_runs_and_how_far_changes_no_bit(short):
+    whole = fly(short, loop_of(short))
+    draw = random.Random(1)
+    for _ in range(3):
+        loop = loop_of(short, rules={"latency": 12})
+        alike = loop_of(short, rules={"latency": 12})
+        cut = fly(short, loop, behind=lambda: draw.randrange(8))
+        assert loop.counts()["corrections_late"] == 0 and loop.counts()["TAKEN"] > 80
+        assert cut == fly(short, alike) != whole  # another latency corrects another sample
+
+
+def test_a_snapshot_in_the_middle_goes_on_with_every_bit(short):
+    kept = []
+    whole = fly(short, loop_of(short), cut=(300, lambda loop: kept.append(loop.snapshot())))
+    assert fly(short, loop_of(short), cut=(300, lambda loop: loop.restore(kept[0]))) == whole
+    spoilt = bytearray(kept[0])
+    spoilt[1000] ^= 1
+    loop = loop_of(short)
+    with pytest.raises(BoresightError, match="no snapshot of this loop, or it has changed"):
+        loop.restore(bytes(spoilt))
+
+
+def test_a_copy_flies_on_by_itself(short):
+    import copy
+
+    loop = loop_of(short)
+    fly(replace(short, end_us=short.end_us[:200]), loop)
+    before, other = loop.digest(), copy.deepcopy(loop)
+    other.sample(int(short.end_us[200]), 0.02, dtheta_ib_b=np.zeros(3), dv_b=[0, 0, -0.196])
+    assert loop.digest() == before != other.digest()
+
+
+def test_messages_out_of_order_among_each_other_are_taken_in_theirs(short):
+    """Two sensors of different delays; held for the longer one, all are taken, and the result is that of the order."""
+    taken = {}
+    for hold_us in (0, 300_000):
+        loop, lever_b, waiting, begun, k = loop_of(short, rules={"hold_us": hold_us}), np.zeros(3), [], False, -1
+        for kind, at_us, *given in short.events(0):
+            if kind == "sample":
+                k += 1
+                if begun:
+                    loop.sample(at_us, given[0], dtheta_ib_b=given[1], dv_b=given[2])
+                for due, send in [*waiting]:
+                    if due <= k:
+                        send()
+                        waiting.remove((due, send))
+            elif not begun:
+                loop.begin(int(short.end_us[k]), start(given[0], short, 0), **sigmas(short))
+                begun = True
+            else:
+                f, R = given[0], given[0]["R"]
+                loop.message("dcm", at_us, R[3:], q_m2n_wxyz=f["q_m2n_wxyz"])
+                late = lambda at_us=at_us, f=f, R=R: loop.message(  # noqa: E731
+                    "velocity", at_us - 60_000, R[:3] * 100, v_m_n=f["v_m_n"], lever_b=lever_b
+                )
+                waiting.append((k + 5, late))
+        taken[hold_us] = loop.counts()
+    assert taken[0]["LATE"] > 40 and taken[300_000]["LATE"] == 0
+    assert taken[300_000]["TAKEN"] + taken[300_000]["IN_PART"] >= 100
+
+
+def test_it_flies_in_float_with_factors(short):
+    double, single = (loop_of(short, model=load("velocity-attitude", precision=p)) for p in ("double", "float"))
+    for loop in (double, single):
+        fly(short, loop)
+    a, b = (loop.output(int(short.end_us[-1])) for loop in (double, single))
+    assert single.counts()["TAKEN"] == double.counts()["TAKEN"] > 80
+    assert np.all(np.abs(a["v_n"] - b["v_n"]) < 3 * a["sigma"][3:6])
+    assert np.allclose(a["sigma"], b["sigma"], rtol=0.2)
+
+
+def test_a_sample_or_a_message_of_anything_ends_in_a_code(short):
+    draw, loop, happened = random.Random(3), loop_of(short), set()
+    loop.begin(0, {"q_b2n_wxyz": [1, 0, 0, 0], "q_b2m_wxyz": [1, 0, 0, 0]}, phi=0.1, dv_n=1.0, d_tau=0.05)
+    odd = [0.0, 1e-9, 1e-300, 1e300, -1.0, float("nan"), float("inf"), 0.01]
+    instants = [0, 1, -1, 2**62, -(2**62), 10**15, 5000]
+    for k in range(4000):
+        at = draw.choice(instants) if draw.random() < 0.3 else 10_000 * k
+        dtheta, dv = ([draw.choice(odd) if draw.random() < 0.1 else 0.0 for _ in range(3)] for _ in range(2))
+        loop.sample(at, draw.choice(odd) if draw.random() < 0.1 else 0.01, dtheta_ib_b=dtheta, dv_b=dv)
+        if draw.random() < 0.3:
+            loop.message("velocity", at, [draw.choice(odd)] * 3, v_m_n=[draw.choice(odd)] * 3, rows=draw.getrandbits(32))
+        if not loop.output(at) and draw.random() < 0.1:
+            loop.begin(10_000 * k, {"q_b2n_wxyz": [1, 0, 0, 0], "q_b2m_wxyz": [1, 0, 0, 0]}, phi=0.1, dv_n=1.0, d_tau=0.05)
+        happened.update(line.split(": ")[1].split(" ")[0] for line in loop.events())
+    assert len(happened) > 4
+
+
+def test_what_it_is_given_by_name_is_looked_at(short):
+    with pytest.raises(BoresightError, match="no rule 'hold'; there are gate, joint, jitter_us"):
+        Live("velocity-attitude", {"hold": 3})
+    with pytest.raises(BoresightError, match="no constant 'gyro'; it has accel_bias_noise"):
+        Live("velocity-attitude", gyro=3)
+    with pytest.raises(BoresightError, match="phi-error has no live loop"):
+        Live("phi-error")
+    loop = loop_of(short)
+    with pytest.raises(BoresightError, match="no block 'heading' of states; there are phi, dv_n"):
+        loop.begin(0, {}, heading=1.0)
+    with pytest.raises(BoresightError, match="out_of_range"):
+        loop.begin(0, {})  # a quaternion of zeros
+    with pytest.raises(BoresightError, match="no measurement 'speed'; it has"):
+        loop.message("speed", 0, [1.0])
+    with pytest.raises(BoresightError, match=r"v_m_n has shape \(2,\); give \(3,\)"):
+        loop.message("velocity", 0, np.ones(3), v_m_n=[1, 2])
+    with pytest.raises(BoresightError, match="reads dtheta_ib_b, dv_b; it was given gyro"):
+        loop.sample(0, 0.01, gyro=np.zeros(3))
