@@ -20,7 +20,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "1ccc95f99e576f8358d09a259ec42ab6aa772457953c6a3f55f69334ac209d5a"
+#define VAL_MODEL_HASH "c21c49e3e50ebed7dc48ed818b48c064f2396bdce0abab83f6cbdd9ff65fc432"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

@@ -1293,6 +1293,7 @@ static void errors_tell_velocity(const val_live *live,
                                      BS_REAL(90.0), BS_REAL(90.0) };
     const val_carried *at = best;
     val_carried other;
+    val_carried later;
     bs_real sigma[N];
     const bs_real density[VAL_N_SENSED] = { live->rules.noise.gyro_noise[0],
                                             live->rules.noise.gyro_noise[1],
@@ -1327,16 +1328,25 @@ static void errors_tell_velocity(const val_live *live,
             other = *best;
             (void)correct(live, x, &other);
             at = &other;
+            later = *best;
+            carry_error(live, x, apart);
+            (void)correct(live, x, &later);
         } else {
             /* as it is */
         }
-        if (k <= VAL_N_SENSED) {
-            copy(master.a_n, change, 3);
-        } else {
+        copy(master.a_n, change, 3);
+        if (k < 0) { /* an error of the state that grows from one instant to the other */
+            (void)expect_v_m_n(live, message, at, means, span, expected[0]);
+            (void)expect_v_m_n(live, message, &later, means, span, expected[1]);
+            for (int i = 0; i < 3; ++i) {
+                master.a_n[i] += (expected[1][i] - expected[0][i]) / apart;
+            }
+        }
+        if (k > VAL_N_SENSED) {
             (void)expect_v_m_n(live, message, at, means, span, expected[0]);
             (void)expect_v_m_n(live, message, at, mean, span, expected[1]);
             for (int i = 0; i < 3; ++i) {
-                master.a_n[i] = change[i] + ((expected[1][i] - expected[0][i]) * between);
+                master.a_n[i] += (expected[1][i] - expected[0][i]) * between;
             }
             if (j >= 3) {
                 master.a_n[j - 3] += density[j] / BS_SQRT(apart);

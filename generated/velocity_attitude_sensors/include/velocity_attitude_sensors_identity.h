@@ -20,7 +20,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "322f9f821c6bb871ab058423a067259167ff6b845d06754edecf319fd430b9e3"
+#define VAS_MODEL_HASH "110c85d928099739f746c5df563f30d6f7072509818673df2aa81aa6c4a2205c"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1
