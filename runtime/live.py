@@ -401,8 +401,7 @@ class Live:
         """One line for each event since the last call."""
         lines, event = [], self.layout.event()
         while self._call("next_event", event) == Status.OK:
-            names = list(self.kinds)
-            kind = names[event.which] if event.which < len(names) else "?"
+            kind = next((name for name, index in self.kinds.items() if index == event.which), "?")
             if event.code == Event.MESSAGE:
                 text = f"a message of {kind} was not taken: {MESSAGES[Fate(event.value)]}"
             else:
