@@ -22,11 +22,11 @@ from boresight.runtime.transfer.delay import (
     rate_variances,
     uninformed,
 )
-from boresight.runtime.transfer.gaps import Gaps, of_runs
+from boresight.runtime.transfer.gaps import Gaps, Intervals, axes_of, intervals, of_runs
 from boresight.runtime.transfer.guard import Guard, mixed, outside
 from boresight.runtime.transfer.history import ACCEL_BIAS, DOWN, DV, MOUNT, PHI, TAU, History, moment
 from boresight.runtime.transfer.lever import flown
-from boresight.runtime.transfer.messages import Heard, Message, Note, Result, Verdict, heard
+from boresight.runtime.transfer.messages import HUGE, Heard, Message, Note, Result, Verdict, heard
 from boresight.runtime.transfer.position import PositionWatch, moved
 from boresight.runtime.transfer.rules import Rules, Watch
 from boresight.runtime.transfer.score import Score
@@ -38,6 +38,7 @@ GYRO, ACCEL = slice(0, 3), slice(3, 6)  # of increments (..., 6)
 EARLIER = ("before", "second", "third")
 UNKNOWN = np.pi, 100.0  # rad, m/s: one sigma of a run that is lost
 SWING_S = 1.0
+BRIDGED_S = 1e-3  # the shortest step of a bridge, whatever a sample says of its own length
 LARGEST = 0.9  # of the model's range for the error state, in one correction
 
 
@@ -228,15 +229,21 @@ class Transfer:
         K intervals in one call are the same as one by one, to rounding of P, and take a fraction of
         the time where the intervals are as they should be.
         """
-        if np.ndim(time):
-            self._intervals(time, dtheta_ib_b, dv_b, dt)
-            return
-        begin = time - dt
-        if not (dt > 0 and begin > self.time - 0.5 * dt and np.isfinite([time, dt]).all()):
+        given = intervals(time, dtheta_ib_b, dv_b, dt, self.runs)
+        for fault in given.unread:
+            self.watch.note_all(f"the slave's {fault}", "; the interval is left out, or bridged")
+        if axes_of(time):
+            self._intervals(given)
+        else:
+            self._one(float(given.time[0]), [part[0] for part in given.parts], float(given.dt[0]))
+
+    def _one(self, time: float, delivered: list[Array], dt: float) -> None:
+        begin, (shortest,), (longest,) = time - dt, *(self.guard.field["dt"][end] for end in ("low", "high"))
+        follows = begin > self.time - 0.5 * dt and self.time < time < HUGE
+        if not (follows and shortest <= dt <= longest):
             self._overlapping(time, dt)
             return
         self._left_out = 0
-        delivered = [np.broadcast_to(np.asarray(part, float), (*self.runs, 3)) for part in (dtheta_ib_b, dv_b)]
         raw = np.concatenate(delivered, axis=-1)
         increments = np.concatenate(self.known.increments(delivered[0], delivered[1], dt), axis=-1)
         good = self.gaps.usable(increments, dt)
@@ -251,35 +258,34 @@ class Transfer:
             raw = np.where(np.isfinite(raw), raw, 0.0)
             self._open(self.watch.saturation(raw[..., :3], raw[..., 3:], dt))
 
-    def _intervals(self, time: Any, dtheta_ib_b: Any, dv_b: Any, dt: Any) -> None:
+    def _intervals(self, given: Intervals) -> None:
         """Those that are as they should be together, the others one by one."""
-        time, dt = np.asarray(time, float), np.broadcast_to(np.asarray(dt, float), np.shape(time))
-        delivered = [np.asarray(part, float) for part in (dtheta_ib_b, dv_b)]
+        time, dt = given.time, given.dt
         if self._stretch is None and self.coning is None:
             self._stretch = Stretch.of(self.guard.model, self.nav, self.P, self.constants)
-        sound, increments = self._sound(time, delivered, dt)
+        sound, increments = self._sound(given)
         k = 0
         while k < len(time):
             stop = k + int(np.argmin(np.append(sound[k:], False)))
             if stop > k and self._undisturbed(time[k] - dt[k], dt[k]):
                 k += self._together(time[k:stop], increments[k:stop], dt[k:stop])
             if k < len(time):
-                self.slave(float(time[k]), delivered[0][k], delivered[1][k], float(dt[k]))
+                self._one(float(time[k]), [part[k] for part in given.parts], float(dt[k]))
                 k += 1
 
-    def _sound(self, time: Array, delivered: list[Array], dt: Array) -> tuple[Array, Array]:
+    def _sound(self, given: Intervals) -> tuple[Array, Array]:
         """(K,) bool: intervals with all that they should have, right behind the one before; the increments (K, ..., 6)
         without what is known."""
-        behind, count = np.append(0.0, time[1:] - dt[1:] - time[:-1]), len(self.runs)
-        sound = (dt > 0) & np.isfinite(dt) & np.isfinite(time) & (np.abs(behind) < 0.5 * dt)
+        time, dt = given.time, given.dt
+        sound = (dt > 0) & np.isfinite(dt) & np.isfinite(time)
+        sound[1:] &= np.abs(np.diff(np.where(np.isfinite(time), time, 0.0)) - dt[1:]) < 0.5 * dt[1:]
         seconds = np.where(sound, dt, 1.0).reshape((-1, *(1 for _ in self.runs)))
-        parts = [part.reshape((len(time), *(1 for _ in range(count + 2 - part.ndim)), *part.shape[1:]))
-                 for part in delivered]  # fmt: skip
-        dtheta, dv = self.known.increments(parts[0], parts[1], seconds)
+        dtheta, dv = self.known.increments(*given.parts, seconds)
         increments = np.concatenate(np.broadcast_arrays(dtheta, dv), axis=-1)
-        sound &= self.gaps.usable(increments, seconds[..., None]).reshape(len(time), -1).all(-1)
-        for part, full in zip(parts, self.rules.full_scale or (), strict=False):
-            sound &= (np.abs(part) < full * seconds[..., None] * (1 - 1e-9)).reshape(len(time), -1).all(-1)
+        sound &= self.gaps.usable(increments, seconds[..., None]).all(tuple(range(1, sound.ndim + len(self.runs))))
+        for part, full in zip(given.parts, self.rules.full_scale or (), strict=False):
+            within = np.abs(part) < full * seconds[..., None] * (1 - 1e-9)
+            sound &= within.all(tuple(range(1, within.ndim)))
         return sound, increments
 
     def _undisturbed(self, begin: float, dt: float) -> bool:
@@ -331,7 +337,7 @@ class Transfer:
             self._lose(everyone, missing)
             self._skip(begin)
             return
-        count = round(missing / dt)
+        count = round(missing / max(dt, min(missing, BRIDGED_S)))
         ramp = (rates - self.gaps.rates) / (count + 1)
         for i in range(count):
             between = self.gaps.rates + (i + 1) * ramp
@@ -489,13 +495,13 @@ class Transfer:
                 (self.gaps.missing_s > 0) | (self.gaps.missed_at > self.time - lag - 3 * rules.half_span_s),
             ),
             (Verdict.SATURATED, self.watch.saturated_at.max(-1) > self.time - lag - 3 * rules.half_span_s),
-            (Verdict.MISSED, self.gaps.lost),
+            (Verdict.MISSED, self.gaps.lost & ~(lag + 4 * rules.half_span_s > rules.buffer_s)),
             (Verdict.BEYOND, self.gaps.left),
             (Verdict.INVALID, ~rows.any(-1)),
             (Verdict.ABSENT, ~came),
         ):
             verdict[where] = code
-        begun = self._begin_anew(given, lag)
+        begun = self._begin_anew(given)
         verdict[begun] = Verdict.BEGUN
         self.suspects.forget(begun)
         if len(self.history) < 2:
@@ -552,7 +558,7 @@ class Transfer:
         fine = self.watch.fine(coarse, used > 0)
         if self.matching[0] in innovations:
             self.watch.lever(innovations[self.matching[0]], rows[..., :3] & fine[..., None], inputs)
-        nis = np.sum([part.nis for part in innovations.values()], axis=0)
+        nis = np.sum([np.zeros(runs), *(part.nis for part in innovations.values())], axis=0)
         none = np.zeros((*runs, 3))
         by_row = [np.where((one := innovations[name]).used, one.nu**2 / one.S, none) if name in innovations else none
                   for name in self.matching]  # fmt: skip
@@ -655,12 +661,14 @@ class Transfer:
             self.watch.told_at[(Verdict.REOPENED, *run)] = self.time
         return found
 
-    def _begin_anew(self, given: Heard, lag: Array) -> Array:
+    def _begin_anew(self, given: Heard) -> Array:
         """(...,) bool: the lost runs that have begun anew from this message, which is used up by it."""
         gaps, loop, history, span = self.gaps, self.filter, self.history, 4 * self.rules.half_span_s
+        then = given.time - loop.nav["tau"]
+        lag = self.time - then
         said = {"position": given.position, **given.said}
         ready = gaps.lost & given.rows.all(-1) & (given.time > self.watch.stamp) & (lag >= 0)
-        ready = ready & (self.time - lag - span >= gaps.back_at)
+        ready = ready & (self.time - lag - span >= gaps.back_at) & (lag <= self.time - history.time[0])
         if given.position is None or len(given.said) < 2:
             return np.zeros(self.runs, bool)
         there = {"lat_lon_height": given.position, "v_n": given.said["v_m_n"]}
@@ -671,7 +679,8 @@ class Transfer:
         place = {"position": loop.nav["lat_lon_height"], "v_m_n": loop.nav["v_n"], "q_m2n_wxyz": loop.nav["q_b2n_wxyz"],
                  "euler_m": np.zeros((*self.runs, 3))}  # fmt: skip
         whole = Message(
-            np.where(ready, given.time, np.min(given.time[ready])), of_runs(ready, given.R, np.ones((*self.runs, 6))),
+            np.where(ready, then, np.min(then[ready])) + loop.nav["tau"],
+            of_runs(ready, given.R, np.ones((*self.runs, 6))),
             **{name: of_runs(ready, value, place[name]) for name, value in said.items()},
         )  # fmt: skip
         sums = [history.recent(name).reshape((len(history), *self.runs, 3)) for name in ("angle", "push")]

@@ -3,17 +3,59 @@
 A run whose slave has left the model's range waits for one too.
 """
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from boresight.runtime.array import Array
 from boresight.runtime.transfer.history import History
+from boresight.runtime.transfer.messages import numbers
 from boresight.runtime.transfer.rules import Watch
 
 # The models' range: a sample beyond it is none.
 RATES, INCREMENTS = np.repeat([20.0, 500.0], 3), np.repeat([0.5, 100.0], 3)  # rad/s, m/s^2; rad, m/s
 FELT = 0.01  # of P: what is opened by less is as good as known
+
+
+class Intervals(NamedTuple):
+    """What the slave delivered in one call."""
+
+    time: Array  # (K,) s, nan where it is no number
+    parts: tuple[Array, Array]  # dtheta_ib_b rad and dv_b m/s, (K, ..., 3), likewise
+    dt: Array  # (K,) s, likewise
+    unread: list[str]  # names and shapes of what is no such array
+
+
+def intervals(time: Any, dtheta: Any, dv: Any, dt: Any, runs: tuple[int, ...]) -> Intervals:
+    """Read so that nothing raises.  Of one interval, or of K where `time` has an axis."""
+    several, unread = bool(axes_of(time)), []
+    count, leading = (len(time), ("K",)) if several else (1, ())
+
+    def array(name: str, value: Any, shape: tuple[int, ...], **how: bool) -> Array:
+        read = numbers(value, shape, **how)
+        if read is None:
+            shown = ", ".join((*leading, "...", "3") if len(shape) > 1 else leading)
+            unread.append(f"{name} is no array of numbers ({shown})" if shown else f"{name} is no number")
+        return np.full(shape, np.nan) if read is None else read
+
+    def increments(name: str, value: Any) -> Array:
+        own = axes_of(value)
+        if several:  # the runs that are not given stand behind K
+            whole = len(own) > 1 and own[0] == count
+            value = np.reshape(value, (count, *(len(runs) + 2 - len(own)) * (1,), *own[1:])) if whole else None
+        return array(name, value, (count, *runs, 3))
+
+    times = array("time", time, (count,), one=not several)
+    parts = increments("dtheta_ib_b", dtheta), increments("dv_b", dv)
+    return Intervals(times, parts, array("dt", dt, (count,), one=True), unread)
+
+
+def axes_of(value: Any) -> tuple[int, ...]:
+    """The shape of a value, () of one that is no array."""
+    try:
+        return np.shape(value)
+    except ValueError:
+        return ()
 
 
 class Gaps:

@@ -118,6 +118,7 @@ class Watch:
         self.acquired = np.zeros(runs, bool)
         self.refused = np.zeros(runs, int)  # in a row, for whatever reason
         self.told_at = np.full((len(Verdict), *runs), -np.inf)
+        self.noted_at: dict[str, float] = {}  # of lines about all runs
         self.open = np.zeros(runs, bool)  # a refusal was told, its end not yet
         self.seen = LeverSeen.nothing(runs)
         self.lever_told = np.zeros(runs, bool)
@@ -309,6 +310,12 @@ class Watch:
         entered = {name: replace(part, used=part.used & taken[..., None]) for name, part in innovations.items()}
         rows = np.where(taken, used, 0)
         return Result(verdict, entered, np.where(rows > 0, nis, np.nan), rows, np.asarray(nis), lag)
+
+    def note_all(self, what: str, rest: str) -> None:
+        """A line about all runs; one that begins by the same words comes only after `quiet_s`."""
+        if not abs(self.time - self.noted_at.get(what, np.inf)) < self.rules.quiet_s:
+            self.noted_at[what] = self.time
+            self.note(np.ones(self.runs, bool), what + rest)
 
     def note(self, where: Array, text: str, of_first: bool = False) -> None:
         """of_first: whether the numbers in it are those of the first of the runs."""
