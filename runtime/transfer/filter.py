@@ -39,7 +39,10 @@ EARLIER = ("before", "second", "third")
 UNKNOWN = np.pi, 100.0  # rad, m/s: one sigma of a run that is lost
 SWING_S = 1.0
 BRIDGED_S = 1e-3  # the shortest step of a bridge, whatever a sample says of its own length
+BEHIND_GAP = 1e-3  # of the gate
 LARGEST = 0.9  # of the model's range for the error state, in one correction
+
+Sensed = tuple[Array, Array]  # of one interval: rad, m/s, (..., 3)
 
 
 class Transfer:
@@ -174,6 +177,7 @@ class Transfer:
         )
         self.gaps = Gaps(self.watch, np.concatenate([np.zeros_like(standing), standing], axis=-1))
         self._left_out = 0
+        self._overlapped: tuple[float, Sensed, float] | None = None  # the last interval left out
         self._stretch: Stretch | None = None  # of many intervals at once, from the first time on
         where, why = outside(model, self.filter.nav, self.runs)
         if where.any():
@@ -235,15 +239,15 @@ class Transfer:
         if axes_of(time):
             self._intervals(given)
         else:
-            self._one(float(given.time[0]), [part[0] for part in given.parts], float(given.dt[0]))
+            self._one(float(given.time[0]), (given.parts[0][0], given.parts[1][0]), float(given.dt[0]))
 
-    def _one(self, time: float, delivered: list[Array], dt: float) -> None:
+    def _one(self, time: float, delivered: Sensed, dt: float) -> None:
         begin, (shortest,), (longest,) = time - dt, *(self.guard.field["dt"][end] for end in ("low", "high"))
         follows = begin > self.time - 0.5 * dt and self.time < time < HUGE
         if not (follows and shortest <= dt <= longest):
-            self._overlapping(time, dt)
+            self._overlapping(time, delivered, dt)
             return
-        self._left_out = 0
+        self._left_out, self._overlapped = 0, None
         raw = np.concatenate(delivered, axis=-1)
         increments = np.concatenate(self.known.increments(delivered[0], delivered[1], dt), axis=-1)
         good = self.gaps.usable(increments, dt)
@@ -270,7 +274,7 @@ class Transfer:
             if stop > k and self._undisturbed(time[k] - dt[k], dt[k]):
                 k += self._together(time[k:stop], increments[k:stop], dt[k:stop])
             if k < len(time):
-                self._one(float(time[k]), [part[k] for part in given.parts], float(dt[k]))
+                self._one(float(time[k]), (given.parts[0][k], given.parts[1][k]), float(dt[k]))
                 k += 1
 
     def _sound(self, given: Intervals) -> tuple[Array, Array]:
@@ -338,12 +342,16 @@ class Transfer:
             self._skip(begin)
             return
         count = round(missing / max(dt, min(missing, BRIDGED_S)))
-        ramp = (rates - self.gaps.rates) / (count + 1)
+        ramp, before = (rates - self.gaps.rates) / (count + 1), dict(self.nav)
         for i in range(count):
             between = self.gaps.rates + (i + 1) * ramp
             end = begin - (count - 1 - i) * missing / count
             self.gaps.stand_in(everyone, between, missing / count)
             self._interval(end, between * missing / count, missing / count)
+        off = np.zeros(self.filter.P.shape[:-1])
+        off[..., PHI] = rotation.attitude_error(self.nav["q_b2n_wxyz"], before["q_b2n_wxyz"])
+        off[..., DV] = self.nav["v_n"] - before["v_n"]
+        self.suspects.bridged(missing, off, self.time)
 
     def _lose(self, where: Array, missing_s: float = 0.0, why: str = "") -> None:
         """These runs have lost their way: attitude and velocity are unknown until they begin anew."""
@@ -351,19 +359,57 @@ class Transfer:
         if new.any():
             self._open(np.where(new[..., None], np.repeat(UNKNOWN, 3) ** 2, 0.0))
 
-    def _overlapping(self, time: float, dt: float) -> None:
-        """An interval begins before the last one ended: left out, unless this goes on; then the clock was set back."""
-        everyone = np.ones(self.runs, bool)
+    def _overlapping(self, time: float, delivered: Sensed, dt: float) -> None:
+        """An interval begins before the last one ended: left out, unless the slave's clock was set back.
+
+        It was where two intervals, one behind the other, hold what the kept past does not; the loop's time then goes
+        back too, and they are flown.  A step beyond `bridge_s` is believed after as long, and the filter begins anew,
+        for nothing tells how long the slave stood.
+        """
         if self._left_out == 0:
-            self.watch.note(everyone, f"the slave's interval of {dt:g} s that ends at {time:.4f} s begins before the "
-                                      "last one ended, or is none; it is left out")  # fmt: skip
+            self.watch.note(np.ones(self.runs, bool), f"the slave's interval of {dt:g} s that ends at {time:.4f} s "
+                            "begins before the last one ended, or is none; it is left out")  # fmt: skip
         self._left_out += 1
-        if np.isfinite(time) and dt > 0 and self._left_out * dt > max(self.rules.bridge_s, dt):
-            self._lose(everyone)
+        if not (abs(time) < HUGE and dt > 0):
+            return
+        before, self._overlapped = self._overlapped, (time, delivered, dt)
+        bridge, new = self.rules.bridge_s, self._new(time, delivered, dt)
+        step = time - 2 * dt - self.time
+        if new and before is not None and abs(before[0] - (time - dt)) < 0.5 * dt and -bridge <= step < 0:
+            self._set_clock(step)
+            for interval in (before, (time, delivered, dt)):
+                self._one(*interval)
+        elif self._left_out * dt > max(bridge, dt):
+            self._lose(np.ones(self.runs, bool))
+            self._set_clock(time - self._left_out * dt - self.time)
             self._skip(time)
+        elif not new:
+            self._overlapped = None
+
+    def _new(self, time: float, delivered: Sensed, dt: float) -> bool:
+        """Whether the kept past, where nothing was missing, holds other increments of this interval."""
+        begin, history = time - dt, self.history
+        if begin < max(history.time[0], np.max(self.gaps.missed_at)) - 1e-9:
+            return False
+        ends = np.broadcast_to(np.array([[begin], [time]]), (2, history.runs))
+        kept = [np.diff(history.at(name, ends), axis=0)[0].reshape((*self.runs, 3)) for name in ("angle", "push")]
+        return not any(np.allclose(one, part, rtol=1e-6, atol=1e-9 * dt)
+                       for one, part in zip(kept, self.known.increments(*delivered, dt), strict=True))  # fmt: skip
+
+    def _set_clock(self, step: float) -> None:
+        """The slave's clock is ahead by so much more, s: every time that the loop remembers goes with it."""
+        self.watch.note_all("the slave's clock has gone ", f"{'forward' if step > 0 else 'back'} by {abs(step):.3f} s")
+        for part in (self.watch, self.gaps, self.position, self.suspects, self.stamps):
+            for name in part.TIMES:
+                setattr(part, name, getattr(part, name) + step)
+        self.history.time[:] += step
+        self._told_of, self._predicted = self._told_of + step, self._predicted + step
+        self.time = self.watch.time = self.time + step
+        self.watch.noted_at.clear()
+        self.stamps.slave_s, self._left_out, self._overlapped = step, 0, None
 
     def _skip(self, time: float) -> None:
-        """Time goes on, or back, and nothing of the past is left."""
+        """Time goes on, and nothing of the past is left."""
         self.time = self.watch.time = self._predicted = float(time)
         self.history.clear()
         self._told_of = np.full(self.runs, -np.inf)
@@ -466,6 +512,8 @@ class Transfer:
         steepest = loop.model.field["euler_m"]["high"][1]
         given = heard(message, runs, attitude, steepest)
         rows, came = given.rows, given.came
+        behind = self.stamps.of_slave(given.time, self.time, came)
+        self.watch.note(behind, "the master's stamps have not gone along with the slave's clock, and are followed")
         stamp = given.time + self.stamps.clock
         out_of_step, trial = self._out_of_step(stamp, came & rows.any(-1))
         given = replace(given, time=stamp + np.where(trial, self.stamps.trial, 0.0))
@@ -502,6 +550,7 @@ class Transfer:
         ):
             verdict[where] = code
         begun = self._begin_anew(given)
+        self.stamps.end(begun & trial, begun)
         verdict[begun] = Verdict.BEGUN
         self.suspects.forget(begun)
         if len(self.history) < 2:
@@ -563,8 +612,10 @@ class Transfer:
         by_row = [np.where((one := innovations[name]).used, one.nu**2 / one.S, none) if name in innovations else none
                   for name in self.matching]  # fmt: skip
         worst = np.argmax(np.concatenate(by_row, axis=-1), axis=-1)
-        gated = ((nis > chdtri(np.maximum(used, 1), rules.gate)) & fine) | (trial & (used > 0))
-        self.suspects.forget((used > 0) & ~gated)
+        # behind a gap the first message decides whether anything was missing: it is to fit well
+        gate = np.where(np.isnan(self.suspects.gap_s), rules.gate, max(rules.gate, BEHIND_GAP))
+        gated = ((nis > chdtri(np.maximum(used, 1), gate)) & fine) | (trial & (used > 0))
+        self.suspects.forget((used > 0) & ~gated, self.time - lag)
         reopen = by_delay = np.zeros(runs, bool)
         beyond, why = self.guard.taken()
         if gated.any():
@@ -656,7 +707,8 @@ class Transfer:
         for run in map(tuple, np.argwhere(tell)):
             where = np.zeros(self.runs, bool)
             where[run] = True
-            text = cause(found, run, float(tau[run]), float(clock[run]), self.rules, bool(trial[run]))
+            forward = float(self.suspects.gap_s[run]) if found.slave[run] > 1 - CLEAR else 0.0
+            text = cause(found, run, float(tau[run]), float(clock[run]), self.rules, bool(trial[run]), forward)
             self.watch.note(where, f"{self.suspects.count[run]} messages in a row did not fit: {text}")
             self.watch.told_at[(Verdict.REOPENED, *run)] = self.time
         return found

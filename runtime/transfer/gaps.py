@@ -66,6 +66,8 @@ class Gaps:
     what the same rule would have missed, axis by axis, had as many samples been missing anywhere in the kept past.
     """
 
+    TIMES = ("missed_at", "told_at", "lost_at", "back_at")
+
     def __init__(self, watch: Watch, rates: Array):
         """rates: (..., 6) rad/s and m/s^2 that stand in before the first sample."""
         runs = rates.shape[:-1]
@@ -146,9 +148,8 @@ class Gaps:
         self.lost = self.lost | new
         self.left = self.left | (new & bool(left))
         longest = float(np.max(self.missing_s[new])) + missing_s
-        cause = (
-            f"the slave is beyond the model's range ({left})" if left else f"{longest:.3f} s of the slave are missing"
-        )
+        cause = f"{longest:.3f} s of the slave are missing" if longest else "nothing tells how long the slave stood"
+        cause = f"the slave is beyond the model's range ({left})" if left else cause
         self.watch.note(new, f"{cause}: the filter begins anew from the next message, and keeps biases, mounting, "
                              "lever arm and delay")  # fmt: skip
         return new

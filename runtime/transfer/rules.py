@@ -104,6 +104,8 @@ class Rules:
 class Watch:
     """What the rules remember, run by run, and the lines that they have written."""
 
+    TIMES = ("saturated_at", "stamp", "taken_at", "fine_at", "told_at", "absent_at", "came_at")
+
     def __init__(self, rules: Rules, runs: tuple[int, ...], time: float):
         self.rules, self.runs, self.time = rules, runs, time
         self.notes: list[Note] = []
