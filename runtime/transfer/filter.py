@@ -9,11 +9,12 @@ from scipy.special import chdtri
 
 from boresight import BoresightError
 from boresight.runtime import rotation
-from boresight.runtime.array import Array, carried
+from boresight.runtime.array import Array, carried, wrapped
 from boresight.runtime.calibration import Calibration
 from boresight.runtime.filter import Filter, Innovation
 from boresight.runtime.transfer.delay import (
     CLEAR,
+    LONGEST,
     Explanation,
     Stamps,
     Suspects,
@@ -23,6 +24,8 @@ from boresight.runtime.transfer.delay import (
     uninformed,
 )
 from boresight.runtime.transfer.gaps import Gaps, Intervals, axes_of, intervals, of_runs
+from boresight.runtime.transfer.gate import REACH, second_order
+from boresight.runtime.transfer.gate import nis as widened_nis
 from boresight.runtime.transfer.guard import Guard, mixed, outside
 from boresight.runtime.transfer.history import ACCEL_BIAS, DOWN, DV, MOUNT, PHI, TAU, History, moment
 from boresight.runtime.transfer.lever import flown
@@ -574,8 +577,9 @@ class Transfer:
         noise = np.max(np.asarray(self.constants["gyro_noise"]), axis=-1)
         R[..., :3] += (np.sum(np.square(self._lever()), axis=-1) * noise**2 * rate_factor)[..., None]
         Hs = {name: by_rate(loop, name, inputs, around) for name, _, field in self._measured() if field in inputs}
+        bent = np.zeros_like(R)
         if curved.any():
-            R += self._curved(curved * variance**2, Hs, stamp - self.watch.stamp)
+            bent = self._curved(curved * variance**2, Hs, stamp - self.watch.stamp)
 
         # The residual speaks of the error at the message's time: the covariance goes there and comes back.
         # It says nothing of the noise since then, which leaves P for that time; by extrapolation that noise is in it.
@@ -599,22 +603,35 @@ class Transfer:
         faults.append((repeated, "the master repeats its last one while the slave moves"))
         rows = rows & ~repeated[..., None]
         variances = rate_variances(self.history, rules, P, F, inputs, rate_factor, self._lever())
+        sigma = np.sqrt(np.einsum("...ii->...i", P_now))
+        fine = (sigma[..., self._angles()].max(-1) < rules.coarse_rad) & (sigma[..., TAU] < rules.coarse_s)
+        second = None if fine.all() else self._second(P, rows, lag, inputs, expected)
+        if second is not None:
+            size = np.einsum("...ii->...i", second[1]) + second[0] ** 2
+            bent = np.where(fine[..., None], bent, np.maximum(size, bent))
+        noise, R = R, R + bent
         innovations = self._update(P, R, rows, inputs, Hs, variances)
         used = rows.sum(-1)
-        # The gate presumes residuals that are linear in the errors: until angles and delay are known it is open.
-        sigma = np.sqrt(np.einsum("...ii->...i", P_now))
-        coarse = (sigma[..., self._angles()].max(-1) > rules.coarse_rad) | (sigma[..., TAU] > rules.coarse_s)
-        fine = self.watch.fine(coarse, used > 0)
+        nis = np.sum([np.zeros(runs), *(part.nis for part in innovations.values())], axis=0)
         if self.matching[0] in innovations:
             self.watch.lever(innovations[self.matching[0]], rows[..., :3] & fine[..., None], inputs)
-        nis = np.sum([np.zeros(runs), *(part.nis for part in innovations.values())], axis=0)
         none = np.zeros((*runs, 3))
         by_row = [np.where((one := innovations[name]).used, one.nu**2 / one.S, none) if name in innovations else none
                   for name in self.matching]  # fmt: skip
         worst = np.argmax(np.concatenate(by_row, axis=-1), axis=-1)
         # behind a gap the first message decides whether anything was missing: it is to fit well
         gate = np.where(np.isnan(self.suspects.gap_s), rules.gate, max(rules.gate, BEHIND_GAP))
-        gated = ((nis > chdtri(np.maximum(used, 1), gate)) & fine) | (trial & (used > 0))
+        bound = chdtri(np.maximum(used, 1), gate)
+        gated = nis > bound
+        if gated.any():
+            names = {name: place for name, place, field in self._measured() if field in inputs}
+            H = np.zeros((*R.shape, P.shape[-1]))
+            for name, place in names.items():
+                H[..., place, :] = Hs[name][0]
+            m, S2 = second or self._second(P, rows, lag, inputs, expected)
+            nis = np.where(gated, widened_nis(self._residuals(names, inputs), H, P, noise, rows, m, S2), nis)
+            gated = nis > bound
+        gated = gated | (trial & (used > 0))
         self.suspects.forget((used > 0) & ~gated, self.time - lag)
         reopen = by_delay = np.zeros(runs, bool)
         beyond, why = self.guard.taken()
@@ -782,6 +799,38 @@ class Transfer:
                 x, P = self.filter.x, self.filter.P
                 out[name] = self.filter.update(name, R_part, rows=there, considered=kept, jacobian=H, **inputs)
                 self._keep_heading(heading, x, P, H, R_part, there, kept)
+        return out
+
+    def _residuals(self, names: dict[str, slice], inputs: dict[str, Any]) -> Array:
+        """(..., 6) of the measurements in `names` with the rows of each; zero where there is none."""
+        each = {name: self.filter.call(f"{name}_z", **{**inputs, "x": np.zeros(self.P.shape[-1])}) for name in names}
+        out = np.zeros((*np.broadcast_shapes(*(one.shape[:-1] for one in each.values())), 6))
+        for name, one in each.items():
+            out[..., names[name]] = wrapped(one) if name.startswith("euler") else one
+        return out
+
+    def _second(self, P: Array, rows: Array, lag: Array, inputs: dict[str, Any], expected: dict[str, Array]
+                ) -> tuple[Array, Array]:  # fmt: skip
+        """(..., 6) mean and (..., 6, 6) covariance of what the residuals are beyond the first order.
+
+        P: at the message's time.  It is looked at about a message that says what is expected.
+        """
+        loop, here = self.filter, [(name, part, field) for name, part, field in self._measured() if field in inputs]
+        limit = np.broadcast_to(REACH * np.array(loop.model.field["x"]["high"]), P.shape[:-1]).copy()
+        limit[..., TAU] = np.clip(self.time - self.history.time[0] - lag, 1e-3, LONGEST)  # what is kept of the past
+        said = self._filled({field: inputs[field] for _, _, field in here}, np.zeros_like(rows), expected)
+
+        def z(x: Array) -> Array:
+            """Where the slave was off by x (K, ..., n) when the message was measured."""
+            then = self._match(lag - x[..., TAU])[0]
+            rest = {n: loop.nav[n] for n in loop.model.feedback.fields if n not in ("x", "v_n", "q_b2n_wxyz")}
+            past = {name: then[name] for name in ("v_n", "q_b2n_wxyz")}
+            nav = loop.call("feedback", x=x, **rest, **past)
+            return -self._residuals({name: part for name, part, _ in here}, {**inputs, **said, **then, **nav})
+
+        marked = self.guard.outside, self.guard.why
+        out = second_order(z, P, [*self._angles(), TAU], limit)
+        self.guard.outside, self.guard.why = marked  # a trial beyond the model's range is no fault of the run
         return out
 
     def _measured(self) -> tuple[tuple[str, slice, str], ...]:

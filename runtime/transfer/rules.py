@@ -40,10 +40,8 @@ class Rules:
     gate : float, optional
         A message is refused if chance alone would exceed its NIS with this probability.
     coarse_rad, coarse_s : float, optional
-        rad, s: at first the gate is open while the sigma of an angle, or of the delay, is above
-        these.
-    settle_s : float, optional
-        s: and so long after that.
+        rad, s: while the sigma of an angle, or of the delay, is above these, the residuals do not
+        count for the lever arm, nor the angles for what the filter keeps from noise.
     reopen_after : int, optional
         Messages gated in a row, after which velocity and attitude are opened.
     silent_s : float, optional
@@ -83,7 +81,6 @@ class Rules:
     gate: float = 1e-6
     coarse_rad: float = 0.1
     coarse_s: float = 0.05
-    settle_s: float = 5.0
     reopen_after: int = 5
     silent_s: float = 1.0
     full_scale: tuple[float, float] | None = None
@@ -104,7 +101,7 @@ class Rules:
 class Watch:
     """What the rules remember, run by run, and the lines that they have written."""
 
-    TIMES = ("saturated_at", "stamp", "taken_at", "fine_at", "told_at", "absent_at", "came_at")
+    TIMES = ("saturated_at", "stamp", "taken_at", "told_at", "absent_at", "came_at")
 
     def __init__(self, rules: Rules, runs: tuple[int, ...], time: float):
         self.rules, self.runs, self.time = rules, runs, time
@@ -116,8 +113,6 @@ class Watch:
         self.stamp = np.full(runs, -np.inf)  # of the last message looked at
         self.taken_at = np.full(runs, time)
         self.silent = np.zeros(runs, bool)
-        self.fine_at = np.full(runs, -np.inf)  # from when on the gate works
-        self.acquired = np.zeros(runs, bool)
         self.refused = np.zeros(runs, int)  # in a row, for whatever reason
         self.told_at = np.full((len(Verdict), *runs), -np.inf)
         self.noted_at: dict[str, float] = {}  # of lines about all runs
@@ -212,13 +207,6 @@ class Watch:
             each(again, "the master's message holds {what} again")
             for kind in self.absent:
                 self.absent[kind] &= ~again
-
-    def fine(self, coarse: Array, some: Array) -> Array:
-        """(...,) bool: whether the gate works.  coarse: angles or delay are not known yet; some: a row was used."""
-        self.fine_at = np.where(coarse & ~self.acquired & some, self.time + self.rules.settle_s, self.fine_at)
-        fine: Array = self.time >= self.fine_at
-        self.acquired |= fine & some  # what is opened later is opened on purpose
-        return fine
 
     def lever(self, innovation: Innovation, rows: Array, inputs: dict[str, Any]) -> None:
         C = rotation.matrix_from_quaternion(inputs["q_b2n_wxyz"])
