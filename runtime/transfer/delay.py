@@ -70,22 +70,39 @@ def by_rate(loop: Filter, measurement: str, inputs: dict[str, Any], around: dict
     return H
 
 
-def uninformed(measurement: str, H: Array, R: Array, rows: Array, variances: dict[str, Array], sigmas: float) -> Array:
-    """(..., n) bool: the delay, where the rates that make up its column are not clearly above their noise.
+def by_noise(
+    measurement: str, H: Array, P: Array, R: Array, rows: Array, variances: dict[str, Array], sigmas: float
+) -> Array:
+    """(...,) 1/s^2, the information on the delay that a measurement has by noise alone; infinite where it is all noise.
 
-    H: of `by_rate`.  R, rows: (..., m).  variances: of `rate_variances`.
+    H: of `by_rate`.  P: before.  R, rows: (..., m).  variances: of `rate_variances`.
 
-    The noise of such a rate passes for a motion that the residual does not follow: for a delay without error, and so
-    for knowledge of it.  What it adds is its variance over R, what the motion adds the rate's square over R; over all
-    rows that has to be sigmas^2 times as much.  Noise alone gets there once in 1e10 messages, so that the choice of
-    messages does not depend on it.
+    The noise of the rates in the delay's column passes for a motion that the residual does not follow: for a delay
+    without error, and so for knowledge of it, by its variance over R.  What the motion tells is what is left of the
+    column beside the states that follow the delay, H P / P_tt: in a steady turn, where it is the heading, nothing.
+    Over all rows that has to be sigmas^2 times the noise.
     """
-    now, by_axis = H[0, ..., TAU], (H[1:4, ..., TAU] - H[0, ..., TAU]) / 1e-3
+    left = (H[0] @ P[..., TAU, None])[..., 0] / np.maximum(P[..., TAU, TAU], 1e-300)[..., None]
+    by_axis = (H[1:4, ..., TAU] - H[0, ..., TAU]) / 1e-3
     variance = np.einsum("a...m,...a->...m", by_axis**2, variances[rate_of(measurement)])
     weight = rows * (R.min(-1, keepdims=True) / R)  # by the smallest, so that none overflows
-    out = np.zeros((*now.shape[:-1], H.shape[-1]), bool)
-    out[..., TAU] = np.sum(weight * now**2, axis=-1) <= sigmas**2 * np.sum(weight * variance, axis=-1)
+    noise = np.sum(weight * variance, axis=-1)
+    out: Array = np.where(np.sum(weight * left**2, axis=-1) <= sigmas**2 * noise, np.inf, noise / R.min(-1))
     return out
+
+
+def without(information: Array, x: Array, P: Array, x_before: Array, P_before: Array) -> tuple[Array, Array]:
+    """x (..., n) and P (..., n, n) of a measurement without so much information on the delay (...,), 1/s^2.
+
+    Never with less than before; where it is infinite, x takes back what the measurement has done to the delay.  P + c p
+    p', p the delay's column and c = s / (1 - s P_tt): what follows the delay follows it here too.
+    """
+    p, now = P[..., TAU], np.maximum(P[..., TAU, TAU], 1e-150)
+    whole = np.maximum(P_before[..., TAU, TAU] - now, 0.0) / now**2
+    some = np.where(np.isinf(information), 0.0, information)
+    c = np.where(np.isinf(information), whole, np.minimum(some / np.maximum(1 - some * now, 1e-150), whole))
+    back = np.where(np.isinf(information), x[..., TAU] - x_before[..., TAU], 0.0) / now
+    return x - p * back[..., None], P + c[..., None, None] * p[..., :, None] * p[..., None, :]
 
 
 @dataclass(frozen=True)

@@ -18,10 +18,11 @@ from boresight.runtime.transfer.delay import (
     Explanation,
     Stamps,
     Suspects,
+    by_noise,
     by_rate,
     cause,
     rate_variances,
-    uninformed,
+    without,
 )
 from boresight.runtime.transfer.gaps import Gaps, Intervals, axes_of, intervals, of_runs
 from boresight.runtime.transfer.gate import REACH, second_order
@@ -43,6 +44,7 @@ UNKNOWN = np.pi, 100.0  # rad, m/s: one sigma of a run that is lost
 SWING_S = 1.0
 BRIDGED_S = 1e-3  # the shortest step of a bridge, whatever a sample says of its own length
 BEHIND_GAP = 1e-3  # of the gate
+HEADING_SIGMAS = 8.0  # by which the hull's motion is above all else in a message that tells the heading
 LARGEST = 0.9  # of the model's range for the error state, in one correction
 
 Sensed = tuple[Array, Array]  # of one interval: rad, m/s, (..., 3)
@@ -675,7 +677,7 @@ class Transfer:
         self._told_of = np.where(taken, self.time - lag, self._told_of)
         if self.score is not None:
             self.score.end(taken)
-        loop.P = np.where(taken[..., None, None], self._turned(corrected, nav), P_before)
+        loop.P = np.where(taken[..., None, None], self._turned(corrected, nav, F), P_before)
         loop.x = np.where(taken[..., None], loop.x, 0.0)
         self._correct_past(F)
         self.guard.taken()
@@ -777,10 +779,10 @@ class Transfer:
     ) -> dict[str, Innovation]:
         """Attitude first: the residual of a large turn depends on x, and that of the velocity does not.
 
-        Hs: of `by_rate`.  variances: of the rates in the delay's column, which decide whether a measurement informs the
-        delay.
+        Hs: of `by_rate`.  variances: of the rates in the delay's column.
         """
-        self.filter.x, self.filter.P = np.zeros(P.shape[:-1]), P
+        self.filter.x, self.filter.P, rules = np.zeros(P.shape[:-1]), P, self.rules
+        kept = np.zeros(P.shape[:-1], bool) if self.filter.considered is None else self.filter.considered
         C_b2m, C_b2n = rotation.matrix_from_quaternion(np.array([self.nav["q_b2m_wxyz"], inputs["q_b2n_wxyz"]]))
         heading = np.zeros(P.shape[:-1])  # of the mounting, which alone keeps it where the slave's attitude is opened
         heading[..., MOUNT] = (C_b2m @ C_b2n[..., DOWN, :, None])[..., 0]
@@ -789,15 +791,15 @@ class Transfer:
         out = {}
         for name, part, field in self._measured():
             if field in inputs:
-                R_part, there, H = R[..., part], rows[..., part], Hs[name][0]
-                kept = uninformed(name, Hs[name], R_part, there, variances, self.rules.delay_sigmas)
+                R_part, there = R[..., part], rows[..., part]
+                H = Hs[name][0]
+                noise = by_noise(name, Hs[name], self.filter.P, R_part, there, variances, rules.delay_sigmas)
                 if self.score is not None:
                     nu = self.filter.call(f"{name}_z", **inputs) - np.einsum("...ij,...j->...i", H, self.filter.x)
                     self.score.take(nu, H, self.filter.P, R_part, there)
-                if self.filter.considered is not None:
-                    kept = kept | self.filter.considered
                 x, P = self.filter.x, self.filter.P
-                out[name] = self.filter.update(name, R_part, rows=there, considered=kept, jacobian=H, **inputs)
+                out[name] = self.filter.update(name, R_part, rows=there, jacobian=H, **inputs)
+                self.filter.x, self.filter.P = without(noise, self.filter.x, self.filter.P, x, P)
                 self._keep_heading(heading, x, P, H, R_part, there, kept)
         return out
 
@@ -924,17 +926,27 @@ class Transfer:
         out[..., ACCEL_BIAS, ACCEL_BIAS] = (axes * np.maximum(size, 0.0)[..., None, :]) @ np.swapaxes(axes, -1, -2)
         return out
 
-    def _turned(self, P: Array, nav: Mapping[str, Array]) -> Array:
+    def _turned(self, P: Array, nav: Mapping[str, Array], F: Array) -> Array:
         """P with the errors of attitude and mounting about the axes of nav, corrected, as they were about the old ones.
 
         So phi - C_m2n dmu, which alone shows at rest, stays the same sum, whatever noise the corrections bring into C.
+        The correction is halved for two errors of one kind, and whole for what follows the delay: it turns with the
+        axes, that of the velocity with the specific force, and that of the attitude goes with the rate's bias.
         """
         C = rotation.matrix_from_quaternion(
             np.array([[of[name] for of in (self.nav, nav)] for name in ("q_b2n_wxyz", "q_b2m_wxyz")])
         )
-        for block, (old, new) in zip((PHI, MOUNT), C, strict=True):
+        turns = [new @ np.swapaxes(old, -1, -2) for old, new in C]
+        ahead = P[..., TAU] / np.maximum(P[..., TAU, TAU], 1e-300)[..., None]
+        f = F[..., (5, 3, 4), (1, 2, 0)]  # of [f x], which turns phi into the rate of the velocity's error
+        bias = (C[0, 1] @ (nav["gyro_bias"] - self.nav["gyro_bias"])[..., None])[..., 0]
+        for block, turned, share, follows, more in (
+            (PHI, turns[0], 0.5, ahead[..., PHI], bias), (MOUNT, turns[1], 0.5, ahead[..., MOUNT], 0.0),
+            (DV, turns[0], 0.0, f, 0.0),
+        ):  # fmt: skip
             T = np.zeros((*P.shape[:-2], 3, P.shape[-1]))
-            T[..., block] = (np.eye(3) + new @ np.swapaxes(old, -1, -2)) / 2
+            T[..., block] = np.eye(3) + share * (turned - np.eye(3))
+            T[..., TAU] = (1 - share) * ((turned - np.eye(3)) @ follows[..., None])[..., 0] + more
             P = carried(P, block, T)
         return P
 
@@ -950,7 +962,7 @@ class Transfer:
         by = (HP @ w[..., None])[..., 0] / np.maximum(level, 1e-300)[..., None]
         rest = np.sum(H * HP, axis=-1) - by**2 * level[..., None]
         weight = rows * (R.min(-1, keepdims=True) / R)
-        blind = np.sum(weight * by**2, axis=-1) <= self.rules.delay_sigmas**2 * np.sum(weight * rest, axis=-1)
+        blind = np.sum(weight * by**2, axis=-1) <= HEADING_SIGMAS**2 * np.sum(weight * rest, axis=-1)
         # an attitude that is unknown, or was opened, is corrected whatever else that does
         blind = blind & (np.einsum("...ii->...i", P)[..., PHI].max(-1) < self.rules.coarse_rad**2)
         if not blind.any():

@@ -36,7 +36,7 @@ class Rules:
     half_span_s : float, optional
         s: rates are means, and rates of change differences, over twice this.
     delay_sigmas : float, optional
-        How far above their noise the rates are in a message that informs the delay.
+        How far above the noise of its rates a message has to be in what it tells of the delay.
     gate : float, optional
         A message is refused if chance alone would exceed its NIS with this probability.
     coarse_rad, coarse_s : float, optional
@@ -77,7 +77,7 @@ class Rules:
     buffer_s: float = 0.5
     ahead_s: float = 0.02
     half_span_s: float = 0.02
-    delay_sigmas: float = 8.0
+    delay_sigmas: float = 5.0
     gate: float = 1e-6
     coarse_rad: float = 0.1
     coarse_s: float = 0.05
