@@ -44,7 +44,7 @@ OF_LOOPS = "f rate K sum h third share weight places stage at"
 # Types of the live loop, and what its functions call numbers of their own.
 OF_LIVE = "live sample carried message output past waiting correction events"
 IN_LIVE = """
-    now before part mean span from to last then missing after best means apart sigma other density column told root
+    now before part mean span from to last then missing after best means apart sigma other density seeming root
     expected change between turn k
 """
 UNDEFINED = {nan, zoo, oo, -oo, I}

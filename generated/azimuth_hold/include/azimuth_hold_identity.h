@@ -20,7 +20,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "76141a3f726b958e6aa8a0c96fb74e76154915d56513f28673c0546a50f63272"
+#define AH_MODEL_HASH "632c884eb1d40e4c8815c82011ab8f9530889d4f51bcb2422f269be7d115b5f4"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

@@ -174,8 +174,8 @@ typedef struct {
  * returns BS_OK, or BS_NULL_POINTER */
 bs_status ah_live_defaults(ah_live_rules *rules);
 
-/* Begin with what is known at an instant.  What the first messages tell is not known before: large
- * sigmas, and they do the rest.  Not while another context runs.
+/* Begin with what is known at an instant.  Large sigmas, where the first messages bring what is not
+ * known.  Not while another context runs.
  * in   at       us, by the sensors' clock: the next sample's interval begins there
  *      carried  the navigation, by which all is linearised
  *      sigma    of each state
@@ -226,7 +226,7 @@ bs_status ah_live_counted(const ah_live *live, ah_live_counts *counts);
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_READY: there is none */
 bs_status ah_live_next_event(ah_live *live, bs_event *event);
 
-/* All of the loop, for the same program: the head says whose it is, and the end is a checksum.
+/* All of the loop, for the same program: the head identifies it, and the end is a checksum.
  * restore refuses what another model, layout or precision wrote, what has changed on its way, and
  * numbers that no loop can have.  Not while another context runs.
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_READY: sample wrote all the time; BS_OUT_OF_RANGE: of

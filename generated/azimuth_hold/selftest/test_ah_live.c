@@ -111,7 +111,7 @@ static bs_status give(ah_live *live, int k)
     return ah_live_sample(live, &sample);
 }
 
-static void tell(ah_live *live, int kind, int64_t at)
+static void send(ah_live *live, int kind, int64_t at)
 {
     message.measurement = (uint16_t)kind;
     message.at = at;
@@ -132,8 +132,8 @@ int test_ah_live(void)
         (void)give(&second, k);
         if ((k % 5) == 0) { /* of an instant between two samples, the second one before the first */
             for (int i = 0; i < 3; ++i) {
-                tell(&first, i, (10000 * (int64_t)(k - 1)) - ((int64_t)i * (10000 / 3)));
-                tell(&second, i, (10000 * (int64_t)(k - 1)) - ((int64_t)i * (10000 / 3)));
+                send(&first, i, (10000 * (int64_t)(k - 1)) - ((int64_t)i * (10000 / 3)));
+                send(&second, i, (10000 * (int64_t)(k - 1)) - ((int64_t)i * (10000 / 3)));
             }
         }
         all_of(&first);

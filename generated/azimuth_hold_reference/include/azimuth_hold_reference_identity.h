@@ -20,7 +20,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "489f0e87a6e43502bc6b1c392b0dc00bcabedcc99393699b69ef90ba15ccc197"
+#define AHR_MODEL_HASH "c06e097fc72e0b7051787567c857849597e648fe754ca128d8e9e6fb3758e1ff"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

@@ -61,8 +61,8 @@ typedef enum {
                                  * component */
     BS_EVENT_LOST = 9,          /* too much was missing, or the numbers left their boxes; value: the
                                  * status or us */
-    BS_EVENT_ASTRAY = 10,       /* as many messages in a row as the rules say did not fit; which:
-                                 * the measurement */
+    BS_EVENT_ASTRAY = 10,       /* as many messages in a row as `astray` did not fit; which: the
+                                 * measurement */
     BS_EVENT_CORRECTION_LATE = 11, /* the background was not done when its correction was due;
                                     * value: samples */
     BS_EVENT_CORRECTION_REFUSED = 12, /* what it would correct leaves its box: it is dropped */

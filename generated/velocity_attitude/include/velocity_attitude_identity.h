@@ -20,7 +20,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "d402c2d633795d7f5f9cf66701d2e1015001df76195a81a4472fa9e376cd3134"
+#define VA_MODEL_HASH "b0c1a1dbcad5e404cfd406aac5eea009ba3d5f74197abe4c2685ca48bd661eb6"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

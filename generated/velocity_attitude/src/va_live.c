@@ -24,9 +24,9 @@ BS_EXACT_BEGIN
 #define KEPT (RING - (RING / 4U)) /* samples that a message may be old */
 #define MARGIN 4U             /* samples that may come while the oldest one is read */
 #define MOST_BRIDGED 16       /* samples that one gap becomes */
-#define INFORMED BS_REAL(12.0)         /* so many times what noise alone seems to tell of the delay
-                                        * a measurement must tell to be heard on it */
-#define FADING BS_REAL(0.8)     /* from one message to the next, of what told of the delay */
+#define INFORMED BS_REAL(12.0)         /* the information on a state must be so many times what
+                                        * errors of H seem to give */
+#define FADING BS_REAL(0.8)     /* from one message to the next, of the information on the delay */
 #define BENDING BS_REAL(1e-3)   /* s, sigma of the delay above which its second order is looked
                                  * at */
 #define LEAST_TURN BS_REAL(2e-4) /* rad, of a correction that turns the covariance */
@@ -78,7 +78,7 @@ static void copy_bytes(unsigned char *to, const unsigned char *from, size_t n)
     }
 }
 
-static void tell(va_live *live, int by, bs_event_code code, int which, int64_t value)
+static void note_event(va_live *live, int by, bs_event_code code, int which, int64_t value)
 {
     va_events *const events = &live->events[by];
     bs_event *const event = &events->event[events->written % VA_LIVE_EVENTS];
@@ -93,7 +93,7 @@ static void tell(va_live *live, int by, bs_event_code code, int which, int64_t v
 static void lose(va_live *live, int by, int64_t why)
 {
     live->state = BS_LIVE_LOST;
-    tell(live, by, BS_EVENT_LOST, 0, why);
+    note_event(live, by, BS_EVENT_LOST, 0, why);
 }
 
 /* ---- navigation */
@@ -325,7 +325,7 @@ static void take_corrections(va_live *live, uint32_t n, va_carried *at)
         mail->when = n;
         if (mail->took == 0U) {
             live->counts.corrections_refused += 1U;
-            tell(live, BY_SAMPLE, BS_EVENT_CORRECTION_REFUSED, 0, 0);
+            note_event(live, BY_SAMPLE, BS_EVENT_CORRECTION_REFUSED, 0, 0);
         }
         BS_LIVE_BARRIER();
         live->applied += 1U;
@@ -355,7 +355,7 @@ static bs_status fly(va_live *live, int64_t at, bs_real dt, bs_real missing)
         }
         past->missing = dt;
         live->counts.held += 1U;
-        tell(live, BY_SAMPLE, BS_EVENT_HELD, 0, (int64_t)status);
+        note_event(live, BY_SAMPLE, BS_EVENT_HELD, 0, (int64_t)status);
         status = carry_by(live, &next, n, BS_REAL(1.0));
     }
     if (status != BS_OK) {
@@ -464,12 +464,12 @@ bs_status va_live_sample(va_live *live, const va_sample *sample)
     status = check_sample(sample);
     if (status != BS_OK) {
         live->counts.bad += 1U;
-        tell(live, BY_SAMPLE, BS_EVENT_BAD_SAMPLE, 0, (int64_t)status);
+        note_event(live, BY_SAMPLE, BS_EVENT_BAD_SAMPLE, 0, (int64_t)status);
         return status;
     }
     if ((sample->at == live->stamp) && (live->counts.samples > 0U)) {
         live->counts.repeated += 1U;
-        tell(live, BY_SAMPLE, BS_EVENT_REPEATED, 0, 0);
+        note_event(live, BY_SAMPLE, BS_EVENT_REPEATED, 0, 0);
         return BS_OK;
     }
     live->sequence += 1U;
@@ -488,14 +488,14 @@ bs_status va_live_sample(va_live *live, const va_sample *sample)
         live->clock -= late;
         live->stepped += late;
         live->counts.clock_steps += 1U;
-        tell(live, BY_SAMPLE, BS_EVENT_CLOCK, 0, late);
+        note_event(live, BY_SAMPLE, BS_EVENT_CLOCK, 0, late);
         late = 0;
     }
     if (late > (int64_t)live->rules.bridge_us) {
         lose(live, BY_SAMPLE, late);
         status = BS_NOT_READY;
     } else if (late > jitter) {
-        tell(live, BY_SAMPLE, BS_EVENT_GAP, 0, late);
+        note_event(live, BY_SAMPLE, BS_EVENT_GAP, 0, late);
         live->stepped += (sample->serial == 0U) ? late : 0; /* or the clock has stepped */
         status = bridge(live, sample, late, span);
     } else {
@@ -514,7 +514,7 @@ bs_status va_live_sample(va_live *live, const va_sample *sample)
             if ((full > BS_REAL(0.0)) && (BS_FABS(sensed[i]) >= full)) {
                 if (missing <= BS_REAL(0.0)) {
                     live->counts.saturated += 1U;
-                    tell(live, BY_SAMPLE, BS_EVENT_SATURATED, i, 0);
+                    note_event(live, BY_SAMPLE, BS_EVENT_SATURATED, i, 0);
                 }
                 missing = sample->dt;
             }
@@ -524,7 +524,7 @@ bs_status va_live_sample(va_live *live, const va_sample *sample)
             if ((full > BS_REAL(0.0)) && (BS_FABS(sensed[i]) >= full)) {
                 if (missing <= BS_REAL(0.0)) {
                     live->counts.saturated += 1U;
-                    tell(live, BY_SAMPLE, BS_EVENT_SATURATED, i, 0);
+                    note_event(live, BY_SAMPLE, BS_EVENT_SATURATED, i, 0);
                 }
                 missing = sample->dt;
             }
@@ -578,7 +578,8 @@ bs_status va_live_message(va_live *live, const va_message *message, bs_msg_fate 
         status = BS_OK;
     } else {
         live->counts.fate[found] += 1U;
-        tell(live, BY_BACKGROUND, BS_EVENT_MESSAGE, (int)message->measurement, (int64_t)found);
+        note_event(live, BY_BACKGROUND, BS_EVENT_MESSAGE, (int)message->measurement,
+                   (int64_t)found);
     }
     if (fate != NULL) {
         *fate = found;
@@ -590,7 +591,8 @@ static void finish(va_live *live, va_waiting *one, bs_msg_fate fate)
 {
     live->counts.fate[fate] += 1U;
     if (fate != BS_MSG_TAKEN) {
-        tell(live, BY_BACKGROUND, BS_EVENT_MESSAGE, (int)one->message.measurement, (int64_t)fate);
+        note_event(live, BY_BACKGROUND, BS_EVENT_MESSAGE, (int)one->message.measurement,
+                   (int64_t)fate);
     }
     BS_LIVE_BARRIER();
     one->state = FREE;
@@ -774,7 +776,8 @@ static void post(va_live *live, uint32_t made_due)
     mail->took = 0U;
     if ((int32_t)(mail->due - live->count) <= 0) {
         live->counts.corrections_late += 1U;
-        tell(live, BY_BACKGROUND, BS_EVENT_CORRECTION_LATE, 0, (int64_t)(live->count - mail->due));
+        note_event(live, BY_BACKGROUND, BS_EVENT_CORRECTION_LATE, 0,
+                   (int64_t)(live->count - mail->due));
     }
     live->counts.corrections += 1U;
     BS_LIVE_BARRIER();
@@ -950,16 +953,16 @@ static bs_status bend_of_velocity(const va_live *live,
     return status;
 }
 
-/* told: how much errors of H alone seem to tell of each state, in parts of its unit squared: H is
- * made of rates, which have the noise of the sensors in them, and stands on states that are not
+/* seeming: how much errors of H alone seem to inform on each state, in parts of its unit squared: H
+ * is made of rates, which have the noise of the sensors in them, and stands on states that are not
  * known. */
-static void errors_tell_velocity(const va_live *live,
-                                 const va_message *message,
-                                 const va_carried *best,
-                                 const bs_real means[VA_N_SENSED],
-                                 bs_real span,
-                                 bs_real apart,
-                                 bs_real told[N])
+static void errors_inform_velocity(const va_live *live,
+                                   const va_message *message,
+                                   const va_carried *best,
+                                   const bs_real means[VA_N_SENSED],
+                                   bs_real span,
+                                   bs_real apart,
+                                   bs_real seeming[N])
 {
     /* of its box, that a state may err by */
     static const bs_real most[N] = { BS_REAL(0.45), BS_REAL(0.45), BS_REAL(0.45), BS_REAL(90.0),
@@ -1040,7 +1043,7 @@ static void errors_tell_velocity(const va_live *live,
                 if (k == 0) {
                     here[i] = off;
                 } else {
-                    told[i % N] += (off * off) / message->variance[i / N];
+                    seeming[i % N] += (off * off) / message->variance[i / N];
                 }
             }
         }
@@ -1083,16 +1086,16 @@ static bs_status bend_of_dcm(const va_live *live,
     return status;
 }
 
-/* told: how much errors of H alone seem to tell of each state, in parts of its unit squared: H is
- * made of rates, which have the noise of the sensors in them, and stands on states that are not
+/* seeming: how much errors of H alone seem to inform on each state, in parts of its unit squared: H
+ * is made of rates, which have the noise of the sensors in them, and stands on states that are not
  * known. */
-static void errors_tell_dcm(const va_live *live,
-                            const va_message *message,
-                            const va_carried *best,
-                            const bs_real means[VA_N_SENSED],
-                            bs_real span,
-                            bs_real apart,
-                            bs_real told[N])
+static void errors_inform_dcm(const va_live *live,
+                              const va_message *message,
+                              const va_carried *best,
+                              const bs_real means[VA_N_SENSED],
+                              bs_real span,
+                              bs_real apart,
+                              bs_real seeming[N])
 {
     /* of its box, that a state may err by */
     static const bs_real most[N] = { BS_REAL(0.45), BS_REAL(0.45), BS_REAL(0.45), BS_REAL(90.0),
@@ -1144,7 +1147,7 @@ static void errors_tell_dcm(const va_live *live,
                 if (k == 0) {
                     here[i] = off;
                 } else {
-                    told[i % N] += (off * off) / message->variance[i / N];
+                    seeming[i % N] += (off * off) / message->variance[i / N];
                 }
             }
         }
@@ -1189,16 +1192,16 @@ static bs_status bend_of_quaternion(const va_live *live,
     return status;
 }
 
-/* told: how much errors of H alone seem to tell of each state, in parts of its unit squared: H is
- * made of rates, which have the noise of the sensors in them, and stands on states that are not
+/* seeming: how much errors of H alone seem to inform on each state, in parts of its unit squared: H
+ * is made of rates, which have the noise of the sensors in them, and stands on states that are not
  * known. */
-static void errors_tell_quaternion(const va_live *live,
-                                   const va_message *message,
-                                   const va_carried *best,
-                                   const bs_real means[VA_N_SENSED],
-                                   bs_real span,
-                                   bs_real apart,
-                                   bs_real told[N])
+static void errors_inform_quaternion(const va_live *live,
+                                     const va_message *message,
+                                     const va_carried *best,
+                                     const bs_real means[VA_N_SENSED],
+                                     bs_real span,
+                                     bs_real apart,
+                                     bs_real seeming[N])
 {
     /* of its box, that a state may err by */
     static const bs_real most[N] = { BS_REAL(0.45), BS_REAL(0.45), BS_REAL(0.45), BS_REAL(90.0),
@@ -1252,7 +1255,7 @@ static void errors_tell_quaternion(const va_live *live,
                 if (k == 0) {
                     here[i] = off;
                 } else {
-                    told[i % N] += (off * off) / message->variance[i / N];
+                    seeming[i % N] += (off * off) / message->variance[i / N];
                 }
             }
         }
@@ -1297,16 +1300,16 @@ static bs_status bend_of_euler(const va_live *live,
     return status;
 }
 
-/* told: how much errors of H alone seem to tell of each state, in parts of its unit squared: H is
- * made of rates, which have the noise of the sensors in them, and stands on states that are not
+/* seeming: how much errors of H alone seem to inform on each state, in parts of its unit squared: H
+ * is made of rates, which have the noise of the sensors in them, and stands on states that are not
  * known. */
-static void errors_tell_euler(const va_live *live,
-                              const va_message *message,
-                              const va_carried *best,
-                              const bs_real means[VA_N_SENSED],
-                              bs_real span,
-                              bs_real apart,
-                              bs_real told[N])
+static void errors_inform_euler(const va_live *live,
+                                const va_message *message,
+                                const va_carried *best,
+                                const bs_real means[VA_N_SENSED],
+                                bs_real span,
+                                bs_real apart,
+                                bs_real seeming[N])
 {
     /* of its box, that a state may err by */
     static const bs_real most[N] = { BS_REAL(0.45), BS_REAL(0.45), BS_REAL(0.45), BS_REAL(90.0),
@@ -1360,7 +1363,7 @@ static void errors_tell_euler(const va_live *live,
                 if (k == 0) {
                     here[i] = off;
                 } else {
-                    told[i % N] += (off * off) / message->variance[i / N];
+                    seeming[i % N] += (off * off) / message->variance[i / N];
                 }
             }
         }
@@ -1368,9 +1371,9 @@ static void errors_tell_euler(const va_live *live,
 }
 
 
-/* Take back a part of what the last measurement said of state j, whose variance fell by `fall`, and
- * of all that follows it as P had it before: the gain of the others that is left is the best that
- * does not move it. */
+/* Take back a part of the information of the last measurement on state j, whose variance fell by
+ * `fall`, and of all that follows it as P had it before: the gain of the others that is left is the
+ * best that does not move it. */
 static void forget(va_live *live, int j, bs_real fall, bs_real part)
 {
     const bs_real *const P = live->kept;
@@ -1400,27 +1403,27 @@ static void forget(va_live *live, int j, bs_real fall, bs_real part)
     }
 }
 
-/* Of each state: where errors alone may have told a good part of what the measurement told, it is
- * taken back; of the delay that part, where it is less. */
+/* Of each state: where errors alone may have made a good part of the information, it is taken back;
+ * of the delay that part, where it is less. */
 static bs_status forget_errors(va_live *live,
                                uint16_t kind,
                                const bs_real before[N],
-                               const bs_real told[N])
+                               const bs_real seeming[N])
 {
     bs_real after[N];
     bs_status status = va_filter_sigmas(&live->filter, after);
     for (int j = 0; (j < N) && (status == BS_OK); ++j) {
         const bs_real was = before[j] * before[j];
         const bs_real is = after[j] * after[j];
-        const bs_real by_errors = told[j] * (was * is);
+        const bs_real by_errors = seeming[j] * (was * is);
         bool doubtful = (INFORMED * by_errors) > (was - is);
-        /* of the last few messages together: one of them may tell much by chance */
+        /* of the last few messages together: one of them may inform much by chance */
         if ((j == 15) && (was > is) && (is > BS_REAL(0.0))) {
             live->gained[kind] = (FADING * live->gained[kind]) + ((was - is) / (was * is));
             live->doubted[kind] = (live->doubted[kind] > BS_REAL(0.0)) ? ((FADING *
                                                                            live->doubted[kind]) +
-                                                                          told[j])
-                : (told[j] / (BS_REAL(1.0) - FADING));
+                                                                          seeming[j])
+                : (seeming[j] / (BS_REAL(1.0) - FADING));
             doubtful = (INFORMED * live->doubted[kind]) > live->gained[kind];
         }
         if ((by_errors > BS_REAL(0.0)) && (was > is)) {
@@ -1431,7 +1434,7 @@ static bs_status forget_errors(va_live *live,
                 forget(live, j, was - is, (by_errors < (was - is)) ? BS_SQRT(by_errors / (was - is))
                        : BS_REAL(1.0));
             } else {
-                /* it is told by the measurement */
+                /* the measurement has informed on it */
             }
         }
     }
@@ -1476,12 +1479,12 @@ static bs_status take(va_live *live,
     va_mounting mounting = message->mounting;
     va_master master = message->master;
         bs_real before[N];
-        bs_real told[N] = { BS_REAL(0.0) };
+        bs_real seeming[N] = { BS_REAL(0.0) };
     fill_corrected_imu(&corrected_imu, at, mean, span);
     fill_master(&master, at, mean, span);
         status = change_of_v_m_n(live, message, from, to, last, master.a_n);
         if ((status == BS_OK) && (span > BS_REAL(0.0))) {
-            errors_tell_velocity(live, message, at, mean, span, seconds(to - from), told);
+            errors_inform_velocity(live, message, at, mean, span, seconds(to - from), seeming);
         }
         (void)va_filter_sigmas(&live->filter, before);
         copy(live->kept, live->filter.P, VA_N_PACKED);
@@ -1502,7 +1505,7 @@ static bs_status take(va_live *live,
                                                 variance, &gates, innovation);
         }
         if (bs_good(status) && (innovation->used != 0U)) {
-            const bs_status left = forget_errors(live, message->measurement, before, told);
+            const bs_status left = forget_errors(live, message->measurement, before, seeming);
             status = (left == BS_OK) ? status : left;
         }
         break;
@@ -1511,11 +1514,11 @@ static bs_status take(va_live *live,
     va_corrected_imu corrected_imu = { .f_b = { BS_REAL(0.0) } };
     va_master master = message->master;
         bs_real before[N];
-        bs_real told[N] = { BS_REAL(0.0) };
+        bs_real seeming[N] = { BS_REAL(0.0) };
     fill_corrected_imu(&corrected_imu, at, mean, span);
     fill_master(&master, at, mean, span);
         if ((status == BS_OK) && (span > BS_REAL(0.0))) {
-            errors_tell_dcm(live, message, at, mean, span, seconds(to - from), told);
+            errors_inform_dcm(live, message, at, mean, span, seconds(to - from), seeming);
         }
         (void)va_filter_sigmas(&live->filter, before);
         copy(live->kept, live->filter.P, VA_N_PACKED);
@@ -1536,7 +1539,7 @@ static bs_status take(va_live *live,
                                            innovation);
         }
         if (bs_good(status) && (innovation->used != 0U)) {
-            const bs_status left = forget_errors(live, message->measurement, before, told);
+            const bs_status left = forget_errors(live, message->measurement, before, seeming);
             status = (left == BS_OK) ? status : left;
         }
         break;
@@ -1545,11 +1548,11 @@ static bs_status take(va_live *live,
     va_corrected_imu corrected_imu = { .f_b = { BS_REAL(0.0) } };
     va_master master = message->master;
         bs_real before[N];
-        bs_real told[N] = { BS_REAL(0.0) };
+        bs_real seeming[N] = { BS_REAL(0.0) };
     fill_corrected_imu(&corrected_imu, at, mean, span);
     fill_master(&master, at, mean, span);
         if ((status == BS_OK) && (span > BS_REAL(0.0))) {
-            errors_tell_quaternion(live, message, at, mean, span, seconds(to - from), told);
+            errors_inform_quaternion(live, message, at, mean, span, seconds(to - from), seeming);
         }
         (void)va_filter_sigmas(&live->filter, before);
         copy(live->kept, live->filter.P, VA_N_PACKED);
@@ -1570,7 +1573,7 @@ static bs_status take(va_live *live,
                                                   &gates, innovation);
         }
         if (bs_good(status) && (innovation->used != 0U)) {
-            const bs_status left = forget_errors(live, message->measurement, before, told);
+            const bs_status left = forget_errors(live, message->measurement, before, seeming);
             status = (left == BS_OK) ? status : left;
         }
         break;
@@ -1579,11 +1582,11 @@ static bs_status take(va_live *live,
     va_corrected_imu corrected_imu = { .f_b = { BS_REAL(0.0) } };
     va_master master = message->master;
         bs_real before[N];
-        bs_real told[N] = { BS_REAL(0.0) };
+        bs_real seeming[N] = { BS_REAL(0.0) };
     fill_corrected_imu(&corrected_imu, at, mean, span);
     fill_master(&master, at, mean, span);
         if ((status == BS_OK) && (span > BS_REAL(0.0))) {
-            errors_tell_euler(live, message, at, mean, span, seconds(to - from), told);
+            errors_inform_euler(live, message, at, mean, span, seconds(to - from), seeming);
         }
         (void)va_filter_sigmas(&live->filter, before);
         copy(live->kept, live->filter.P, VA_N_PACKED);
@@ -1604,7 +1607,7 @@ static bs_status take(va_live *live,
                                              &gates, innovation);
         }
         if (bs_good(status) && (innovation->used != 0U)) {
-            const bs_status left = forget_errors(live, message->measurement, before, told);
+            const bs_status left = forget_errors(live, message->measurement, before, seeming);
             status = (left == BS_OK) ? status : left;
         }
         break;
@@ -1641,10 +1644,11 @@ static void measure(va_live *live, va_waiting *one)
         } else if (live->astray[kind] < 65535U) {
             live->astray[kind] = (uint16_t)(live->astray[kind] + 1U);
             if (live->astray[kind] == live->rules.astray) {
-                tell(live, BY_BACKGROUND, BS_EVENT_ASTRAY, (int)kind, (int64_t)live->rules.astray);
+                note_event(live, BY_BACKGROUND, BS_EVENT_ASTRAY, (int)kind,
+                           (int64_t)live->rules.astray);
             }
         } else {
-            /* it has been told */
+            /* it has been reported */
         }
         if (innovation.used != 0U) {
             post(live, one->due);
@@ -1669,7 +1673,7 @@ static void catch_up(va_live *live)
             variance[i] = sigma * sigma;
         }
         live->counts.overruns += 1U;
-        tell(live, BY_BACKGROUND, BS_EVENT_OVERRUN, 0, (int64_t)(lost - live->behind));
+        note_event(live, BY_BACKGROUND, BS_EVENT_OVERRUN, 0, (int64_t)(lost - live->behind));
         if (!bs_good(va_filter_inflate(&live->filter, 0, N, variance))) {
             lose(live, BY_BACKGROUND, (int64_t)BS_NOT_POSITIVE);
         }
@@ -1807,11 +1811,11 @@ bs_status va_live_begin(va_live *live,
     live->past[0].at = at;
     keep(&live->past[0], carried);
     live->state = BS_LIVE_FLYING;
-    tell(live, BY_BACKGROUND, BS_EVENT_BEGUN, 0, 0);
+    note_event(live, BY_BACKGROUND, BS_EVENT_BEGUN, 0, 0);
     return status;
 }
 
-/* ---- what is told */
+/* ---- outputs */
 
 bs_status va_live_output(const va_live *live, int64_t at, va_output *output)
 {

@@ -20,7 +20,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "c21c49e3e50ebed7dc48ed818b48c064f2396bdce0abab83f6cbdd9ff65fc432"
+#define VAL_MODEL_HASH "0da54fee14576e4af726a6850f09201b35b0423ab3a78339b88dfdac4e5d4de0"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

@@ -135,7 +135,7 @@ static bs_status give(val_live *live, int k)
     return val_live_sample(live, &sample);
 }
 
-static void tell(val_live *live, int kind, int64_t at)
+static void send(val_live *live, int kind, int64_t at)
 {
     message.measurement = (uint16_t)kind;
     message.at = at;
@@ -156,8 +156,8 @@ int test_val_live(void)
         (void)give(&second, k);
         if ((k % 5) == 0) { /* of an instant between two samples, the second one before the first */
             for (int i = 0; i < 4; ++i) {
-                tell(&first, i, (10000 * (int64_t)(k - 1)) - ((int64_t)i * (10000 / 3)));
-                tell(&second, i, (10000 * (int64_t)(k - 1)) - ((int64_t)i * (10000 / 3)));
+                send(&first, i, (10000 * (int64_t)(k - 1)) - ((int64_t)i * (10000 / 3)));
+                send(&second, i, (10000 * (int64_t)(k - 1)) - ((int64_t)i * (10000 / 3)));
             }
         }
         all_of(&first);

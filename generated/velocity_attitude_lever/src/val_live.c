@@ -24,9 +24,9 @@ BS_EXACT_BEGIN
 #define KEPT (RING - (RING / 4U)) /* samples that a message may be old */
 #define MARGIN 4U             /* samples that may come while the oldest one is read */
 #define MOST_BRIDGED 16       /* samples that one gap becomes */
-#define INFORMED BS_REAL(12.0)         /* so many times what noise alone seems to tell of the delay
-                                        * a measurement must tell to be heard on it */
-#define FADING BS_REAL(0.8)     /* from one message to the next, of what told of the delay */
+#define INFORMED BS_REAL(12.0)         /* the information on a state must be so many times what
+                                        * errors of H seem to give */
+#define FADING BS_REAL(0.8)     /* from one message to the next, of the information on the delay */
 #define BENDING BS_REAL(1e-3)   /* s, sigma of the delay above which its second order is looked
                                  * at */
 #define LEAST_TURN BS_REAL(2e-4) /* rad, of a correction that turns the covariance */
@@ -78,7 +78,7 @@ static void copy_bytes(unsigned char *to, const unsigned char *from, size_t n)
     }
 }
 
-static void tell(val_live *live, int by, bs_event_code code, int which, int64_t value)
+static void note_event(val_live *live, int by, bs_event_code code, int which, int64_t value)
 {
     val_events *const events = &live->events[by];
     bs_event *const event = &events->event[events->written % VAL_LIVE_EVENTS];
@@ -93,7 +93,7 @@ static void tell(val_live *live, int by, bs_event_code code, int which, int64_t 
 static void lose(val_live *live, int by, int64_t why)
 {
     live->state = BS_LIVE_LOST;
-    tell(live, by, BS_EVENT_LOST, 0, why);
+    note_event(live, by, BS_EVENT_LOST, 0, why);
 }
 
 /* ---- navigation */
@@ -327,7 +327,7 @@ static void take_corrections(val_live *live, uint32_t n, val_carried *at)
         mail->when = n;
         if (mail->took == 0U) {
             live->counts.corrections_refused += 1U;
-            tell(live, BY_SAMPLE, BS_EVENT_CORRECTION_REFUSED, 0, 0);
+            note_event(live, BY_SAMPLE, BS_EVENT_CORRECTION_REFUSED, 0, 0);
         }
         BS_LIVE_BARRIER();
         live->applied += 1U;
@@ -357,7 +357,7 @@ static bs_status fly(val_live *live, int64_t at, bs_real dt, bs_real missing)
         }
         past->missing = dt;
         live->counts.held += 1U;
-        tell(live, BY_SAMPLE, BS_EVENT_HELD, 0, (int64_t)status);
+        note_event(live, BY_SAMPLE, BS_EVENT_HELD, 0, (int64_t)status);
         status = carry_by(live, &next, n, BS_REAL(1.0));
     }
     if (status != BS_OK) {
@@ -466,12 +466,12 @@ bs_status val_live_sample(val_live *live, const val_sample *sample)
     status = check_sample(sample);
     if (status != BS_OK) {
         live->counts.bad += 1U;
-        tell(live, BY_SAMPLE, BS_EVENT_BAD_SAMPLE, 0, (int64_t)status);
+        note_event(live, BY_SAMPLE, BS_EVENT_BAD_SAMPLE, 0, (int64_t)status);
         return status;
     }
     if ((sample->at == live->stamp) && (live->counts.samples > 0U)) {
         live->counts.repeated += 1U;
-        tell(live, BY_SAMPLE, BS_EVENT_REPEATED, 0, 0);
+        note_event(live, BY_SAMPLE, BS_EVENT_REPEATED, 0, 0);
         return BS_OK;
     }
     live->sequence += 1U;
@@ -490,14 +490,14 @@ bs_status val_live_sample(val_live *live, const val_sample *sample)
         live->clock -= late;
         live->stepped += late;
         live->counts.clock_steps += 1U;
-        tell(live, BY_SAMPLE, BS_EVENT_CLOCK, 0, late);
+        note_event(live, BY_SAMPLE, BS_EVENT_CLOCK, 0, late);
         late = 0;
     }
     if (late > (int64_t)live->rules.bridge_us) {
         lose(live, BY_SAMPLE, late);
         status = BS_NOT_READY;
     } else if (late > jitter) {
-        tell(live, BY_SAMPLE, BS_EVENT_GAP, 0, late);
+        note_event(live, BY_SAMPLE, BS_EVENT_GAP, 0, late);
         live->stepped += (sample->serial == 0U) ? late : 0; /* or the clock has stepped */
         status = bridge(live, sample, late, span);
     } else {
@@ -516,7 +516,7 @@ bs_status val_live_sample(val_live *live, const val_sample *sample)
             if ((full > BS_REAL(0.0)) && (BS_FABS(sensed[i]) >= full)) {
                 if (missing <= BS_REAL(0.0)) {
                     live->counts.saturated += 1U;
-                    tell(live, BY_SAMPLE, BS_EVENT_SATURATED, i, 0);
+                    note_event(live, BY_SAMPLE, BS_EVENT_SATURATED, i, 0);
                 }
                 missing = sample->dt;
             }
@@ -526,7 +526,7 @@ bs_status val_live_sample(val_live *live, const val_sample *sample)
             if ((full > BS_REAL(0.0)) && (BS_FABS(sensed[i]) >= full)) {
                 if (missing <= BS_REAL(0.0)) {
                     live->counts.saturated += 1U;
-                    tell(live, BY_SAMPLE, BS_EVENT_SATURATED, i, 0);
+                    note_event(live, BY_SAMPLE, BS_EVENT_SATURATED, i, 0);
                 }
                 missing = sample->dt;
             }
@@ -580,7 +580,8 @@ bs_status val_live_message(val_live *live, const val_message *message, bs_msg_fa
         status = BS_OK;
     } else {
         live->counts.fate[found] += 1U;
-        tell(live, BY_BACKGROUND, BS_EVENT_MESSAGE, (int)message->measurement, (int64_t)found);
+        note_event(live, BY_BACKGROUND, BS_EVENT_MESSAGE, (int)message->measurement,
+                   (int64_t)found);
     }
     if (fate != NULL) {
         *fate = found;
@@ -592,7 +593,8 @@ static void finish(val_live *live, val_waiting *one, bs_msg_fate fate)
 {
     live->counts.fate[fate] += 1U;
     if (fate != BS_MSG_TAKEN) {
-        tell(live, BY_BACKGROUND, BS_EVENT_MESSAGE, (int)one->message.measurement, (int64_t)fate);
+        note_event(live, BY_BACKGROUND, BS_EVENT_MESSAGE, (int)one->message.measurement,
+                   (int64_t)fate);
     }
     BS_LIVE_BARRIER();
     one->state = FREE;
@@ -776,7 +778,8 @@ static void post(val_live *live, uint32_t made_due)
     mail->took = 0U;
     if ((int32_t)(mail->due - live->count) <= 0) {
         live->counts.corrections_late += 1U;
-        tell(live, BY_BACKGROUND, BS_EVENT_CORRECTION_LATE, 0, (int64_t)(live->count - mail->due));
+        note_event(live, BY_BACKGROUND, BS_EVENT_CORRECTION_LATE, 0,
+                   (int64_t)(live->count - mail->due));
     }
     live->counts.corrections += 1U;
     BS_LIVE_BARRIER();
@@ -943,16 +946,16 @@ static bs_status bend_of_dcm(const val_live *live,
     return status;
 }
 
-/* told: how much errors of H alone seem to tell of each state, in parts of its unit squared: H is
- * made of rates, which have the noise of the sensors in them, and stands on states that are not
+/* seeming: how much errors of H alone seem to inform on each state, in parts of its unit squared: H
+ * is made of rates, which have the noise of the sensors in them, and stands on states that are not
  * known. */
-static void errors_tell_dcm(const val_live *live,
-                            const val_message *message,
-                            const val_carried *best,
-                            const bs_real means[VAL_N_SENSED],
-                            bs_real span,
-                            bs_real apart,
-                            bs_real told[N])
+static void errors_inform_dcm(const val_live *live,
+                              const val_message *message,
+                              const val_carried *best,
+                              const bs_real means[VAL_N_SENSED],
+                              bs_real span,
+                              bs_real apart,
+                              bs_real seeming[N])
 {
     /* of its box, that a state may err by */
     static const bs_real most[N] = { BS_REAL(0.45), BS_REAL(0.45), BS_REAL(0.45), BS_REAL(90.0),
@@ -1005,7 +1008,7 @@ static void errors_tell_dcm(const val_live *live,
                 if (k == 0) {
                     here[i] = off;
                 } else {
-                    told[i % N] += (off * off) / message->variance[i / N];
+                    seeming[i % N] += (off * off) / message->variance[i / N];
                 }
             }
         }
@@ -1050,16 +1053,16 @@ static bs_status bend_of_quaternion(const val_live *live,
     return status;
 }
 
-/* told: how much errors of H alone seem to tell of each state, in parts of its unit squared: H is
- * made of rates, which have the noise of the sensors in them, and stands on states that are not
+/* seeming: how much errors of H alone seem to inform on each state, in parts of its unit squared: H
+ * is made of rates, which have the noise of the sensors in them, and stands on states that are not
  * known. */
-static void errors_tell_quaternion(const val_live *live,
-                                   const val_message *message,
-                                   const val_carried *best,
-                                   const bs_real means[VAL_N_SENSED],
-                                   bs_real span,
-                                   bs_real apart,
-                                   bs_real told[N])
+static void errors_inform_quaternion(const val_live *live,
+                                     const val_message *message,
+                                     const val_carried *best,
+                                     const bs_real means[VAL_N_SENSED],
+                                     bs_real span,
+                                     bs_real apart,
+                                     bs_real seeming[N])
 {
     /* of its box, that a state may err by */
     static const bs_real most[N] = { BS_REAL(0.45), BS_REAL(0.45), BS_REAL(0.45), BS_REAL(90.0),
@@ -1114,7 +1117,7 @@ static void errors_tell_quaternion(const val_live *live,
                 if (k == 0) {
                     here[i] = off;
                 } else {
-                    told[i % N] += (off * off) / message->variance[i / N];
+                    seeming[i % N] += (off * off) / message->variance[i / N];
                 }
             }
         }
@@ -1159,16 +1162,16 @@ static bs_status bend_of_euler(const val_live *live,
     return status;
 }
 
-/* told: how much errors of H alone seem to tell of each state, in parts of its unit squared: H is
- * made of rates, which have the noise of the sensors in them, and stands on states that are not
+/* seeming: how much errors of H alone seem to inform on each state, in parts of its unit squared: H
+ * is made of rates, which have the noise of the sensors in them, and stands on states that are not
  * known. */
-static void errors_tell_euler(const val_live *live,
-                              const val_message *message,
-                              const val_carried *best,
-                              const bs_real means[VAL_N_SENSED],
-                              bs_real span,
-                              bs_real apart,
-                              bs_real told[N])
+static void errors_inform_euler(const val_live *live,
+                                const val_message *message,
+                                const val_carried *best,
+                                const bs_real means[VAL_N_SENSED],
+                                bs_real span,
+                                bs_real apart,
+                                bs_real seeming[N])
 {
     /* of its box, that a state may err by */
     static const bs_real most[N] = { BS_REAL(0.45), BS_REAL(0.45), BS_REAL(0.45), BS_REAL(90.0),
@@ -1223,7 +1226,7 @@ static void errors_tell_euler(const val_live *live,
                 if (k == 0) {
                     here[i] = off;
                 } else {
-                    told[i % N] += (off * off) / message->variance[i / N];
+                    seeming[i % N] += (off * off) / message->variance[i / N];
                 }
             }
         }
@@ -1273,16 +1276,16 @@ static bs_status bend_of_velocity(const val_live *live,
     return status;
 }
 
-/* told: how much errors of H alone seem to tell of each state, in parts of its unit squared: H is
- * made of rates, which have the noise of the sensors in them, and stands on states that are not
+/* seeming: how much errors of H alone seem to inform on each state, in parts of its unit squared: H
+ * is made of rates, which have the noise of the sensors in them, and stands on states that are not
  * known. */
-static void errors_tell_velocity(const val_live *live,
-                                 const val_message *message,
-                                 const val_carried *best,
-                                 const bs_real means[VAL_N_SENSED],
-                                 bs_real span,
-                                 bs_real apart,
-                                 bs_real told[N])
+static void errors_inform_velocity(const val_live *live,
+                                   const val_message *message,
+                                   const val_carried *best,
+                                   const bs_real means[VAL_N_SENSED],
+                                   bs_real span,
+                                   bs_real apart,
+                                   bs_real seeming[N])
 {
     /* of its box, that a state may err by */
     static const bs_real most[N] = { BS_REAL(0.45), BS_REAL(0.45), BS_REAL(0.45), BS_REAL(90.0),
@@ -1363,7 +1366,7 @@ static void errors_tell_velocity(const val_live *live,
                 if (k == 0) {
                     here[i] = off;
                 } else {
-                    told[i % N] += (off * off) / message->variance[i / N];
+                    seeming[i % N] += (off * off) / message->variance[i / N];
                 }
             }
         }
@@ -1371,9 +1374,9 @@ static void errors_tell_velocity(const val_live *live,
 }
 
 
-/* Take back a part of what the last measurement said of state j, whose variance fell by `fall`, and
- * of all that follows it as P had it before: the gain of the others that is left is the best that
- * does not move it. */
+/* Take back a part of the information of the last measurement on state j, whose variance fell by
+ * `fall`, and of all that follows it as P had it before: the gain of the others that is left is the
+ * best that does not move it. */
 static void forget(val_live *live, int j, bs_real fall, bs_real part)
 {
     const bs_real *const P = live->kept;
@@ -1403,27 +1406,27 @@ static void forget(val_live *live, int j, bs_real fall, bs_real part)
     }
 }
 
-/* Of each state: where errors alone may have told a good part of what the measurement told, it is
- * taken back; of the delay that part, where it is less. */
+/* Of each state: where errors alone may have made a good part of the information, it is taken back;
+ * of the delay that part, where it is less. */
 static bs_status forget_errors(val_live *live,
                                uint16_t kind,
                                const bs_real before[N],
-                               const bs_real told[N])
+                               const bs_real seeming[N])
 {
     bs_real after[N];
     bs_status status = val_filter_sigmas(&live->filter, after);
     for (int j = 0; (j < N) && (status == BS_OK); ++j) {
         const bs_real was = before[j] * before[j];
         const bs_real is = after[j] * after[j];
-        const bs_real by_errors = told[j] * (was * is);
+        const bs_real by_errors = seeming[j] * (was * is);
         bool doubtful = (INFORMED * by_errors) > (was - is);
-        /* of the last few messages together: one of them may tell much by chance */
+        /* of the last few messages together: one of them may inform much by chance */
         if ((j == 15) && (was > is) && (is > BS_REAL(0.0))) {
             live->gained[kind] = (FADING * live->gained[kind]) + ((was - is) / (was * is));
             live->doubted[kind] = (live->doubted[kind] > BS_REAL(0.0)) ? ((FADING *
                                                                            live->doubted[kind]) +
-                                                                          told[j])
-                : (told[j] / (BS_REAL(1.0) - FADING));
+                                                                          seeming[j])
+                : (seeming[j] / (BS_REAL(1.0) - FADING));
             doubtful = (INFORMED * live->doubted[kind]) > live->gained[kind];
         }
         if ((by_errors > BS_REAL(0.0)) && (was > is)) {
@@ -1434,7 +1437,7 @@ static bs_status forget_errors(val_live *live,
                 forget(live, j, was - is, (by_errors < (was - is)) ? BS_SQRT(by_errors / (was - is))
                        : BS_REAL(1.0));
             } else {
-                /* it is told by the measurement */
+                /* the measurement has informed on it */
             }
         }
     }
@@ -1478,11 +1481,11 @@ static bs_status take(val_live *live,
     val_corrected_imu corrected_imu = { .f_b = { BS_REAL(0.0) } };
     val_master master = message->master;
         bs_real before[N];
-        bs_real told[N] = { BS_REAL(0.0) };
+        bs_real seeming[N] = { BS_REAL(0.0) };
     fill_corrected_imu(&corrected_imu, at, mean, span);
     fill_master(&master, at, mean, span);
         if ((status == BS_OK) && (span > BS_REAL(0.0))) {
-            errors_tell_dcm(live, message, at, mean, span, seconds(to - from), told);
+            errors_inform_dcm(live, message, at, mean, span, seconds(to - from), seeming);
         }
         (void)val_filter_sigmas(&live->filter, before);
         copy(live->kept, live->filter.P, VAL_N_PACKED);
@@ -1503,7 +1506,7 @@ static bs_status take(val_live *live,
                                             &gates, innovation);
         }
         if (bs_good(status) && (innovation->used != 0U)) {
-            const bs_status left = forget_errors(live, message->measurement, before, told);
+            const bs_status left = forget_errors(live, message->measurement, before, seeming);
             status = (left == BS_OK) ? status : left;
         }
         break;
@@ -1512,11 +1515,11 @@ static bs_status take(val_live *live,
     val_corrected_imu corrected_imu = { .f_b = { BS_REAL(0.0) } };
     val_master master = message->master;
         bs_real before[N];
-        bs_real told[N] = { BS_REAL(0.0) };
+        bs_real seeming[N] = { BS_REAL(0.0) };
     fill_corrected_imu(&corrected_imu, at, mean, span);
     fill_master(&master, at, mean, span);
         if ((status == BS_OK) && (span > BS_REAL(0.0))) {
-            errors_tell_quaternion(live, message, at, mean, span, seconds(to - from), told);
+            errors_inform_quaternion(live, message, at, mean, span, seconds(to - from), seeming);
         }
         (void)val_filter_sigmas(&live->filter, before);
         copy(live->kept, live->filter.P, VAL_N_PACKED);
@@ -1537,7 +1540,7 @@ static bs_status take(val_live *live,
                                                    &gates, innovation);
         }
         if (bs_good(status) && (innovation->used != 0U)) {
-            const bs_status left = forget_errors(live, message->measurement, before, told);
+            const bs_status left = forget_errors(live, message->measurement, before, seeming);
             status = (left == BS_OK) ? status : left;
         }
         break;
@@ -1546,11 +1549,11 @@ static bs_status take(val_live *live,
     val_corrected_imu corrected_imu = { .f_b = { BS_REAL(0.0) } };
     val_master master = message->master;
         bs_real before[N];
-        bs_real told[N] = { BS_REAL(0.0) };
+        bs_real seeming[N] = { BS_REAL(0.0) };
     fill_corrected_imu(&corrected_imu, at, mean, span);
     fill_master(&master, at, mean, span);
         if ((status == BS_OK) && (span > BS_REAL(0.0))) {
-            errors_tell_euler(live, message, at, mean, span, seconds(to - from), told);
+            errors_inform_euler(live, message, at, mean, span, seconds(to - from), seeming);
         }
         (void)val_filter_sigmas(&live->filter, before);
         copy(live->kept, live->filter.P, VAL_N_PACKED);
@@ -1571,7 +1574,7 @@ static bs_status take(val_live *live,
                                               &gates, innovation);
         }
         if (bs_good(status) && (innovation->used != 0U)) {
-            const bs_status left = forget_errors(live, message->measurement, before, told);
+            const bs_status left = forget_errors(live, message->measurement, before, seeming);
             status = (left == BS_OK) ? status : left;
         }
         break;
@@ -1580,12 +1583,12 @@ static bs_status take(val_live *live,
     val_corrected_imu corrected_imu = { .f_b = { BS_REAL(0.0) } };
     val_master master = message->master;
         bs_real before[N];
-        bs_real told[N] = { BS_REAL(0.0) };
+        bs_real seeming[N] = { BS_REAL(0.0) };
     fill_corrected_imu(&corrected_imu, at, mean, span);
     fill_master(&master, at, mean, span);
         status = change_of_v_m_n(live, message, from, to, last, master.a_n);
         if ((status == BS_OK) && (span > BS_REAL(0.0))) {
-            errors_tell_velocity(live, message, at, mean, span, seconds(to - from), told);
+            errors_inform_velocity(live, message, at, mean, span, seconds(to - from), seeming);
         }
         (void)val_filter_sigmas(&live->filter, before);
         copy(live->kept, live->filter.P, VAL_N_PACKED);
@@ -1606,7 +1609,7 @@ static bs_status take(val_live *live,
                                                  &gates, innovation);
         }
         if (bs_good(status) && (innovation->used != 0U)) {
-            const bs_status left = forget_errors(live, message->measurement, before, told);
+            const bs_status left = forget_errors(live, message->measurement, before, seeming);
             status = (left == BS_OK) ? status : left;
         }
         break;
@@ -1643,10 +1646,11 @@ static void measure(val_live *live, val_waiting *one)
         } else if (live->astray[kind] < 65535U) {
             live->astray[kind] = (uint16_t)(live->astray[kind] + 1U);
             if (live->astray[kind] == live->rules.astray) {
-                tell(live, BY_BACKGROUND, BS_EVENT_ASTRAY, (int)kind, (int64_t)live->rules.astray);
+                note_event(live, BY_BACKGROUND, BS_EVENT_ASTRAY, (int)kind,
+                           (int64_t)live->rules.astray);
             }
         } else {
-            /* it has been told */
+            /* it has been reported */
         }
         if (innovation.used != 0U) {
             post(live, one->due);
@@ -1671,7 +1675,7 @@ static void catch_up(val_live *live)
             variance[i] = sigma * sigma;
         }
         live->counts.overruns += 1U;
-        tell(live, BY_BACKGROUND, BS_EVENT_OVERRUN, 0, (int64_t)(lost - live->behind));
+        note_event(live, BY_BACKGROUND, BS_EVENT_OVERRUN, 0, (int64_t)(lost - live->behind));
         if (!bs_good(val_filter_inflate(&live->filter, 0, N, variance))) {
             lose(live, BY_BACKGROUND, (int64_t)BS_NOT_POSITIVE);
         }
@@ -1810,11 +1814,11 @@ bs_status val_live_begin(val_live *live,
     live->past[0].at = at;
     keep(&live->past[0], carried);
     live->state = BS_LIVE_FLYING;
-    tell(live, BY_BACKGROUND, BS_EVENT_BEGUN, 0, 0);
+    note_event(live, BY_BACKGROUND, BS_EVENT_BEGUN, 0, 0);
     return status;
 }
 
-/* ---- what is told */
+/* ---- outputs */
 
 bs_status val_live_output(const val_live *live, int64_t at, val_output *output)
 {

@@ -20,7 +20,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "110c85d928099739f746c5df563f30d6f7072509818673df2aa81aa6c4a2205c"
+#define VAS_MODEL_HASH "cb0a869915be492876a3693c3b7908073e1c622e676b42eb77d147645c3e0348"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1

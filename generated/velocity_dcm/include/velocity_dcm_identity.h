@@ -20,7 +20,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "dfe5cb2f7385607eb519255590b3d53778cef8868da61a8d6677d7768e7c21c5"
+#define VD_MODEL_HASH "24b8e7084452457dead30bb73f08e8ca36a06a4ce85bb3a54c57d0979babeb76"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1

@@ -160,9 +160,9 @@ typedef struct {
     int64_t measured[VD_N_MEASUREMENTS]; /* us, when the last of each kind was measured */
     uint16_t came[VD_N_MEASUREMENTS];    /* whether one has come, */
     uint16_t astray[VD_N_MEASUREMENTS];  /* and how many in a row did not fit */
-    bs_real gained[VD_N_MEASUREMENTS]; /* 1/s^2, what the last messages of each kind told of the
-                                        * delay, */
-    bs_real doubted[VD_N_MEASUREMENTS]; /* and what errors of H alone may have told of it */
+    bs_real gained[VD_N_MEASUREMENTS]; /* 1/s^2, the information of the last messages of each kind
+                                        * on the delay, */
+    bs_real doubted[VD_N_MEASUREMENTS]; /* and what errors of H alone may have made of it */
     int64_t taken[VD_N_MEASUREMENTS]; /* us, the instant of the last message of each kind */
     bs_real kept[VD_N_PACKED]; /* scratch memory: P before a measurement */
     vd_live_counts counts;
@@ -179,8 +179,8 @@ typedef struct {
  * returns BS_OK, or BS_NULL_POINTER */
 bs_status vd_live_defaults(vd_live_rules *rules);
 
-/* Begin with what is known at an instant.  What the first messages tell is not known before: large
- * sigmas, and they do the rest.  Not while another context runs.
+/* Begin with what is known at an instant.  Large sigmas, where the first messages bring what is not
+ * known.  Not while another context runs.
  * in   at       us, by the sensors' clock: the next sample's interval begins there
  *      carried  the navigation, by which all is linearised
  *      sigma    of each state
@@ -231,7 +231,7 @@ bs_status vd_live_counted(const vd_live *live, vd_live_counts *counts);
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_READY: there is none */
 bs_status vd_live_next_event(vd_live *live, bs_event *event);
 
-/* All of the loop, for the same program: the head says whose it is, and the end is a checksum.
+/* All of the loop, for the same program: the head identifies it, and the end is a checksum.
  * restore refuses what another model, layout or precision wrote, what has changed on its way, and
  * numbers that no loop can have.  Not while another context runs.
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_READY: sample wrote all the time; BS_OUT_OF_RANGE: of
