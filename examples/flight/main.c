@@ -1,66 +1,80 @@
-/* main.c - flies a recording: flight FILE.  Prints each second; exit status 0 if the flight reached the end.
- * A recording is doubles, little-endian: a flight_setup, then records of 12: kind (0 slave, 1 master) and what
- * flight_slave or flight_master takes, filled up with zeros. */
+/* main.c - flies a recording: flight FILE.  What it prints: report.c.  Exit status 0 if it flew to
+ * the end.  A recording is doubles, little-endian: a flight_head, then a flight_record each. */
 #include <stdio.h>
 
-#include "flight.h"
+#include "board.h"
 
-enum { PER_SECOND = 400 };
+va_live aboard;
+flight_head head;
 
-typedef struct {
-    double kind;
-    union {
-        struct {
-            double dtheta[3];
-            double dv[3];
-        } slave;
-        flight_message master;
-    } of;
-} record;
+static void convert(bs_real *out, const double *in, int n)
+{
+    for (int i = 0; i < n; ++i) {
+        out[i] = (bs_real)in[i];
+    }
+}
 
-static flight aboard;
+/* The slave is taken for as its master is, and the sigmas say how wrong that may be. */
+static void begin(const flight_record *record, int64_t at)
+{
+    va_carried carried = { .nav = { .q_b2m_wxyz = { BS_REAL(1.0) } } };
+    bs_real sigma[VA_N_STATES];
+    va_live_rules rules;
+
+    (void)va_live_defaults(&rules);
+    convert(rules.noise.gyro_noise, head.gyro_noise, 3);
+    convert(rules.noise.accel_noise, head.accel_noise, 3);
+    convert(carried.nav.lat_lon_height, record->of.message.position, 3);
+    convert(carried.nav.v_n, record->of.message.v_m_n, 3);
+    convert(carried.nav.q_b2n_wxyz, record->of.message.q_m2n_wxyz, 4);
+    convert(sigma, head.sigma, VA_N_STATES);
+    (void)va_live_begin(&aboard, &rules, at, &carried, sigma);
+}
+
+void take(const flight_record *record)
+{
+    static va_sample sample;
+    va_message message = { .version = BS_LIVE_VERSION, .size = (uint16_t)sizeof(va_message),
+                           .rows = BS_ALL_ROWS, .at = (int64_t)record->at };
+
+    if (record->kind <= 0.0) {
+        sample.at = (int64_t)record->at;
+        sample.dt = (bs_real)head.dt;
+        convert(sample.dtheta_ib_b, record->of.sample.dtheta, 3);
+        convert(sample.dv_b, record->of.sample.dv, 3);
+        board_sample(&sample);
+        return;
+    }
+    board_wait(); /* a message comes behind the sample that stands before it in the recording */
+    convert(message.mounting.lever_b, head.lever_b, 3);
+    convert(message.master.v_m_n, record->of.message.v_m_n, 3);
+    convert(message.master.q_m2n_wxyz, record->of.message.q_m2n_wxyz, 4);
+    if (aboard.state != BS_LIVE_FLYING) {
+        begin(record, sample.at);
+    } else {
+        message.measurement = VA_MEASUREMENT_VELOCITY;
+        convert(message.variance, head.velocity_variance, 3);
+        (void)va_live_message(&aboard, &message, NULL);
+        message.measurement = VA_MEASUREMENT_DCM;
+        convert(message.variance, head.attitude_variance, 3);
+        (void)va_live_message(&aboard, &message, NULL);
+    }
+}
 
 int main(int argc, char **argv)
 {
-    flight_setup setup;
-    record next;
-    flight_line line;
-    long ticks = 0;
-    bs_status status;
-    FILE *file = (argc == 2) ? fopen(argv[1], "rb") : NULL;
+    flight_record record;
+    FILE *const file = (argc == 2) ? fopen(argv[1], "rb") : NULL;
 
-    if (file == NULL) {
+    if ((file == NULL) || (fread(&head, sizeof head, 1, file) != 1U)) {
         (void)printf("give the name of a recording, as make_recording.py writes it\n");
         return 2;
     }
-    if (fread(&setup, sizeof setup, 1, file) != 1U) {
-        (void)printf("%s is too short for a recording\n", argv[1]);
-        (void)fclose(file);
-        return 2;
+    while (fread(&record, sizeof record, 1, file) == 1U) {
+        take(&record);
+        report(&record);
     }
-    flight_begin(&aboard, &setup);
-    (void)printf("   s  heading deg  sigma mil   misalignment deg                 delay ms  sigma ms\n");
-    while (fread(&next, sizeof next, 1, file) == 1U) {
-        if (next.kind > 0.0) {
-            status = flight_master(&aboard, &next.of.master);
-            if (status != BS_OK) {
-                (void)printf("%8.4f: message refused, or a part of it: status %d\n", (double)ticks / PER_SECOND, (int)status);
-            }
-            continue;
-        }
-        status = flight_slave(&aboard, next.of.slave.dtheta, next.of.slave.dv);
-        ticks += 1;
-        if ((status != BS_OK) && (status != BS_NOT_READY)) {
-            (void)printf("%8.4f: increments refused: status %d\n", (double)ticks / PER_SECOND, (int)status);
-        }
-        if (((ticks % PER_SECOND) == 0) && (flight_report(&aboard, &line) == BS_OK)) {
-            (void)printf("%4ld %12.7f %10.6f %10.6f %10.6f %10.6f %9.5f %9.5f\n", ticks / PER_SECOND, line.heading_deg,
-                         line.heading_sigma_mil, line.misalignment_deg[0], line.misalignment_deg[1],
-                         line.misalignment_deg[2], line.delay_ms, line.delay_sigma_ms);
-        }
-    }
+    report_end();
     (void)fclose(file);
-    (void)printf("%ld ticks, %u held; %u messages taken, %u in part, %u refused; starts: %u\n", ticks, aboard.held,
-                 aboard.taken, aboard.in_part, aboard.refused, aboard.begun);
-    return aboard.flying ? 0 : 1;
+    return (aboard.state == BS_LIVE_FLYING) ? 0 : 1;
 }

@@ -1,36 +1,45 @@
-/* ticks.c - the flight behind functions without arguments, for a program that puts the inputs into place and calls one
- * after the other.  They keep the status, so that none of them is left by a jump into the flight. */
-#include "ticks.h"
+/* ticks.c - the flight call by call, for a program that counts the instructions of each: functions
+ * without arguments, and no interrupt. */
+#include "board.h"
 
-flight_setup tick_setup;
-double tick_increments[6];
-flight_message tick_message;
-flight_line tick_line;
+extern flight_record tick_record;
+extern unsigned char tick_digest[BS_DIGEST_SIZE];
+int tick_take(void);
+int tick_background(void);
+int tick_output(void);
+int tick_end(void);
 
-int tick_status;
+flight_record tick_record;
+unsigned char tick_digest[BS_DIGEST_SIZE];
 
-static flight aboard;
-
-int tick_begin(void)
+void board_sample(const va_sample *sample)
 {
-    flight_begin(&aboard, &tick_setup);
+    (void)va_live_sample(&aboard, sample);
+}
+
+void board_wait(void)
+{
+}
+
+int tick_take(void)
+{
+    take(&tick_record);
     return 0;
 }
 
-int tick_slave(void)
+int tick_background(void)
 {
-    tick_status = (int)flight_slave(&aboard, tick_increments, tick_increments + 3);
-    return tick_status;
+    return (int)va_live_background(&aboard);
 }
 
-int tick_master(void)
+/* Half a sample behind the newest. */
+int tick_output(void)
 {
-    tick_status = (int)flight_master(&aboard, &tick_message);
-    return tick_status;
+    va_output out;
+    return (int)va_live_output(&aboard, (int64_t)tick_record.at + (int64_t)(0.5e6 * head.dt), &out);
 }
 
-int tick_report(void)
+int tick_end(void)
 {
-    tick_status = (int)flight_report(&aboard, &tick_line);
-    return tick_status;
+    return (int)va_live_digest(&aboard, tick_digest);
 }

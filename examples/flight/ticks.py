@@ -1,160 +1,112 @@
-"""Fly a recording tick by tick, on this machine and on emulated cores, where every instruction is counted.
+"""Fly a few seconds on an emulated core, call by call, and count the instructions of each: what the loop costs.
 
-python ticks.py FILTER FILE
+python ticks.py FILTER
 
-FILTER is an exported folder; in double it is flown on a Cortex-M7, in single precision on a Cortex-M4F too.
+FILTER is an exported folder; in double it is flown on a Cortex-M7, in single precision on a Cortex-M4F.
 """
 
-import ctypes
 import sys
 import tempfile
-from dataclasses import dataclass, field
+from collections import defaultdict
 from pathlib import Path
-from typing import Protocol
 
 import numpy as np
-from make_recording import MASTER, Setup, read
+from make_recording import SLAVE, Setup, record
 
 from boresight.evidence.machine import Machine
 from boresight.evidence.sources import Folder
-from boresight.evidence.targets import M4F, M7, OPTIMISED, WARNINGS, Build, Target
+from boresight.evidence.targets import M4F, M7, OPTIMISED, WARNINGS, Build, Target, symbol_table, text_size
 from boresight.runtime.compiler import run
 
 HERE = Path(__file__).parent
-CALLED = ("tick_begin", "tick_slave", "tick_master", "tick_report")
-NUMBERS = 7  # doubles of flight_line
-KINDS = ("strapdown alone", "with the covariance", "with a message")
-NOT_READY = 4
-COUNTED_S = 5.0  # then the delay is known, and nothing that follows takes another way through the code
+CALLED = ("tick_take", "tick_background", "tick_output", "tick_end")
+LOOP = tuple(f"va_live_{name}" for name in ("sample", "message", "background", "output"))
+INSIDE = {  # what of the filter a background calls, and with it which step it is
+    "va_filter_propagate": "step of the covariance",
+    "va_filter_measure_velocity": "velocity",
+    "va_filter_measure_dcm": "attitude",
+}
+WANTED = {"sample": 2600, "step of the covariance": 32_000, "velocity": 70_000, "attitude": 70_000}  # on the M4F
+SECONDS = 3.0  # in which all happens that happens in the minute
 
 
-class Core(Protocol):
-    """What flies: this machine or an emulated one."""
-
-    def put(self, name: str, values: np.ndarray) -> None: ...
-    def line(self) -> np.ndarray: ...
-    def call(self, name: str) -> tuple[int, int]:
-        """(what the function returned, instructions)."""
-
-
-@dataclass
-class Flown:
-    """What a flight reported and cost.  lines: (S, 1 + NUMBERS), the second first.  cost, kind: (T,), by tick."""
-
-    lines: np.ndarray
-    cost: np.ndarray  # instructions
-    kind: np.ndarray  # of KINDS
-    statuses: list[tuple[int, int]] = field(default_factory=list)  # (tick, status) where it was not BS_OK
+def compiled(target: Target, filter_folder: Path, out: Path) -> Path:
+    """The flight, ticks.c and the filter as an image of a core; a warning is an error."""
+    image = out / f"{target.name}.elf"
+    kept = [*(f"-Wl,-u,{name}" for name in CALLED), "-Wl,-e,tick_take", "-Wl,--gc-sections", "-Wl,--no-warnings"]
+    sources = [HERE / "main.c", HERE / "report.c", HERE / "ticks.c", *sorted((filter_folder / "src").glob("*.c"))]
+    compiler = [target.compiler, *WARNINGS, *target.flags, *OPTIMISED, "-I", filter_folder / "include"]
+    run([*compiler, *target.link, *kept, *sources, "-lm", "-o", image])
+    run([*compiler, "-c", filter_folder / "src" / "va_live.c", "-o", image.with_suffix(".o")])
+    return image
 
 
-class Here:
-    """This machine; it counts nothing."""
+class Core:
+    """An emulated core that flies.  cost: of each kind of call its instructions.  stack: bytes, the deepest.
+    flash, ram: bytes of va_live.c and of va_live."""
 
-    def __init__(self, image: Path):
-        self.library = ctypes.CDLL(str(image))
-
-    def put(self, name: str, values: np.ndarray) -> None:
-        (ctypes.c_double * len(values)).in_dll(self.library, name)[:] = values.tolist()
-
-    def line(self) -> np.ndarray:
-        return np.array((ctypes.c_double * NUMBERS).in_dll(self.library, "tick_line"))
-
-    def call(self, name: str) -> tuple[int, int]:
-        return getattr(self.library, name)(), 0
-
-
-class Emulated:
-    """A core of `boresight.evidence`."""
-
-    def __init__(self, target: Target, image: Path, filter_folder: Path):
+    def __init__(self, target: Target, image: Path, filter_folder: Path, setup: Setup):
         made = Build(Folder(filter_folder), target, "", {}, image)
-        self.machine = Machine(made, image, watched=("flight_slave", "flight_master"))
+        names = [name + suffix for name in (*LOOP, *INSIDE) for suffix in ("", "_f32")]
+        self.machine = Machine(made, image, watched=tuple(names))
+        self.cost: dict[str, list[int]] = defaultdict(list)
+        self.stack: dict[str, int] = defaultdict(int)
+        self.flash = text_size(image.with_suffix(".o"))
+        self.ram = next(s["st_size"] for s in symbol_table(image) if s.name == "aboard")
+        self.put("head", setup.doubles())
 
     def put(self, name: str, values: np.ndarray) -> None:
         self.machine.core.mem_write(self.machine.symbols[name], values.astype("<f8").tobytes())
 
-    def line(self) -> np.ndarray:
-        return self.machine.read("tick_line", np.float64, NUMBERS)
-
-    def call(self, name: str) -> tuple[int, int]:
-        before = self.machine.executed
+    def call(self, name: str) -> int:
         status = self.machine.call(name)
-        return status, self.machine.executed - before
+        costs = {name.removesuffix("_f32"): cost for name, cost in self.machine.costs.items()}
+        self.machine.costs.clear()
+        inside = [INSIDE[name] for name in costs if name in INSIDE]
+        for name in costs.keys() & LOOP:
+            kind = name.removeprefix("va_live_")
+            kind = (inside or ["background, nothing to do"])[0] if kind == "background" else kind
+            self.cost[kind].append(costs[name].most)
+            self.stack[kind] = max(self.stack[kind], costs[name].stack)
+        return status
 
-    @property
-    def stack(self) -> int:
-        return max(self.machine.costs[name].stack for name in ("flight_slave", "flight_master"))
+    def take(self, one: np.ndarray) -> None:
+        self.put("tick_record", one)
+        self.call("tick_take")
+        if one[0] == SLAVE:
+            self.call("tick_output")
+            while self.call("tick_background") == 0:
+                pass
 
-
-def compiled(target: Target, filter_folder: Path, out: Path) -> Path:
-    """flight.c, ticks.c and the filter, as a shared library or as an image of a core; a warning is an error."""
-    image = out / f"{target.name}.{'elf' if target.emulated else 'so'}"
-    link = [
-        *target.link,
-        *(f"-Wl,-u,{n}" for n in CALLED),
-        "-Wl,-e,tick_begin",
-        "-Wl,--gc-sections",
-        "-Wl,--no-warnings",
-    ]
-    sources = [HERE / "flight.c", HERE / "ticks.c", *sorted((filter_folder / "src").glob("*.c"))]
-    run([
-        *(target.compiler, *WARNINGS, *target.flags, *OPTIMISED, "-I", filter_folder / "include"),
-        *(*(link if target.emulated else ["-shared"]), *sources, "-lm", "-o", image),
-    ])  # fmt: skip
-    return image
+    def digest(self) -> str:
+        self.call("tick_end")
+        return self.machine.read("tick_digest", np.uint8, 32).tobytes().hex()
 
 
-def fly(core: Core, setup: Setup, records: np.ndarray) -> Flown:
-    core.put("tick_setup", setup.doubles())
-    core.call("tick_begin")
-    lines, cost, statuses = [], [], []
-    messages = np.zeros(len(records), bool)
-    per_second, tick = round(1 / setup.dt), 0
-    for kind, *values in records:
-        if kind == MASTER:
-            core.put("tick_message", np.array(values))
-            status, spent = core.call("tick_master")
-            if cost:
-                cost[-1] += spent
-                messages[tick - 1] = True
-        else:
-            core.put("tick_increments", np.array(values[:6]))
-            status, spent = core.call("tick_slave")
-            cost.append(spent)
-            tick += 1
-            if tick % per_second == 0 and core.call("tick_report")[0] == 0:
-                lines.append([tick // per_second, *core.line()])
-        if status not in (0, NOT_READY):
-            statuses.append((tick, status))
-    spent = np.array(cost)
-    alone = ~messages[:tick]
-    threshold = (spent[alone].min() + spent[alone].max()) / 2  # the covariance costs several strapdowns
-    kind_of = np.where(messages[:tick], 2, np.where(spent > threshold, 1, 0))
-    return Flown(np.array(lines), spent, kind_of, statuses)
+def flown(target: Target, filter_folder: Path, out: Path, seconds: float = SECONDS) -> Core:
+    setup, records, _ = record(seconds=seconds)
+    core = Core(target, compiled(target, filter_folder, out), filter_folder, setup)
+    for one in records:
+        core.take(one)
+    return core
 
 
-def first_seconds(setup: Setup, records: np.ndarray, seconds: float = COUNTED_S) -> np.ndarray:
-    return records[np.cumsum(records[:, 0] != MASTER) * setup.dt < seconds + setup.dt / 2]
+def table(core: Core) -> list[str]:
+    """Rows of the README: the call, what is wanted, instructions in the mean and at worst, bytes of stack."""
+    return [
+        f"| {kind} | {WANTED.get(kind, '')} | {np.mean(cost):.0f} | {max(cost)} | {core.stack[kind]} |"
+        for kind, cost in core.cost.items()
+    ] + [f"| bytes of code | 12288 | | {core.flash} | |", f"| bytes of `va_live` | 14336 | | {core.ram} | |"]
 
 
-def in_float(filter_folder: Path) -> bool:
-    return "#define BORESIGHT_FLOAT" in (filter_folder / "include" / "boresight_precision.h").read_text()
-
-
-def main(filter_folder: Path, recording: Path) -> None:
-    setup, records = read(recording)
-    print(f"{'core':12}{'kind of tick':22}{'ticks':>7}{'instructions, most':>20}{'stack, bytes':>14}")
-    for target in (M4F, M7) if in_float(filter_folder) else (M7,):
-        with tempfile.TemporaryDirectory() as aside:
-            core = Emulated(target, compiled(target, filter_folder, Path(aside)), filter_folder)
-            flown = fly(core, setup, first_seconds(setup, records))
-        for i, name in enumerate(KINDS):
-            cost = flown.cost[flown.kind == i]
-            stack = str(core.stack) if i == len(KINDS) - 1 else ""
-            print(f"{target.name:12}{name:22}{len(cost):7}{cost.max():20}{stack:>14}")
+def main(filter_folder: Path) -> None:
+    in_float = "#define BORESIGHT_FLOAT" in (filter_folder / "include" / "boresight_precision.h").read_text()
+    target = M4F if in_float else M7
+    with tempfile.TemporaryDirectory() as out:
+        print(target.name, *table(flown(target, filter_folder, Path(out))), sep="\n")
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
-        sys.exit("usage: python ticks.py FILTER FILE")
-    main(Path(sys.argv[1]), Path(sys.argv[2]))
+    if len(sys.argv) != 2:
+        sys.exit("usage: python ticks.py FILTER")
+    main(Path(sys.argv[1]))
