@@ -169,6 +169,7 @@ class Transfer:
             self._angle, self._push = (sample[name].reshape((*self.runs, 3)) for name in ("angle", "push"))
         if past is None:
             self._keep()
+        self._corrected = np.zeros((*self.runs, 3))  # m/s, taken off the velocity so far
         self._earlier: list[Array] = []  # the increments of the last intervals, at most three, the newest first
         self._predicted = self.time  # of the covariance
         self._told_of = np.full(self.runs, -np.inf)  # (...,) s, when what was last taken was measured
@@ -616,7 +617,8 @@ class Transfer:
         used = rows.sum(-1)
         nis = np.sum([np.zeros(runs), *(part.nis for part in innovations.values())], axis=0)
         if self.matching[0] in innovations:
-            self.watch.lever(innovations[self.matching[0]], rows[..., :3] & fine[..., None], inputs)
+            one = innovations[self.matching[0]]
+            self.watch.lever(one, rows[..., :3] & fine[..., None], inputs, R[..., :3], self._corrected)
         none = np.zeros((*runs, 3))
         by_row = [np.where((one := innovations[name]).used, one.nu**2 / one.S, none) if name in innovations else none
                   for name in self.matching]  # fmt: skip
@@ -679,6 +681,7 @@ class Transfer:
             self.score.end(taken)
         loop.P = np.where(taken[..., None, None], self._turned(corrected, nav, F), P_before)
         loop.x = np.where(taken[..., None], loop.x, 0.0)
+        self._corrected = self._corrected + loop.x[..., DV]
         self._correct_past(F)
         self.guard.taken()
         loop.nav = loop.nav | mixed(taken, nav, {name: loop.nav[name] for name in nav})
@@ -771,6 +774,8 @@ class Transfer:
             kept = history.recent(name)[again_known]
             history.recent(name)[again_known] = np.where(ready.reshape(-1, 1), past.at(name, times), kept)
         gaps.found(ready, past.time[0])
+        if self.watch.residual:
+            self.watch.residual["z"] = np.where(ready[..., None], np.nan, self.watch.residual["z"])
         self.position.begin(ready, self.time, loop.nav["lat_lon_height"], given.position_sigma)
         return ready
 

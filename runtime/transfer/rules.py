@@ -9,7 +9,7 @@ from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Innovation
-from boresight.runtime.transfer.lever import LeverSeen
+from boresight.runtime.transfer.lever import LeverSeen, turning
 from boresight.runtime.transfer.messages import Heard, Note, Result, Verdict
 
 AXES = {
@@ -20,6 +20,8 @@ AXES = {
 ROWS = ("velocity north", "velocity east", "velocity down", "the level", "the level", "the heading")
 RATE_KNOWN_S = 10.0  # before two messages have come, their rate is not known: silence is told after so long
 INTERVALS = 3.5  # of the master, without a message taken, are silence
+CHANGE_S = 1.0  # over which the velocity residuals' changes are looked at
+CHANGES = 30.7  # of their squares, that chance explains once in a million
 STILL = 5.0  # sigmas: chance moves one of six numbers so far once in 300 000 messages
 
 
@@ -101,7 +103,7 @@ class Rules:
 class Watch:
     """What the rules remember, run by run, and the lines that they have written."""
 
-    TIMES = ("saturated_at", "stamp", "taken_at", "told_at", "absent_at", "came_at")
+    TIMES = ("saturated_at", "stamp", "taken_at", "residual_at", "told_at", "absent_at", "came_at")
 
     def __init__(self, rules: Rules, runs: tuple[int, ...], time: float):
         self.rules, self.runs, self.time = rules, runs, time
@@ -117,7 +119,9 @@ class Watch:
         self.told_at = np.full((len(Verdict), *runs), -np.inf)
         self.noted_at: dict[str, float] = {}  # of lines about all runs
         self.open = np.zeros(runs, bool)  # a refusal was told, its end not yet
-        self.seen = LeverSeen.nothing(runs)
+        self.seen, self.changes = LeverSeen.nothing(runs), LeverSeen.nothing(runs)
+        self.residual: dict[str, Array] = {}  # of a message a while ago, for its change
+        self.residual_at = np.full(runs, -np.inf)
         self.lever_told = np.zeros(runs, bool)
         self.last: dict[str, Array] = {}  # what the last message said, and what was expected of it, with its variance
         self.count = np.full(runs, np.nan)  # of the last message looked at
@@ -208,10 +212,29 @@ class Watch:
             for kind in self.absent:
                 self.absent[kind] &= ~again
 
-    def lever(self, innovation: Innovation, rows: Array, inputs: dict[str, Any]) -> None:
-        C = rotation.matrix_from_quaternion(inputs["q_b2n_wxyz"])
-        self.seen = self.seen.with_message(innovation.nu, innovation.S, rows, C, inputs["omega_ib_b"])
-        suspect = self.seen.suspect
+    def lever(self, innovation: Innovation, rows: Array, inputs: dict[str, Any], R: Array, corrected: Array) -> None:
+        """Look at the velocity rows (..., 3) of a message, of variances R: (..., 3).
+
+        corrected: (..., 3) m/s, all that was taken off the slave's velocity so far.  With it the residuals' changes in
+        `CHANGE_S` are those of a slave that nobody has corrected: whatever follows the master, opened or not, takes
+        nothing of them away.
+        """
+        A = turning(rotation.matrix_from_quaternion(inputs["q_b2n_wxyz"]), inputs["omega_ib_b"])
+        self.seen = self.seen.with_message(innovation.nu, innovation.S, rows, A)
+        now = {"z": np.where(rows, innovation.nu + corrected, np.nan), "A": A, "R": R}
+        last = self.residual or {name: np.full_like(value, np.nan) for name, value in now.items()}
+        here = np.isfinite(now["z"] - last["z"]) & (self.time - self.residual_at >= CHANGE_S)[..., None]
+        z = np.where(here, now["z"] - last["z"], 0.0)
+        changed = np.where(here.any(-1)[..., None, None], A - last["A"], 0.0)
+        self.changes = self.changes.with_message(z, np.where(here, R + last["R"], 1.0), here, changed)
+        new = rows.any(-1) & (here.any(-1) | ~np.isfinite(last["z"]).any(-1))
+        self.residual = {name: np.where(new.reshape(new.shape + (1,) * (value.ndim - new.ndim)), value, last[name])
+                         for name, value in now.items()}  # fmt: skip
+        self.residual_at = np.where(new, self.time, self.residual_at)
+        suspect = self.seen.many
+        if suspect.any():
+            changes = (self.changes.share > 0.15) & (self.changes.explained > CHANGES)
+            suspect = suspect & ((self.seen.share > 0.15) | changes)
         self.note(suspect & ~self.lever_told, "the velocity residuals are too large and move with the turning of the "
                    "hull: compare the lever arm and its sign (from master to slave, in the slave's axes)")  # fmt: skip
         self.lever_told |= suspect
