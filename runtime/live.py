@@ -150,7 +150,7 @@ class Layout:
 
 
 class Live:
-    """The live loop of a model: samples and late messages in, navigation out, by the C that is exported.
+    """The live loop of a model: samples and late messages in, navigation out; by the exported C.
 
     One run.  Instants are integers of microseconds of the sensors' clock; all else is SI and rad.
 
@@ -182,11 +182,9 @@ class Live:
     >>> loop.begin(0, {"lat_lon_height": [0.6, 0.1, 0], "v_n": np.zeros(3), "q_b2n_wxyz": [1, 0, 0, 0],
     ...                "q_b2m_wxyz": [1, 0, 0, 0]}, phi=0.02, dv_n=1.0, d_tau=0.05)
     >>> for k in range(1, 101):
-    ...     loop.sample(10_000 * k, 0.01, dtheta_ib_b=np.zeros(3), dv_b=[0, 0, -0.0979])
+    ...     status = loop.sample(10_000 * k, 0.01, dtheta_ib_b=np.zeros(3), dv_b=[0, 0, -0.0979])
     ...     if k % 20 == 0:
-    ...         loop.message("velocity", 10_000 * k, np.full(3, 4e-4), v_m_n=np.zeros(3))
-    ...     while loop.background():
-    ...         pass
+    ...         fate = loop.message("velocity", 10_000 * k, np.full(3, 4e-4), v_m_n=np.zeros(3))
     >>> loop.counts()["TAKEN"]
     4
     """
@@ -319,7 +317,13 @@ class Live:
         return int(status)
 
     def background(self) -> bool:
-        """Do one thing that is to be done; False where there was nothing."""
+        """Do one thing that is to be done.
+
+        Returns
+        -------
+        bool
+            False where there was nothing.
+        """
         return self._background(self._memory) == Status.OK
 
     def message(self, measurement: str, at_us: int, variance: Any, *, rows: int = ALL_ROWS, **fields: Any) -> Fate:
@@ -384,21 +388,41 @@ class Live:
         return {**self.layout.values(out.carried), "sigma": np.array(sigma, dtype=float)}
 
     def covariance(self) -> tuple[Array, int]:
-        """P (n, n) of the state, and the instant that it has reached, us by the sensors' clock."""
+        """The covariance of the state.
+
+        Returns
+        -------
+        P : (n, n) array
+            In the units of the states.
+        at_us : int
+            us, the instant that it has reached, by the sensors' clock.
+        """
         n, at = len(self.library.states), ctypes.c_int64()
         P = (self.layout.real * n**2)()
         self._call("covariance", P, at)
         return np.array(P, dtype=float).reshape(n, n), at.value
 
     def counts(self) -> dict[str, int]:
-        """What has been counted since the loop began: fates of messages by their names, and events."""
+        """What has been counted since the loop began.
+
+        Returns
+        -------
+        dict of str to int
+            Fates of messages by their names, and what became of samples and corrections.
+        """
         counted = self.layout.counts()
         self._call("counted", counted)
         fates = {fate.name: int(counted.fate[fate]) for fate in Fate if fate}
         return fates | {name: getattr(counted, name) for name, _ in self.layout.counts._fields_ if name != "fate"}
 
     def events(self) -> list[str]:
-        """One line for each event since the last call."""
+        """What has happened since the last call.
+
+        Returns
+        -------
+        list of str
+            One line for each event; of the last sixteen of each context, see `events_lost`.
+        """
         lines, event = [], self.layout.event()
         while self._call("next_event", event) == Status.OK:
             kind = next((name for name, index in self.kinds.items() if index == event.which), "?")
@@ -413,20 +437,48 @@ class Live:
         return lines
 
     def snapshot(self) -> bytes:
-        """All of the loop, for `restore`."""
+        """All of the loop, for `restore`.
+
+        Returns
+        -------
+        bytes
+            Of this model, precision and version alone.
+
+        Raises
+        ------
+        BoresightError
+            The loop is being written.
+        """
         room = ctypes.create_string_buffer(self._function("snapshot_size", size=True)())
         if self._call("snapshot", room):
             raise BoresightError("snapshot: the loop was being written")
         return room.raw
 
     def restore(self, snapshot: bytes) -> None:
-        """Go on from a snapshot.  Raises BoresightError on one of another loop, or that has changed."""
+        """Go on from a snapshot.
+
+        Parameters
+        ----------
+        snapshot : bytes
+            Of `snapshot`.
+
+        Raises
+        ------
+        BoresightError
+            It is of another loop, or has changed.
+        """
         size = self._function("snapshot_size", size=True)()
         if len(snapshot) != size or self._call("restore", (ctypes.c_char * size).from_buffer_copy(snapshot)):
             raise BoresightError("restore: this is no snapshot of this loop, or it has changed")
 
     def digest(self) -> str:
-        """SHA-256 of what the loop knows: equal on two machines that have flown the same."""
+        """Of what the loop knows: equal on two machines that have flown the same.
+
+        Returns
+        -------
+        str
+            SHA-256, hexadecimal.
+        """
         digest = (ctypes.c_ubyte * 32)()
         self._call("digest", digest)
         return bytes(digest).hex()

@@ -175,7 +175,8 @@ def resets(model: Model, made: list[Unit]) -> list[tuple[int, int, int, float]]:
 
         one, step = np.eye(n), 1e-4
         J = np.stack([(flat(fed(here, step * e)) - flat(fed(here, -step * e))) / (2 * step) for e in one], axis=1)
-        back, small, terms = np.linalg.pinv(J), 1e-3, {}
+        back, small = np.linalg.pinv(J), 1e-3
+        terms: dict[tuple[int, int, int], float] = {}
         for first, last in itertools.pairwise(ends):
             if last - first != 3 or units(model.states[ends.index(first)].unit, 3)[0] != RADIAN:
                 continue

@@ -1,5 +1,6 @@
 """A flight through a loop: `fly_transfer` through runtime's Transfer, `fly_live` through its Live, run by run."""
 
+import os
 import signal
 from contextlib import contextmanager
 
@@ -100,7 +101,7 @@ def nav_of(loop):
 
 
 # ---- the live loop
-MODEL = __import__("os").environ.get("LIVE_MODEL", "velocity-attitude")
+MODEL = os.environ.get("LIVE_MODEL", "velocity-attitude")
 
 # One sigma of a start at the first message: it is late, has no lever arm in it, and the slave's axes are not the
 # master's.  So wide that what the message has to do with the mounting is forgotten.
