@@ -427,7 +427,8 @@ class Live:
         while self._call("next_event", event) == Status.OK:
             kind = next((name for name, index in self.kinds.items() if index == event.which), "?")
             if event.code == Event.MESSAGE:
-                text = f"a message of {kind} was not taken: {MESSAGES[Fate(event.value)]}"
+                taken = "in part" if event.value == Fate.IN_PART else "not"
+                text = f"a message of {kind} was {taken} taken: {MESSAGES[Fate(event.value)]}"
             else:
                 status = Status(event.value).name if 0 <= event.value < len(Status) else str(event.value)
                 text = WORDS[Event(event.code)].format(

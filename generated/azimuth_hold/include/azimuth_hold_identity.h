@@ -20,7 +20,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "632c884eb1d40e4c8815c82011ab8f9530889d4f51bcb2422f269be7d115b5f4"
+#define AH_MODEL_HASH "3ddeb01376f23dd46d558870705f94f8fdfebaf5e056975ed41033bcc8fa06d7"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

@@ -3,14 +3,15 @@
  * C99, no allocation, no global state, no I/O; re-entrant: all memory is in the caller's ahr_live.
  *
  * Three contexts may run, each once, and each may interrupt those before it:
- *   ahr_live_background, ahr_live_message, ahr_live_next_event, ahr_live_sigmas,
- * ahr_live_covariance   what takes long ahr_live_sample
- * the sensors' interrupt ahr_live_output, ahr_live_snapshot                             a reader of
- * any priority The covariance follows behind the samples.  It is carried to the instant of each
- * message, is corrected there, and the correction is carried to now.  nav has one writer: a
- * correction is due at a sample that is fixed when its message becomes due itself.  So what comes
- * out hangs on the order of the calls of sample and message alone, and not on when the background
- * runs, as long as none of BS_EVENT_CORRECTION_LATE, BS_EVENT_OVERRUN and BS_MSG_FULL is counted.
+ * background  what takes long: ahr_live_background, _message, _next_event, _sigmas and _covariance.
+ * sample      the sensors' interrupt: ahr_live_sample.
+ * reader      of any priority: ahr_live_output and ahr_live_snapshot.
+ *
+ * The covariance follows behind the samples.  It is carried to the instant of each message, is
+ * corrected there, and the correction is carried to now.  nav has one writer: a correction is due
+ * at a sample that is fixed when its message becomes due itself.  So what comes out hangs on the
+ * order of the calls of sample and message alone, and not on when the background runs, as long as
+ * none of BS_EVENT_CORRECTION_LATE, BS_EVENT_OVERRUN and BS_MSG_FULL is counted.
  * Nothing that comes in ends the loop; what it is too late for, too early, twice, or wrong, is a
  * code and a count.
  * Instants are microseconds of the sensors' clock.  Where that steps, the loop goes on in its own,

@@ -49,9 +49,10 @@ static bs_real seconds(int64_t us)
     return (bs_real)us * BS_REAL(1e-6);
 }
 
+/* Of an interval; of 32 bits, where they hold it, for which an FPU has an instruction. */
 static int64_t microseconds(bs_real s)
 {
-    return (int64_t)((s * BS_REAL(1e6)) + BS_REAL(0.5));
+    return (int64_t)(int32_t)((s * BS_REAL(1e6)) + BS_REAL(0.5));
 }
 
 static int64_t lesser(int64_t a, int64_t b)
@@ -121,7 +122,7 @@ static bs_status carry(const ahr_live *live,
                        const bs_real before[AHR_N_SENSED],
                        bs_real part)
 {
-    ahr_carried next = *at;
+    ahr_carried next;
     bs_status status;
     ahr_corrected_imu corrected_imu = { .f_b = { BS_REAL(0.0) } };
     ahr_increments increments = { .dtheta_ib_b = { BS_REAL(0.0) } };
@@ -143,7 +144,9 @@ static bs_status carry(const ahr_live *live,
     status = ahr_strapdown(&at->nav, &corrected_imu, &increments, next.nav.lon_lat_height,
                            next.nav.v_n, next.nav.q_b2n_wxyz);
     if (status == BS_OK) {
-        *at = next;
+        copy(at->nav.lon_lat_height, next.nav.lon_lat_height, 3);
+        copy(at->nav.v_n, next.nav.v_n, 3);
+        copy(at->nav.q_b2n_wxyz, next.nav.q_b2n_wxyz, 4);
     }
     return status;
 }

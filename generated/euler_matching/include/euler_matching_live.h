@@ -3,10 +3,11 @@
  * C99, no allocation, no global state, no I/O; re-entrant: all memory is in the caller's em_live.
  *
  * Three contexts may run, each once, and each may interrupt those before it:
- *   em_live_background, em_live_message, em_live_next_event, em_live_sigmas, em_live_covariance
- * what takes long em_live_sample                                           the sensors' interrupt
- * em_live_output, em_live_snapshot                             a reader of any priority The
- * covariance follows behind the samples.  It is carried to the instant of each message, is
+ * background  what takes long: em_live_background, _message, _next_event, _sigmas and _covariance.
+ * sample      the sensors' interrupt: em_live_sample.
+ * reader      of any priority: em_live_output and em_live_snapshot.
+ *
+ * The covariance follows behind the samples.  It is carried to the instant of each message, is
  * corrected there, and the correction is carried to now.  nav has one writer: a correction is due
  * at a sample that is fixed when its message becomes due itself.  So what comes out hangs on the
  * order of the calls of sample and message alone, and not on when the background runs, as long as

@@ -49,9 +49,10 @@ static bs_real seconds(int64_t us)
     return (bs_real)us * BS_REAL(1e-6);
 }
 
+/* Of an interval; of 32 bits, where they hold it, for which an FPU has an instruction. */
 static int64_t microseconds(bs_real s)
 {
-    return (int64_t)((s * BS_REAL(1e6)) + BS_REAL(0.5));
+    return (int64_t)(int32_t)((s * BS_REAL(1e6)) + BS_REAL(0.5));
 }
 
 static int64_t lesser(int64_t a, int64_t b)
@@ -117,7 +118,7 @@ static bs_status carry(const em_live *live,
                        const bs_real before[EM_N_SENSED],
                        bs_real part)
 {
-    em_carried next = *at;
+    em_carried next;
     bs_status status;
     em_step step = live->rules.step;
     step.dtheta_ib_b[0] = now->sensed[0] * part;
@@ -128,7 +129,7 @@ static bs_status carry(const em_live *live,
     (void)before;
     status = em_strapdown(&at->nav, &step, next.nav.q_b2n_wxyz);
     if (status == BS_OK) {
-        *at = next;
+        copy(at->nav.q_b2n_wxyz, next.nav.q_b2n_wxyz, 4);
     }
     return status;
 }

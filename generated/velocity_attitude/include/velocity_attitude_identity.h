@@ -20,7 +20,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "b0c1a1dbcad5e404cfd406aac5eea009ba3d5f74197abe4c2685ca48bd661eb6"
+#define VA_MODEL_HASH "92dc7d21849b0f4a07731448087c72aec58a33a4506034109108579df781704a"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

@@ -20,7 +20,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "cb0a869915be492876a3693c3b7908073e1c622e676b42eb77d147645c3e0348"
+#define VAS_MODEL_HASH "37c81748bec08fbd36233deaac2f004f6947df5a90ee88a2d08c31c3569e129d"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1

@@ -4,14 +4,15 @@
  * C99, no allocation, no global state, no I/O; re-entrant: all memory is in the caller's vas_live.
  *
  * Three contexts may run, each once, and each may interrupt those before it:
- *   vas_live_background, vas_live_message, vas_live_next_event, vas_live_sigmas,
- * vas_live_covariance   what takes long vas_live_sample
- * the sensors' interrupt vas_live_output, vas_live_snapshot                             a reader of
- * any priority The covariance follows behind the samples.  It is carried to the instant of each
- * message, is corrected there, and the correction is carried to now.  nav has one writer: a
- * correction is due at a sample that is fixed when its message becomes due itself.  So what comes
- * out hangs on the order of the calls of sample and message alone, and not on when the background
- * runs, as long as none of BS_EVENT_CORRECTION_LATE, BS_EVENT_OVERRUN and BS_MSG_FULL is counted.
+ * background  what takes long: vas_live_background, _message, _next_event, _sigmas and _covariance.
+ * sample      the sensors' interrupt: vas_live_sample.
+ * reader      of any priority: vas_live_output and vas_live_snapshot.
+ *
+ * The covariance follows behind the samples.  It is carried to the instant of each message, is
+ * corrected there, and the correction is carried to now.  nav has one writer: a correction is due
+ * at a sample that is fixed when its message becomes due itself.  So what comes out hangs on the
+ * order of the calls of sample and message alone, and not on when the background runs, as long as
+ * none of BS_EVENT_CORRECTION_LATE, BS_EVENT_OVERRUN and BS_MSG_FULL is counted.
  * Nothing that comes in ends the loop; what it is too late for, too early, twice, or wrong, is a
  * code and a count.
  * Instants are microseconds of the sensors' clock.  Where that steps, the loop goes on in its own,

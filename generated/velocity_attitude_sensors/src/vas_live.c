@@ -49,9 +49,10 @@ static bs_real seconds(int64_t us)
     return (bs_real)us * BS_REAL(1e-6);
 }
 
+/* Of an interval; of 32 bits, where they hold it, for which an FPU has an instruction. */
 static int64_t microseconds(bs_real s)
 {
-    return (int64_t)((s * BS_REAL(1e6)) + BS_REAL(0.5));
+    return (int64_t)(int32_t)((s * BS_REAL(1e6)) + BS_REAL(0.5));
 }
 
 static int64_t lesser(int64_t a, int64_t b)
@@ -129,7 +130,7 @@ static bs_status carry(const vas_live *live,
                        const bs_real before[VAS_N_SENSED],
                        bs_real part)
 {
-    vas_carried next = *at;
+    vas_carried next;
     bs_status status;
     vas_corrected_imu corrected_imu = { .f_b = { BS_REAL(0.0) } };
     vas_increments increments = { .dtheta_ib_b = { BS_REAL(0.0) } };
@@ -153,7 +154,13 @@ static bs_status carry(const vas_live *live,
                            next.bending.flexure, next.bending.flexure_rate, next.nav.gyro_bias,
                            next.nav.accel_bias);
     if (status == BS_OK) {
-        *at = next;
+        copy(at->nav.lat_lon_height, next.nav.lat_lon_height, 3);
+        copy(at->nav.v_n, next.nav.v_n, 3);
+        copy(at->nav.q_b2n_wxyz, next.nav.q_b2n_wxyz, 4);
+        copy(at->bending.flexure, next.bending.flexure, 3);
+        copy(at->bending.flexure_rate, next.bending.flexure_rate, 3);
+        copy(at->nav.gyro_bias, next.nav.gyro_bias, 3);
+        copy(at->nav.accel_bias, next.nav.accel_bias, 3);
     }
     return status;
 }

@@ -20,7 +20,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "24b8e7084452457dead30bb73f08e8ca36a06a4ce85bb3a54c57d0979babeb76"
+#define VD_MODEL_HASH "25610c7b0d0b681ed8c886bcf6ed6a49c888d08f4dacc421207bc6d27fde1abf"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1
