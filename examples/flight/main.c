@@ -22,6 +22,7 @@ static void begin(const flight_record *record, int64_t at)
     va_live_rules rules;
 
     (void)va_live_defaults(&rules);
+    rules.latency = 8U; /* samples: a measurement takes its time on a small core */
     convert(rules.noise.gyro_noise, head.gyro_noise, 3);
     convert(rules.noise.accel_noise, head.accel_noise, 3);
     convert(carried.nav.lat_lon_height, record->of.message.position, 3);
@@ -65,7 +66,6 @@ int main(int argc, char **argv)
 {
     flight_record record;
     FILE *const file = (argc == 2) ? fopen(argv[1], "rb") : NULL;
-
     if ((file == NULL) || (fread(&head, sizeof head, 1, file) != 1U)) {
         (void)printf("give the name of a recording, as make_recording.py writes it\n");
         return 2;

@@ -15,7 +15,7 @@ from boresight import Live, load
 def replay(setup: Setup, records: np.ndarray, precision: str = "double") -> Live:
     """As main.c does it."""
     noise = {"gyro_noise": setup.gyro_noise, "accel_noise": setup.accel_noise}
-    loop, now = Live(load("velocity-attitude", precision=precision), **noise), 0
+    loop, now = Live(load("velocity-attitude", precision=precision), {"latency": 8}, **noise), 0
     for kind, at, *numbers in records:
         of = np.array(numbers)
         if kind == SLAVE:

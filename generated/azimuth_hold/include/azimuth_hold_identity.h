@@ -20,7 +20,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "3ddeb01376f23dd46d558870705f94f8fdfebaf5e056975ed41033bcc8fa06d7"
+#define AH_MODEL_HASH "bc287095e08c4d10fde6f24296ec419b4e000eebcd5c24c7cc0a6766c2325fd1"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

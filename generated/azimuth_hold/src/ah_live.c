@@ -1319,7 +1319,7 @@ bs_status ah_live_defaults(ah_live_rules *rules)
     rules->latency = 4U;
     rules->astray = 5U;
     rules->gates.rows = BS_ALL_ROWS;
-    rules->gates.gate = BS_REAL(5.0);
+    rules->gates.gate = BS_REAL(6.0);
     copy(rules->open, open, N);
     return BS_OK;
 }

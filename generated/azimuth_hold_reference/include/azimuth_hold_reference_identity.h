@@ -20,7 +20,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "b97cd8570096d7c6ace752db8d0ffda25e4bb8eb64302d9e1769471322391f2d"
+#define AHR_MODEL_HASH "b38af49583a9a82fd9f4b63bc7e23dcb06befd8b2c568290dfaa55c97e71d0f8"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

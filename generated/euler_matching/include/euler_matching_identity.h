@@ -20,7 +20,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "5fe645115624bb3be450ea79cef50bf266cd18602b25e52533bee82e9de6d8d3"
+#define EM_MODEL_HASH "0053134986cc9eb8724deaa3de89c704c9480480e8912e54c33c0f8dddacd8b8"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1

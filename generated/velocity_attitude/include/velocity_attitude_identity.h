@@ -20,7 +20,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "92dc7d21849b0f4a07731448087c72aec58a33a4506034109108579df781704a"
+#define VA_MODEL_HASH "008a45b72a49fc344afe1f74c5f9302f2247097e38ebbb516dc879a7c78fd429"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

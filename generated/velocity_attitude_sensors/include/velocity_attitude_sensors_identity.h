@@ -20,7 +20,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "37c81748bec08fbd36233deaac2f004f6947df5a90ee88a2d08c31c3569e129d"
+#define VAS_MODEL_HASH "a764618811b943353143bdb2db5714fe31a4d41544dfce23a598d276862ecbe1"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1
