@@ -62,7 +62,7 @@ def test_a_changed_statement_makes_its_unit_stale_and_what_includes_it(em_copy):
     found = changed(vouched(em_copy))
     assert {kind.name for kind in KINDS if kind.name != "bits"} == found.keys()
     assert found["rounding"] == found["eva"] == found["trace"] == {"em_F"}
-    assert found["golden"] == found["guards"] == found["mutants"] == {"em_F", "em_filter"}
+    assert found["golden"] == found["guards"] == found["mutants"] == {"em_F", "em_filter", "em_live"}
 
 
 @pytest.mark.parametrize(
