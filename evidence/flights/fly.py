@@ -115,7 +115,6 @@ def fly(
     jitter: float = 0.003,
     hand_over: float = 0.02,
     clock: Callable[[float], Any] = lambda time: 0.0,
-    tags: Callable[[float], float] = lambda time: 0.0,
     lever_b: Any = (1.2, -2.4, 1.8),
     C_b2m: Any = None,
     R: Any = None,
@@ -135,7 +134,6 @@ def fly(
     tau: s, true, () or (runs,), or that as a function of time.  lost: part of the messages.
     jitter: s, of their times, which the stamps tell.
     clock: s, () or (runs,), by which the stamps are ahead, as a function of time: so much longer is the delay.
-    tags: s by which the slave's own clock is ahead of the truth, likewise: so much shorter is the delay.
     hand_over: s after which a message is handed over beyond the master's own delay.
     sensed(time, dtheta, dv) changes what the slave delivers in an interval (runs, 3), or loses it by None.
     said(time, message) changes what the master says, or loses it by None.
@@ -229,7 +227,7 @@ def fly(
         time = float(edges[k + 1])
         delivered = deliver(k)
         if delivered is not None:
-            loop.slave(time + tags(time), *delivered, dt)
+            loop.slave(time, *delivered, dt)
         while due * gap + hand_over <= time + 1e-9:
             given = message(due * gap + jitter * rng.uniform(-1, 1, runs), delay(due * gap))
             due += 1
@@ -239,7 +237,7 @@ def fly(
                 continue
             result = loop.master(given)
             out["time"].append(time)
-            out["errors"].append(errors(loop.nav, loop.time - tags(time), clock(time) + followed(loop) - tags(time)))
+            out["errors"].append(errors(loop.nav, loop.time, clock(loop.time) + followed(loop)))
             out["P"].append(loop.P[..., : start_P.shape[-1], : start_P.shape[-1]].copy())
             out["nis"].append(np.where(result.taken, result.nis, np.nan))
             out["verdict"].append(result.verdict)

@@ -70,39 +70,22 @@ def by_rate(loop: Filter, measurement: str, inputs: dict[str, Any], around: dict
     return H
 
 
-def by_noise(
-    measurement: str, H: Array, P: Array, R: Array, rows: Array, variances: dict[str, Array], sigmas: float
-) -> Array:
-    """(...,) 1/s^2, the information on the delay that a measurement has by noise alone; infinite where it is all noise.
+def uninformed(measurement: str, H: Array, R: Array, rows: Array, variances: dict[str, Array], sigmas: float) -> Array:
+    """(..., n) bool: the delay, where the rates that make up its column are not clearly above their noise.
 
-    H: of `by_rate`.  P: before.  R, rows: (..., m).  variances: of `rate_variances`.
+    H: of `by_rate`.  R, rows: (..., m).  variances: of `rate_variances`.
 
-    The noise of the rates in the delay's column passes for a motion that the residual does not follow: for a delay
-    without error, and so for knowledge of it, by its variance over R.  What the motion tells is what is left of the
-    column beside the states that follow the delay, H P / P_tt: in a steady turn, where it is the heading, nothing.
-    Over all rows that has to be sigmas^2 times the noise.
+    The noise of such a rate passes for a motion that the residual does not follow: for a delay without error, and so
+    for knowledge of it.  What it adds is its variance over R, what the motion adds the rate's square over R; over all
+    rows that has to be sigmas^2 times as much.  Noise alone gets there once in 1e10 messages, so that the choice of
+    messages does not depend on it.
     """
-    left = (H[0] @ P[..., TAU, None])[..., 0] / np.maximum(P[..., TAU, TAU], 1e-300)[..., None]
-    by_axis = (H[1:4, ..., TAU] - H[0, ..., TAU]) / 1e-3
+    now, by_axis = H[0, ..., TAU], (H[1:4, ..., TAU] - H[0, ..., TAU]) / 1e-3
     variance = np.einsum("a...m,...a->...m", by_axis**2, variances[rate_of(measurement)])
     weight = rows * (R.min(-1, keepdims=True) / R)  # by the smallest, so that none overflows
-    noise = np.sum(weight * variance, axis=-1)
-    out: Array = np.where(np.sum(weight * left**2, axis=-1) <= sigmas**2 * noise, np.inf, noise / R.min(-1))
+    out = np.zeros((*now.shape[:-1], H.shape[-1]), bool)
+    out[..., TAU] = np.sum(weight * now**2, axis=-1) <= sigmas**2 * np.sum(weight * variance, axis=-1)
     return out
-
-
-def without(information: Array, x: Array, P: Array, x_before: Array, P_before: Array) -> tuple[Array, Array]:
-    """x (..., n) and P (..., n, n) of a measurement without so much information on the delay (...,), 1/s^2.
-
-    Never with less than before; where it is infinite, x takes back what the measurement has done to the delay.  P + c p
-    p', p the delay's column and c = s / (1 - s P_tt): what follows the delay follows it here too.
-    """
-    p, now = P[..., TAU], np.maximum(P[..., TAU, TAU], 1e-150)
-    whole = np.maximum(P_before[..., TAU, TAU] - now, 0.0) / now**2
-    some = np.where(np.isinf(information), 0.0, information)
-    c = np.where(np.isinf(information), whole, np.minimum(some / np.maximum(1 - some * now, 1e-150), whole))
-    back = np.where(np.isinf(information), x[..., TAU] - x_before[..., TAU], 0.0) / now
-    return x - p * back[..., None], P + c[..., None, None] * p[..., :, None] * p[..., None, :]
 
 
 @dataclass(frozen=True)
@@ -111,7 +94,6 @@ class Explanation:
 
     decided: Array  # (...,) bool
     delay: Array  # (...,) weight of all delays, from 0 to 1
-    slave: Array  # (...,) of it that of the slave's clock
     fits: Array  # (...,) bool: the best explanation is as good as chance makes it
     tau: Array  # (...,) s, the delay: mean over all explanations, by weight
     x: Array  # (..., n) mean error of the slave now, and of the delay estimated so far
@@ -123,13 +105,10 @@ class Suspects:
     """Explanations of messages that do not fit, each a filter that takes them all, side by side.
 
     One for each delay on a grid over the kept past, and three for an offset: of velocity, of attitude, of both.  An
-    offset may be the master's or the slave's.  Two more, where a gap of the slave was bridged since the last message
-    that fits: its clock has gone forward and nothing was missing, without the master's stamps or with them.  Each has
-    the innovations' chi-square, and is charged what so many free parameters gain by chance as rarely as the gate opens
-    by chance.
+    offset may be the master's or the slave's.  Each has the innovations' chi-square, and is charged what so many free
+    parameters gain by chance as rarely as the gate opens by chance.
     """
 
-    TIMES, CLOCKS = ("at", "gap_at"), 2
     OFFSETS = (((DV, 100.0),), ((PHI, 1.0),), ((DV, 100.0), (PHI, 1.0)))  # with its sigma, m/s or rad
 
     def __init__(self, runs: tuple[int, ...], n: int, rules: Rules):
@@ -138,17 +117,11 @@ class Suspects:
         self.count = np.zeros(runs, int)  # of messages in a row
         self.rows = np.zeros(runs, int)
         self.at = np.zeros(runs)  # s, of the last
-        self.gap_s, self.gap_at = np.full(runs, np.nan), np.zeros(runs)
-        self.off = np.zeros((*runs, n))  # estimated - true of the slave when it ended, if nothing was missing
-        shape = (len(self.lags) + self.CLOCKS + len(self.OFFSETS), *runs)
-        self.tau = np.zeros(shape)  # s: the delays of the grid, then for each other explanation its own
+        shape = (len(self.lags) + len(self.OFFSETS), *runs)
+        self.tau = np.zeros(shape)  # s: the delays of the grid, then for each offset the one estimated
         self.chi2, self.x, self.P = np.zeros(shape), np.zeros((*shape, n)), np.zeros((*shape, n, n))
 
-    def bridged(self, seconds: float, off: Array, now: float) -> None:
-        """A gap of the slave was bridged, which has moved nav (..., n)."""
-        self.gap_s, self.gap_at, self.off = np.full(self.runs, seconds), np.full(self.runs, now), off
-
-    def _begin(self, first: Array, P_now: Array, tau_hat: Array, age: Array, now: float, F: Array) -> None:
+    def _begin(self, first: Array, P_now: Array, tau_hat: Array, age: Array, now: float) -> None:
         """Anew in the runs (...,) of `first`."""
         grid = len(self.lags)
         tau = np.broadcast_to(tau_hat, self.tau.shape).copy()
@@ -157,16 +130,11 @@ class Suspects:
         P = np.broadcast_to(P_now, self.P.shape).copy()
         P[:grid, ..., TAU, :] = P[:grid, ..., :, TAU] = 0.0
         P[:grid, ..., TAU, TAU] = self.rules.half_span_s**2
-        tau[grid] -= np.nan_to_num(self.gap_s)
-        moved = F @ self.off[..., None] * (now - self.gap_at)[..., None, None]
-        moved = moved + F @ moved * (now - self.gap_at)[..., None, None] / 2
-        x = np.zeros_like(self.x)
-        x[grid : grid + self.CLOCKS] = self.off + moved[..., 0]
-        for e, offset in enumerate(self.OFFSETS, grid + self.CLOCKS):
+        for e, offset in enumerate(self.OFFSETS, grid):
             for block, sigma in offset:
                 P[e, ..., block, block] += sigma**2 * np.eye(3)
         self.tau, self.chi2 = np.where(first, tau, self.tau), np.where(first, 0.0, self.chi2)
-        self.x = np.where(first[..., None], x, self.x)
+        self.x = np.where(first[..., None], 0.0, self.x)
         self.P = np.where(first[..., None, None], P, self.P)
         self.rows, self.at = np.where(first, 0, self.rows), np.where(first, now, self.at)
 
@@ -181,10 +149,7 @@ class Suspects:
         measured: by measurement (variances, rows), each (..., m).  inputs: what the message says.
         """
         rules, now = self.rules, float(history.time[-1])
-        # one measured before a gap ended tells nothing of what it was
-        within = now - age - loop.nav["tau"] - rules.half_span_s < self.gap_at
-        suspect = suspect & (np.isnan(self.gap_s) | ~within)
-        self._begin(suspect & (self.count == 0), P_now, loop.nav["tau"], age, now, F)
+        self._begin(suspect & (self.count == 0), P_now, loop.nav["tau"], age, now)
         eye, dt = np.eye(self.n), (now - self.at)[..., None, None]
         Phi = eye + F * dt + F @ F * dt**2 / 2
         Q = loop.call("Q", **{**inputs, "dt": rules.half_span_s}) * dt / rules.half_span_s
@@ -218,19 +183,15 @@ class Suspects:
         # a delay without a variance is held on purpose, and only a clock set anew may move it
         return self._explanation(loop, late, (P_now[..., TAU, TAU] == 0.0) & ~late)
 
-    def forget(self, where: Array, then: Any = np.inf) -> None:
-        """The next message that does not fit is the first; one that fits was measured at `then` (...,) s."""
+    def forget(self, where: Array) -> None:
+        """The next message that does not fit is the first."""
         self.count = np.where(where, 0, self.count)
-        self.gap_s = np.where(where & (then > self.gap_at), np.nan, self.gap_s)
 
     def _explanation(self, loop: Filter, late: Array, held: Array) -> Explanation:
         rules, offsets = self.rules, len(self.OFFSETS)
-        grid = len(self.lags)
-        parameters = np.array([1] * grid + [0] * self.CLOCKS + [3 * len(offset) for offset in self.OFFSETS])
-        charge = np.where(parameters, chdtri(np.maximum(parameters, 1), rules.gate), 0.0)
-        score = self.chi2 + charge.reshape((-1, *(1 for _ in self.runs)))
-        out = (held, grid), (np.isnan(self.gap_s), self.CLOCKS), (late, offsets)
-        tried = np.where(np.concatenate([[where] * count for where, count in out]), np.inf, score)
+        parameters = np.array([1] * len(self.lags) + [3 * len(offset) for offset in self.OFFSETS])
+        score = self.chi2 + chdtri(parameters, rules.gate).reshape((-1, *(1 for _ in self.runs)))
+        tried = np.concatenate([np.where(held, np.inf, score[:-offsets]), np.where(late, np.inf, score[-offsets:])])
         weight = np.exp(-(tried - tried.min(0)) / 2)
         weight /= weight.sum(0)
         delay = weight[:-offsets].sum(0)
@@ -246,8 +207,7 @@ class Suspects:
         offset = np.take_along_axis(self.x[-offsets:], best[None, ..., None], axis=0)[0]
         clear = ~fits | (np.minimum(delay, 1 - delay) < CLEAR)
         decided = (self.count >= rules.reopen_after) & (clear | (self.count >= 2 * rules.reopen_after))
-        slave = weight[grid:-offsets].sum(0)
-        return Explanation(decided, delay, slave, fits, loop.nav["tau"] - mean[..., TAU], mean, P, offset)
+        return Explanation(decided, delay, fits, loop.nav["tau"] - mean[..., TAU], mean, P, offset)
 
 
 class Stamps:
@@ -256,23 +216,13 @@ class Stamps:
     clock: (...,) s, added to the stamps.  trial: what is to be added besides, while it is looked at, else nan.
     """
 
-    TIMES = ("began", "last")
     SPREAD_S, SPAN_S = 0.1, 0.4  # how well the ages of refused messages agree, and over how long
 
     def __init__(self, runs: tuple[int, ...]):
         self.clock, self.trial = np.zeros(runs), np.full(runs, np.nan)
         self.usual = np.full(runs, np.nan)  # s, how old the stamps of messages taken are
-        self.slave_s = 0.0  # step of the slave's clock, until a message shows whether the stamps have made it too
         self.count = np.zeros(runs, int)
         self.began, self.age, self.last = (np.zeros(runs) for _ in range(3))
-
-    def of_slave(self, time: Array, now: float, came: Array) -> Array:
-        """(...,) bool: stamps (...,) that have not gone along with the slave's clock; `clock` brings them there."""
-        aged = now - time - self.clock - self.usual
-        behind: Array = came & (aged < self.slave_s / 2) & (self.slave_s < 0)
-        self.clock = self.clock + np.where(behind, self.slave_s, 0.0)
-        self.slave_s = 0.0 if came.any() else self.slave_s
-        return behind
 
     def refused(self, where: Array, late: Array, came: Array, stamp: Array, now: float, after: int) -> None:
         """Look at the stamps (...,), `clock` in them, that are refused in some runs; begins and ends a trial.
@@ -301,12 +251,11 @@ class Stamps:
         self.usual = np.where(where, usual, self.usual)
 
 
-def cause(found: Explanation, run: tuple[int, ...], tau: float, clock_s: float, rules: Rules, late: bool,
-          forward: float = 0.0) -> str:  # fmt: skip
+def cause(found: Explanation, run: tuple[int, ...], tau: float, clock_s: float, rules: Rules, late: bool) -> str:
     """What has been found, in words: of one run.
 
     tau: s, before.  clock_s: by how much the master's clock has been set forward, 0: not.
-    late: it was its stamps that did not fit.  forward: s, by how much the slave's clock has, 0: it is not that.
+    late: it was its stamps that did not fit.
     """
     delay, x, ms = found.delay[run], found.offset[run], 1e3 * float(found.tau[run])
     sigma_ms = 1e3 * float(np.sqrt(found.P[run][TAU, TAU]))
@@ -326,10 +275,7 @@ def cause(found: Explanation, run: tuple[int, ...], tau: float, clock_s: float, 
               "jump or the slave's, which cannot be told apart")  # fmt: skip
     now = f"{ms:.0f} ms" if sigma_ms < 20 else (
         f"{ms:.0f} +- {sigma_ms:.0f} ms, which gets better only as the slave turns or accelerates")  # fmt: skip
-    if forward:
-        change = (f"the slave's clock has gone forward by {forward:.3f} s, and nothing was missing; the delay against "
-                  f"it was {1e3 * tau:.0f} ms and is {now}")  # fmt: skip
-    elif clock_s:
+    if clock_s:
         way = "forward" if clock_s > 0 else "back"
         change = (f"the master's clock has gone {way} by {abs(clock_s):.3f} s; the delay against its stamps was "
                   f"{1e3 * tau:.0f} ms and is {now}")  # fmt: skip

@@ -9,28 +9,24 @@ from scipy.special import chdtri
 
 from boresight import BoresightError
 from boresight.runtime import rotation
-from boresight.runtime.array import Array, carried, wrapped
+from boresight.runtime.array import Array, carried
 from boresight.runtime.calibration import Calibration
 from boresight.runtime.filter import Filter, Innovation
 from boresight.runtime.transfer.delay import (
     CLEAR,
-    LONGEST,
     Explanation,
     Stamps,
     Suspects,
-    by_noise,
     by_rate,
     cause,
     rate_variances,
-    without,
+    uninformed,
 )
-from boresight.runtime.transfer.gaps import Gaps, Intervals, axes_of, intervals, of_runs
-from boresight.runtime.transfer.gate import REACH, second_order
-from boresight.runtime.transfer.gate import nis as widened_nis
+from boresight.runtime.transfer.gaps import Gaps, of_runs
 from boresight.runtime.transfer.guard import Guard, mixed, outside
 from boresight.runtime.transfer.history import ACCEL_BIAS, DOWN, DV, MOUNT, PHI, TAU, History, moment
 from boresight.runtime.transfer.lever import flown
-from boresight.runtime.transfer.messages import HUGE, Heard, Message, Note, Result, Verdict, heard
+from boresight.runtime.transfer.messages import Heard, Message, Note, Result, Verdict, heard
 from boresight.runtime.transfer.position import PositionWatch, moved
 from boresight.runtime.transfer.rules import Rules, Watch
 from boresight.runtime.transfer.score import Score
@@ -42,12 +38,7 @@ GYRO, ACCEL = slice(0, 3), slice(3, 6)  # of increments (..., 6)
 EARLIER = ("before", "second", "third")
 UNKNOWN = np.pi, 100.0  # rad, m/s: one sigma of a run that is lost
 SWING_S = 1.0
-BRIDGED_S = 1e-3  # the shortest step of a bridge, whatever a sample says of its own length
-BEHIND_GAP = 1e-3  # of the gate
-HEADING_SIGMAS = 8.0  # by which the hull's motion is above all else in a message that tells the heading
 LARGEST = 0.9  # of the model's range for the error state, in one correction
-
-Sensed = tuple[Array, Array]  # of one interval: rad, m/s, (..., 3)
 
 
 class Transfer:
@@ -169,7 +160,6 @@ class Transfer:
             self._angle, self._push = (sample[name].reshape((*self.runs, 3)) for name in ("angle", "push"))
         if past is None:
             self._keep()
-        self._corrected = np.zeros((*self.runs, 3))  # m/s, taken off the velocity so far
         self._earlier: list[Array] = []  # the increments of the last intervals, at most three, the newest first
         self._predicted = self.time  # of the covariance
         self._told_of = np.full(self.runs, -np.inf)  # (...,) s, when what was last taken was measured
@@ -183,7 +173,6 @@ class Transfer:
         )
         self.gaps = Gaps(self.watch, np.concatenate([np.zeros_like(standing), standing], axis=-1))
         self._left_out = 0
-        self._overlapped: tuple[float, Sensed, float] | None = None  # the last interval left out
         self._stretch: Stretch | None = None  # of many intervals at once, from the first time on
         where, why = outside(model, self.filter.nav, self.runs)
         if where.any():
@@ -239,21 +228,15 @@ class Transfer:
         K intervals in one call are the same as one by one, to rounding of P, and take a fraction of
         the time where the intervals are as they should be.
         """
-        given = intervals(time, dtheta_ib_b, dv_b, dt, self.runs)
-        for fault in given.unread:
-            self.watch.note_all(f"the slave's {fault}", "; the interval is left out, or bridged")
-        if axes_of(time):
-            self._intervals(given)
-        else:
-            self._one(float(given.time[0]), (given.parts[0][0], given.parts[1][0]), float(given.dt[0]))
-
-    def _one(self, time: float, delivered: Sensed, dt: float) -> None:
-        begin, (shortest,), (longest,) = time - dt, *(self.guard.field["dt"][end] for end in ("low", "high"))
-        follows = begin > self.time - 0.5 * dt and self.time < time < HUGE
-        if not (follows and shortest <= dt <= longest):
-            self._overlapping(time, delivered, dt)
+        if np.ndim(time):
+            self._intervals(time, dtheta_ib_b, dv_b, dt)
             return
-        self._left_out, self._overlapped = 0, None
+        begin = time - dt
+        if not (dt > 0 and begin > self.time - 0.5 * dt and np.isfinite([time, dt]).all()):
+            self._overlapping(time, dt)
+            return
+        self._left_out = 0
+        delivered = [np.broadcast_to(np.asarray(part, float), (*self.runs, 3)) for part in (dtheta_ib_b, dv_b)]
         raw = np.concatenate(delivered, axis=-1)
         increments = np.concatenate(self.known.increments(delivered[0], delivered[1], dt), axis=-1)
         good = self.gaps.usable(increments, dt)
@@ -268,34 +251,35 @@ class Transfer:
             raw = np.where(np.isfinite(raw), raw, 0.0)
             self._open(self.watch.saturation(raw[..., :3], raw[..., 3:], dt))
 
-    def _intervals(self, given: Intervals) -> None:
+    def _intervals(self, time: Any, dtheta_ib_b: Any, dv_b: Any, dt: Any) -> None:
         """Those that are as they should be together, the others one by one."""
-        time, dt = given.time, given.dt
+        time, dt = np.asarray(time, float), np.broadcast_to(np.asarray(dt, float), np.shape(time))
+        delivered = [np.asarray(part, float) for part in (dtheta_ib_b, dv_b)]
         if self._stretch is None and self.coning is None:
             self._stretch = Stretch.of(self.guard.model, self.nav, self.P, self.constants)
-        sound, increments = self._sound(given)
+        sound, increments = self._sound(time, delivered, dt)
         k = 0
         while k < len(time):
             stop = k + int(np.argmin(np.append(sound[k:], False)))
             if stop > k and self._undisturbed(time[k] - dt[k], dt[k]):
                 k += self._together(time[k:stop], increments[k:stop], dt[k:stop])
             if k < len(time):
-                self._one(float(time[k]), (given.parts[0][k], given.parts[1][k]), float(dt[k]))
+                self.slave(float(time[k]), delivered[0][k], delivered[1][k], float(dt[k]))
                 k += 1
 
-    def _sound(self, given: Intervals) -> tuple[Array, Array]:
+    def _sound(self, time: Array, delivered: list[Array], dt: Array) -> tuple[Array, Array]:
         """(K,) bool: intervals with all that they should have, right behind the one before; the increments (K, ..., 6)
         without what is known."""
-        time, dt = given.time, given.dt
-        sound = (dt > 0) & np.isfinite(dt) & np.isfinite(time)
-        sound[1:] &= np.abs(np.diff(np.where(np.isfinite(time), time, 0.0)) - dt[1:]) < 0.5 * dt[1:]
+        behind, count = np.append(0.0, time[1:] - dt[1:] - time[:-1]), len(self.runs)
+        sound = (dt > 0) & np.isfinite(dt) & np.isfinite(time) & (np.abs(behind) < 0.5 * dt)
         seconds = np.where(sound, dt, 1.0).reshape((-1, *(1 for _ in self.runs)))
-        dtheta, dv = self.known.increments(*given.parts, seconds)
+        parts = [part.reshape((len(time), *(1 for _ in range(count + 2 - part.ndim)), *part.shape[1:]))
+                 for part in delivered]  # fmt: skip
+        dtheta, dv = self.known.increments(parts[0], parts[1], seconds)
         increments = np.concatenate(np.broadcast_arrays(dtheta, dv), axis=-1)
-        sound &= self.gaps.usable(increments, seconds[..., None]).all(tuple(range(1, sound.ndim + len(self.runs))))
-        for part, full in zip(given.parts, self.rules.full_scale or (), strict=False):
-            within = np.abs(part) < full * seconds[..., None] * (1 - 1e-9)
-            sound &= within.all(tuple(range(1, within.ndim)))
+        sound &= self.gaps.usable(increments, seconds[..., None]).reshape(len(time), -1).all(-1)
+        for part, full in zip(parts, self.rules.full_scale or (), strict=False):
+            sound &= (np.abs(part) < full * seconds[..., None] * (1 - 1e-9)).reshape(len(time), -1).all(-1)
         return sound, increments
 
     def _undisturbed(self, begin: float, dt: float) -> bool:
@@ -347,17 +331,13 @@ class Transfer:
             self._lose(everyone, missing)
             self._skip(begin)
             return
-        count = round(missing / max(dt, min(missing, BRIDGED_S)))
-        ramp, before = (rates - self.gaps.rates) / (count + 1), dict(self.nav)
+        count = round(missing / dt)
+        ramp = (rates - self.gaps.rates) / (count + 1)
         for i in range(count):
             between = self.gaps.rates + (i + 1) * ramp
             end = begin - (count - 1 - i) * missing / count
             self.gaps.stand_in(everyone, between, missing / count)
             self._interval(end, between * missing / count, missing / count)
-        off = np.zeros(self.filter.P.shape[:-1])
-        off[..., PHI] = rotation.attitude_error(self.nav["q_b2n_wxyz"], before["q_b2n_wxyz"])
-        off[..., DV] = self.nav["v_n"] - before["v_n"]
-        self.suspects.bridged(missing, off, self.time)
 
     def _lose(self, where: Array, missing_s: float = 0.0, why: str = "") -> None:
         """These runs have lost their way: attitude and velocity are unknown until they begin anew."""
@@ -365,57 +345,19 @@ class Transfer:
         if new.any():
             self._open(np.where(new[..., None], np.repeat(UNKNOWN, 3) ** 2, 0.0))
 
-    def _overlapping(self, time: float, delivered: Sensed, dt: float) -> None:
-        """An interval begins before the last one ended: left out, unless the slave's clock was set back.
-
-        It was where two intervals, one behind the other, hold what the kept past does not; the loop's time then goes
-        back too, and they are flown.  A step beyond `bridge_s` is believed after as long, and the filter begins anew,
-        for nothing tells how long the slave stood.
-        """
+    def _overlapping(self, time: float, dt: float) -> None:
+        """An interval begins before the last one ended: left out, unless this goes on; then the clock was set back."""
+        everyone = np.ones(self.runs, bool)
         if self._left_out == 0:
-            self.watch.note(np.ones(self.runs, bool), f"the slave's interval of {dt:g} s that ends at {time:.4f} s "
-                            "begins before the last one ended, or is none; it is left out")  # fmt: skip
+            self.watch.note(everyone, f"the slave's interval of {dt:g} s that ends at {time:.4f} s begins before the "
+                                      "last one ended, or is none; it is left out")  # fmt: skip
         self._left_out += 1
-        if not (abs(time) < HUGE and dt > 0):
-            return
-        before, self._overlapped = self._overlapped, (time, delivered, dt)
-        bridge, new = self.rules.bridge_s, self._new(time, delivered, dt)
-        step = time - 2 * dt - self.time
-        if new and before is not None and abs(before[0] - (time - dt)) < 0.5 * dt and -bridge <= step < 0:
-            self._set_clock(step)
-            for interval in (before, (time, delivered, dt)):
-                self._one(*interval)
-        elif self._left_out * dt > max(bridge, dt):
-            self._lose(np.ones(self.runs, bool))
-            self._set_clock(time - self._left_out * dt - self.time)
+        if np.isfinite(time) and dt > 0 and self._left_out * dt > max(self.rules.bridge_s, dt):
+            self._lose(everyone)
             self._skip(time)
-        elif not new:
-            self._overlapped = None
-
-    def _new(self, time: float, delivered: Sensed, dt: float) -> bool:
-        """Whether the kept past, where nothing was missing, holds other increments of this interval."""
-        begin, history = time - dt, self.history
-        if begin < max(history.time[0], np.max(self.gaps.missed_at)) - 1e-9:
-            return False
-        ends = np.broadcast_to(np.array([[begin], [time]]), (2, history.runs))
-        kept = [np.diff(history.at(name, ends), axis=0)[0].reshape((*self.runs, 3)) for name in ("angle", "push")]
-        return not any(np.allclose(one, part, rtol=1e-6, atol=1e-9 * dt)
-                       for one, part in zip(kept, self.known.increments(*delivered, dt), strict=True))  # fmt: skip
-
-    def _set_clock(self, step: float) -> None:
-        """The slave's clock is ahead by so much more, s: every time that the loop remembers goes with it."""
-        self.watch.note_all("the slave's clock has gone ", f"{'forward' if step > 0 else 'back'} by {abs(step):.3f} s")
-        for part in (self.watch, self.gaps, self.position, self.suspects, self.stamps):
-            for name in part.TIMES:
-                setattr(part, name, getattr(part, name) + step)
-        self.history.time[:] += step
-        self._told_of, self._predicted = self._told_of + step, self._predicted + step
-        self.time = self.watch.time = self.time + step
-        self.watch.noted_at.clear()
-        self.stamps.slave_s, self._left_out, self._overlapped = step, 0, None
 
     def _skip(self, time: float) -> None:
-        """Time goes on, and nothing of the past is left."""
+        """Time goes on, or back, and nothing of the past is left."""
         self.time = self.watch.time = self._predicted = float(time)
         self.history.clear()
         self._told_of = np.full(self.runs, -np.inf)
@@ -518,8 +460,6 @@ class Transfer:
         steepest = loop.model.field["euler_m"]["high"][1]
         given = heard(message, runs, attitude, steepest)
         rows, came = given.rows, given.came
-        behind = self.stamps.of_slave(given.time, self.time, came)
-        self.watch.note(behind, "the master's stamps have not gone along with the slave's clock, and are followed")
         stamp = given.time + self.stamps.clock
         out_of_step, trial = self._out_of_step(stamp, came & rows.any(-1))
         given = replace(given, time=stamp + np.where(trial, self.stamps.trial, 0.0))
@@ -549,14 +489,13 @@ class Transfer:
                 (self.gaps.missing_s > 0) | (self.gaps.missed_at > self.time - lag - 3 * rules.half_span_s),
             ),
             (Verdict.SATURATED, self.watch.saturated_at.max(-1) > self.time - lag - 3 * rules.half_span_s),
-            (Verdict.MISSED, self.gaps.lost & ~(lag + 4 * rules.half_span_s > rules.buffer_s)),
+            (Verdict.MISSED, self.gaps.lost),
             (Verdict.BEYOND, self.gaps.left),
             (Verdict.INVALID, ~rows.any(-1)),
             (Verdict.ABSENT, ~came),
         ):
             verdict[where] = code
-        begun = self._begin_anew(given)
-        self.stamps.end(begun & trial, begun)
+        begun = self._begin_anew(given, lag)
         verdict[begun] = Verdict.BEGUN
         self.suspects.forget(begun)
         if len(self.history) < 2:
@@ -580,9 +519,8 @@ class Transfer:
         noise = np.max(np.asarray(self.constants["gyro_noise"]), axis=-1)
         R[..., :3] += (np.sum(np.square(self._lever()), axis=-1) * noise**2 * rate_factor)[..., None]
         Hs = {name: by_rate(loop, name, inputs, around) for name, _, field in self._measured() if field in inputs}
-        bent = np.zeros_like(R)
         if curved.any():
-            bent = self._curved(curved * variance**2, Hs, stamp - self.watch.stamp)
+            R += self._curved(curved * variance**2, Hs, stamp - self.watch.stamp)
 
         # The residual speaks of the error at the message's time: the covariance goes there and comes back.
         # It says nothing of the noise since then, which leaves P for that time; by extrapolation that noise is in it.
@@ -606,37 +544,21 @@ class Transfer:
         faults.append((repeated, "the master repeats its last one while the slave moves"))
         rows = rows & ~repeated[..., None]
         variances = rate_variances(self.history, rules, P, F, inputs, rate_factor, self._lever())
-        sigma = np.sqrt(np.einsum("...ii->...i", P_now))
-        fine = (sigma[..., self._angles()].max(-1) < rules.coarse_rad) & (sigma[..., TAU] < rules.coarse_s)
-        second = None if fine.all() else self._second(P, rows, lag, inputs, expected)
-        if second is not None:
-            size = np.einsum("...ii->...i", second[1]) + second[0] ** 2
-            bent = np.where(fine[..., None], bent, np.maximum(size, bent))
-        noise, R = R, R + bent
         innovations = self._update(P, R, rows, inputs, Hs, variances)
         used = rows.sum(-1)
-        nis = np.sum([np.zeros(runs), *(part.nis for part in innovations.values())], axis=0)
+        # The gate presumes residuals that are linear in the errors: until angles and delay are known it is open.
+        sigma = np.sqrt(np.einsum("...ii->...i", P_now))
+        coarse = (sigma[..., self._angles()].max(-1) > rules.coarse_rad) | (sigma[..., TAU] > rules.coarse_s)
+        fine = self.watch.fine(coarse, used > 0)
         if self.matching[0] in innovations:
-            one = innovations[self.matching[0]]
-            self.watch.lever(one, rows[..., :3] & fine[..., None], inputs, R[..., :3], self._corrected)
+            self.watch.lever(innovations[self.matching[0]], rows[..., :3] & fine[..., None], inputs)
+        nis = np.sum([part.nis for part in innovations.values()], axis=0)
         none = np.zeros((*runs, 3))
         by_row = [np.where((one := innovations[name]).used, one.nu**2 / one.S, none) if name in innovations else none
                   for name in self.matching]  # fmt: skip
         worst = np.argmax(np.concatenate(by_row, axis=-1), axis=-1)
-        # behind a gap the first message decides whether anything was missing: it is to fit well
-        gate = np.where(np.isnan(self.suspects.gap_s), rules.gate, max(rules.gate, BEHIND_GAP))
-        bound = chdtri(np.maximum(used, 1), gate)
-        gated = nis > bound
-        if gated.any():
-            names = {name: place for name, place, field in self._measured() if field in inputs}
-            H = np.zeros((*R.shape, P.shape[-1]))
-            for name, place in names.items():
-                H[..., place, :] = Hs[name][0]
-            m, S2 = second or self._second(P, rows, lag, inputs, expected)
-            nis = np.where(gated, widened_nis(self._residuals(names, inputs), H, P, noise, rows, m, S2), nis)
-            gated = nis > bound
-        gated = gated | (trial & (used > 0))
-        self.suspects.forget((used > 0) & ~gated, self.time - lag)
+        gated = ((nis > chdtri(np.maximum(used, 1), rules.gate)) & fine) | (trial & (used > 0))
+        self.suspects.forget((used > 0) & ~gated)
         reopen = by_delay = np.zeros(runs, bool)
         beyond, why = self.guard.taken()
         if gated.any():
@@ -679,9 +601,8 @@ class Transfer:
         self._told_of = np.where(taken, self.time - lag, self._told_of)
         if self.score is not None:
             self.score.end(taken)
-        loop.P = np.where(taken[..., None, None], self._turned(corrected, nav, F), P_before)
+        loop.P = np.where(taken[..., None, None], self._turned(corrected, nav), P_before)
         loop.x = np.where(taken[..., None], loop.x, 0.0)
-        self._corrected = self._corrected + loop.x[..., DV]
         self._correct_past(F)
         self.guard.taken()
         loop.nav = loop.nav | mixed(taken, nav, {name: loop.nav[name] for name in nav})
@@ -729,20 +650,17 @@ class Transfer:
         for run in map(tuple, np.argwhere(tell)):
             where = np.zeros(self.runs, bool)
             where[run] = True
-            forward = float(self.suspects.gap_s[run]) if found.slave[run] > 1 - CLEAR else 0.0
-            text = cause(found, run, float(tau[run]), float(clock[run]), self.rules, bool(trial[run]), forward)
+            text = cause(found, run, float(tau[run]), float(clock[run]), self.rules, bool(trial[run]))
             self.watch.note(where, f"{self.suspects.count[run]} messages in a row did not fit: {text}")
             self.watch.told_at[(Verdict.REOPENED, *run)] = self.time
         return found
 
-    def _begin_anew(self, given: Heard) -> Array:
+    def _begin_anew(self, given: Heard, lag: Array) -> Array:
         """(...,) bool: the lost runs that have begun anew from this message, which is used up by it."""
         gaps, loop, history, span = self.gaps, self.filter, self.history, 4 * self.rules.half_span_s
-        then = given.time - loop.nav["tau"]
-        lag = self.time - then
         said = {"position": given.position, **given.said}
         ready = gaps.lost & given.rows.all(-1) & (given.time > self.watch.stamp) & (lag >= 0)
-        ready = ready & (self.time - lag - span >= gaps.back_at) & (lag <= self.time - history.time[0])
+        ready = ready & (self.time - lag - span >= gaps.back_at)
         if given.position is None or len(given.said) < 2:
             return np.zeros(self.runs, bool)
         there = {"lat_lon_height": given.position, "v_n": given.said["v_m_n"]}
@@ -753,8 +671,7 @@ class Transfer:
         place = {"position": loop.nav["lat_lon_height"], "v_m_n": loop.nav["v_n"], "q_m2n_wxyz": loop.nav["q_b2n_wxyz"],
                  "euler_m": np.zeros((*self.runs, 3))}  # fmt: skip
         whole = Message(
-            np.where(ready, then, np.min(then[ready])) + loop.nav["tau"],
-            of_runs(ready, given.R, np.ones((*self.runs, 6))),
+            np.where(ready, given.time, np.min(given.time[ready])), of_runs(ready, given.R, np.ones((*self.runs, 6))),
             **{name: of_runs(ready, value, place[name]) for name, value in said.items()},
         )  # fmt: skip
         sums = [history.recent(name).reshape((len(history), *self.runs, 3)) for name in ("angle", "push")]
@@ -774,8 +691,6 @@ class Transfer:
             kept = history.recent(name)[again_known]
             history.recent(name)[again_known] = np.where(ready.reshape(-1, 1), past.at(name, times), kept)
         gaps.found(ready, past.time[0])
-        if self.watch.residual:
-            self.watch.residual["z"] = np.where(ready[..., None], np.nan, self.watch.residual["z"])
         self.position.begin(ready, self.time, loop.nav["lat_lon_height"], given.position_sigma)
         return ready
 
@@ -784,10 +699,10 @@ class Transfer:
     ) -> dict[str, Innovation]:
         """Attitude first: the residual of a large turn depends on x, and that of the velocity does not.
 
-        Hs: of `by_rate`.  variances: of the rates in the delay's column.
+        Hs: of `by_rate`.  variances: of the rates in the delay's column, which decide whether a measurement informs the
+        delay.
         """
-        self.filter.x, self.filter.P, rules = np.zeros(P.shape[:-1]), P, self.rules
-        kept = np.zeros(P.shape[:-1], bool) if self.filter.considered is None else self.filter.considered
+        self.filter.x, self.filter.P = np.zeros(P.shape[:-1]), P
         C_b2m, C_b2n = rotation.matrix_from_quaternion(np.array([self.nav["q_b2m_wxyz"], inputs["q_b2n_wxyz"]]))
         heading = np.zeros(P.shape[:-1])  # of the mounting, which alone keeps it where the slave's attitude is opened
         heading[..., MOUNT] = (C_b2m @ C_b2n[..., DOWN, :, None])[..., 0]
@@ -796,48 +711,16 @@ class Transfer:
         out = {}
         for name, part, field in self._measured():
             if field in inputs:
-                R_part, there = R[..., part], rows[..., part]
-                H = Hs[name][0]
-                noise = by_noise(name, Hs[name], self.filter.P, R_part, there, variances, rules.delay_sigmas)
+                R_part, there, H = R[..., part], rows[..., part], Hs[name][0]
+                kept = uninformed(name, Hs[name], R_part, there, variances, self.rules.delay_sigmas)
                 if self.score is not None:
                     nu = self.filter.call(f"{name}_z", **inputs) - np.einsum("...ij,...j->...i", H, self.filter.x)
                     self.score.take(nu, H, self.filter.P, R_part, there)
+                if self.filter.considered is not None:
+                    kept = kept | self.filter.considered
                 x, P = self.filter.x, self.filter.P
-                out[name] = self.filter.update(name, R_part, rows=there, jacobian=H, **inputs)
-                self.filter.x, self.filter.P = without(noise, self.filter.x, self.filter.P, x, P)
+                out[name] = self.filter.update(name, R_part, rows=there, considered=kept, jacobian=H, **inputs)
                 self._keep_heading(heading, x, P, H, R_part, there, kept)
-        return out
-
-    def _residuals(self, names: dict[str, slice], inputs: dict[str, Any]) -> Array:
-        """(..., 6) of the measurements in `names` with the rows of each; zero where there is none."""
-        each = {name: self.filter.call(f"{name}_z", **{**inputs, "x": np.zeros(self.P.shape[-1])}) for name in names}
-        out = np.zeros((*np.broadcast_shapes(*(one.shape[:-1] for one in each.values())), 6))
-        for name, one in each.items():
-            out[..., names[name]] = wrapped(one) if name.startswith("euler") else one
-        return out
-
-    def _second(self, P: Array, rows: Array, lag: Array, inputs: dict[str, Any], expected: dict[str, Array]
-                ) -> tuple[Array, Array]:  # fmt: skip
-        """(..., 6) mean and (..., 6, 6) covariance of what the residuals are beyond the first order.
-
-        P: at the message's time.  It is looked at about a message that says what is expected.
-        """
-        loop, here = self.filter, [(name, part, field) for name, part, field in self._measured() if field in inputs]
-        limit = np.broadcast_to(REACH * np.array(loop.model.field["x"]["high"]), P.shape[:-1]).copy()
-        limit[..., TAU] = np.clip(self.time - self.history.time[0] - lag, 1e-3, LONGEST)  # what is kept of the past
-        said = self._filled({field: inputs[field] for _, _, field in here}, np.zeros_like(rows), expected)
-
-        def z(x: Array) -> Array:
-            """Where the slave was off by x (K, ..., n) when the message was measured."""
-            then = self._match(lag - x[..., TAU])[0]
-            rest = {n: loop.nav[n] for n in loop.model.feedback.fields if n not in ("x", "v_n", "q_b2n_wxyz")}
-            past = {name: then[name] for name in ("v_n", "q_b2n_wxyz")}
-            nav = loop.call("feedback", x=x, **rest, **past)
-            return -self._residuals({name: part for name, part, _ in here}, {**inputs, **said, **then, **nav})
-
-        marked = self.guard.outside, self.guard.why
-        out = second_order(z, P, [*self._angles(), TAU], limit)
-        self.guard.outside, self.guard.why = marked  # a trial beyond the model's range is no fault of the run
         return out
 
     def _measured(self) -> tuple[tuple[str, slice, str], ...]:
@@ -931,27 +814,17 @@ class Transfer:
         out[..., ACCEL_BIAS, ACCEL_BIAS] = (axes * np.maximum(size, 0.0)[..., None, :]) @ np.swapaxes(axes, -1, -2)
         return out
 
-    def _turned(self, P: Array, nav: Mapping[str, Array], F: Array) -> Array:
+    def _turned(self, P: Array, nav: Mapping[str, Array]) -> Array:
         """P with the errors of attitude and mounting about the axes of nav, corrected, as they were about the old ones.
 
         So phi - C_m2n dmu, which alone shows at rest, stays the same sum, whatever noise the corrections bring into C.
-        The correction is halved for two errors of one kind, and whole for what follows the delay: it turns with the
-        axes, that of the velocity with the specific force, and that of the attitude goes with the rate's bias.
         """
         C = rotation.matrix_from_quaternion(
             np.array([[of[name] for of in (self.nav, nav)] for name in ("q_b2n_wxyz", "q_b2m_wxyz")])
         )
-        turns = [new @ np.swapaxes(old, -1, -2) for old, new in C]
-        ahead = P[..., TAU] / np.maximum(P[..., TAU, TAU], 1e-300)[..., None]
-        f = F[..., (5, 3, 4), (1, 2, 0)]  # of [f x], which turns phi into the rate of the velocity's error
-        bias = (C[0, 1] @ (nav["gyro_bias"] - self.nav["gyro_bias"])[..., None])[..., 0]
-        for block, turned, share, follows, more in (
-            (PHI, turns[0], 0.5, ahead[..., PHI], bias), (MOUNT, turns[1], 0.5, ahead[..., MOUNT], 0.0),
-            (DV, turns[0], 0.0, f, 0.0),
-        ):  # fmt: skip
+        for block, (old, new) in zip((PHI, MOUNT), C, strict=True):
             T = np.zeros((*P.shape[:-2], 3, P.shape[-1]))
-            T[..., block] = np.eye(3) + share * (turned - np.eye(3))
-            T[..., TAU] = (1 - share) * ((turned - np.eye(3)) @ follows[..., None])[..., 0] + more
+            T[..., block] = (np.eye(3) + new @ np.swapaxes(old, -1, -2)) / 2
             P = carried(P, block, T)
         return P
 
@@ -967,7 +840,7 @@ class Transfer:
         by = (HP @ w[..., None])[..., 0] / np.maximum(level, 1e-300)[..., None]
         rest = np.sum(H * HP, axis=-1) - by**2 * level[..., None]
         weight = rows * (R.min(-1, keepdims=True) / R)
-        blind = np.sum(weight * by**2, axis=-1) <= HEADING_SIGMAS**2 * np.sum(weight * rest, axis=-1)
+        blind = np.sum(weight * by**2, axis=-1) <= self.rules.delay_sigmas**2 * np.sum(weight * rest, axis=-1)
         # an attitude that is unknown, or was opened, is corrected whatever else that does
         blind = blind & (np.einsum("...ii->...i", P)[..., PHI].max(-1) < self.rules.coarse_rad**2)
         if not blind.any():

@@ -3,59 +3,17 @@
 A run whose slave has left the model's range waits for one too.
 """
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from boresight.runtime.array import Array
 from boresight.runtime.transfer.history import History
-from boresight.runtime.transfer.messages import numbers
 from boresight.runtime.transfer.rules import Watch
 
 # The models' range: a sample beyond it is none.
 RATES, INCREMENTS = np.repeat([20.0, 500.0], 3), np.repeat([0.5, 100.0], 3)  # rad/s, m/s^2; rad, m/s
 FELT = 0.01  # of P: what is opened by less is as good as known
-
-
-class Intervals(NamedTuple):
-    """What the slave delivered in one call."""
-
-    time: Array  # (K,) s, nan where it is no number
-    parts: tuple[Array, Array]  # dtheta_ib_b rad and dv_b m/s, (K, ..., 3), likewise
-    dt: Array  # (K,) s, likewise
-    unread: list[str]  # names and shapes of what is no such array
-
-
-def intervals(time: Any, dtheta: Any, dv: Any, dt: Any, runs: tuple[int, ...]) -> Intervals:
-    """Read so that nothing raises.  Of one interval, or of K where `time` has an axis."""
-    several, unread = bool(axes_of(time)), []
-    count, leading = (len(time), ("K",)) if several else (1, ())
-
-    def array(name: str, value: Any, shape: tuple[int, ...], **how: bool) -> Array:
-        read = numbers(value, shape, **how)
-        if read is None:
-            shown = ", ".join((*leading, "...", "3") if len(shape) > 1 else leading)
-            unread.append(f"{name} is no array of numbers ({shown})" if shown else f"{name} is no number")
-        return np.full(shape, np.nan) if read is None else read
-
-    def increments(name: str, value: Any) -> Array:
-        own = axes_of(value)
-        if several:  # the runs that are not given stand behind K
-            whole = len(own) > 1 and own[0] == count
-            value = np.reshape(value, (count, *(len(runs) + 2 - len(own)) * (1,), *own[1:])) if whole else None
-        return array(name, value, (count, *runs, 3))
-
-    times = array("time", time, (count,), one=not several)
-    parts = increments("dtheta_ib_b", dtheta), increments("dv_b", dv)
-    return Intervals(times, parts, array("dt", dt, (count,), one=True), unread)
-
-
-def axes_of(value: Any) -> tuple[int, ...]:
-    """The shape of a value, () of one that is no array."""
-    try:
-        return np.shape(value)
-    except ValueError:
-        return ()
 
 
 class Gaps:
@@ -65,8 +23,6 @@ class Gaps:
     two; when the next one comes, the mean of both holds for all that was missing.  P is opened by the mean square of
     what the same rule would have missed, axis by axis, had as many samples been missing anywhere in the kept past.
     """
-
-    TIMES = ("missed_at", "told_at", "lost_at", "back_at")
 
     def __init__(self, watch: Watch, rates: Array):
         """rates: (..., 6) rad/s and m/s^2 that stand in before the first sample."""
@@ -148,8 +104,9 @@ class Gaps:
         self.lost = self.lost | new
         self.left = self.left | (new & bool(left))
         longest = float(np.max(self.missing_s[new])) + missing_s
-        cause = f"{longest:.3f} s of the slave are missing" if longest else "nothing tells how long the slave stood"
-        cause = f"the slave is beyond the model's range ({left})" if left else cause
+        cause = (
+            f"the slave is beyond the model's range ({left})" if left else f"{longest:.3f} s of the slave are missing"
+        )
         self.watch.note(new, f"{cause}: the filter begins anew from the next message, and keeps biases, mounting, "
                              "lever arm and delay")  # fmt: skip
         return new

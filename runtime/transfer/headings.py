@@ -15,7 +15,7 @@ from boresight.runtime.array import Array, wrapped
 from boresight.runtime.filter import Innovation
 from boresight.runtime.transfer.filter import Transfer
 from boresight.runtime.transfer.history import History
-from boresight.runtime.transfer.messages import Message, Note, Result, numbers
+from boresight.runtime.transfer.messages import Message, Note, Result
 from boresight.runtime.transfer.rules import Rules
 from boresight.runtime.transfer.start import Increments, estimated, first
 
@@ -79,13 +79,10 @@ class Headings:
 
     def _level(self, message: Message) -> Message:
         """The message as Euler angles whose heading is absent."""
-        if not isinstance(message, Message):
-            return message
-        euler, q, rows = message.euler_m, message.q_m2n_wxyz, message.rows
-        if euler is None and (q := numbers(q, (*np.shape(q)[:-1], 4))) is not None:
-            euler = rotation.euler_from_matrix(rotation.matrix_from_quaternion(q))
-        if (given := numbers(rows, (*np.shape(rows)[:-1], 6), one=True)) is not None:
-            rows = (given != 0) & np.array([True] * 5 + [False])
+        euler = message.euler_m
+        if euler is None and message.q_m2n_wxyz is not None:
+            euler = rotation.euler_from_matrix(rotation.matrix_from_quaternion(message.q_m2n_wxyz))
+        rows = np.asarray(message.rows) & np.array([True] * 5 + [False])
         return replace(message, euler_m=euler, q_m2n_wxyz=None, rows=rows)
 
     @property

@@ -88,8 +88,9 @@ class LeverSeen:
     def nothing(runs: tuple[int, ...]) -> "LeverSeen":
         return LeverSeen(np.zeros((*runs, 3, 3)), np.zeros((*runs, 3)), *(np.zeros(runs) for _ in range(3)))
 
-    def with_message(self, z: Array, S: Array, rows: Array, A: Array) -> "LeverSeen":
-        """z, S, rows: (..., 3) residuals, variances, and which there are.  A: (..., 3, 3) by `turning`."""
+    def with_message(self, z: Array, S: Array, rows: Array, C_b2n: Array, omega_ib_b: Array) -> "LeverSeen":
+        """z, S, rows: (..., 3) residuals, variances, and which there are."""
+        A = -C_b2n @ np.cross(omega_ib_b[..., None, :], -np.eye(3))  # omega x d is the matrix of rows -omega x e_i
         nis = np.sum(rows * z**2 / S, axis=-1)
         weight = rows / S / np.maximum(1.0, nis / 3)[..., None]
         return LeverSeen(
@@ -101,26 +102,15 @@ class LeverSeen:
         )
 
     @property
-    def explained(self) -> Array:
-        """(...,) of the residuals' squares that such a movement explains; by chance chi-square of three, about."""
+    def share(self) -> Array:
+        """(...,) of the residuals' squares that such a movement explains; about 0.01 where the lever arm is right."""
         scale = np.maximum(np.einsum("...ii->...", self.N), 1e-300)[..., None, None]
         d = np.linalg.solve(self.N / scale + 1e-9 * np.eye(3), (self.b / scale[..., 0])[..., None])[..., 0]
-        explained: Array = np.einsum("...i,...i->...", self.b, d)
+        explained: Array = np.einsum("...i,...i->...", self.b, d) / np.maximum(self.square, 1e-300)
         return explained
 
     @property
-    def share(self) -> Array:
-        """(...,) of `square` that it explains; about 0.01 where the lever arm is right."""
-        return self.explained / np.maximum(self.square, 1e-300)
-
-    @property
-    def many(self) -> Array:
+    def suspect(self) -> Array:
         """(...,) bool, after 50 messages, three times as many beyond the bound as there should be."""
-        many: Array = (self.messages >= 50) & (self.large > 0.15 * self.messages)
-        return many
-
-
-def turning(C_b2n: Array, omega_ib_b: Array) -> Array:
-    """(..., 3, 3) that makes of a lever arm's error, m, slave body, the velocity residuals' movement."""
-    A: Array = -C_b2n @ np.cross(omega_ib_b[..., None, :], -np.eye(3))  # omega x d is the matrix of rows -omega x e_i
-    return A
+        large = (self.messages >= 50) & (self.large > 0.15 * self.messages)
+        return large & (self.share > 0.15) if large.any() else large

@@ -134,20 +134,7 @@ class Heard:
     numbers: dict[str, Array]  # (...,) by name, what in the lines of `faults` stands in braces
 
 
-def numbers(value: Any, shape: tuple[int, ...], *, one: bool = False) -> Array | None:
-    """`shape` of real numbers, or None where the value holds none such.  one: whether one may stand for the last axis.
-
-    Leading axes are spread, the last one is not: a number is no vector.
-    """
-    try:
-        given = np.asarray(value)
-        whole = given.shape[-1:] == shape[-1:] or (one and given.shape[-1:] in ((), (1,)))
-        return np.broadcast_to(given.astype(float), shape) if whole and given.dtype.kind != "c" else None
-    except (TypeError, ValueError, OverflowError):
-        return None
-
-
-def heard(message: Any, runs: tuple[int, ...], attitude: str, steepest: float) -> Heard:
+def heard(message: Message, runs: tuple[int, ...], attitude: str, steepest: float) -> Heard:
     """A message read so that nothing it holds raises.
 
     attitude: the field that holds it.  steepest: rad, the pitch up to which Euler angles are used.
@@ -157,18 +144,14 @@ def heard(message: Any, runs: tuple[int, ...], attitude: str, steepest: float) -
 
     def array(name: str, *size: int) -> Array:
         """(..., *size) as given; nan and a fault where that is impossible."""
-        one = not size or name in ("rows", "position_sigma")
-        value = numbers(getattr(message, name), (*runs, *size), one=one)
-        if value is None:
+        try:
+            return np.broadcast_to(np.asarray(getattr(message, name), float), (*runs, *size))
+        except (TypeError, ValueError):
             shape = "(" + ", ".join(("...", *map(str, size))) + ("" if size else ",") + ")"
             shape += " or (..., 1)" if name == "position_sigma" else ""
             faults.append((everywhere, f"its {name} is no array of numbers {shape}"))
-            value = np.full((*runs, *size), np.nan)
-        return value
+            return np.full((*runs, *size), np.nan)
 
-    if not isinstance(message, Message):
-        faults.append((everywhere, f"it is no Message, but of the type {type(message).__name__}"))
-        message = Message(np.nan, np.ones(6))
     time, R, mask = array("time"), array("R", 6), array("rows", 6)
     given = np.where(np.isnan(mask), 1.0, mask) != 0
     came = given.any(-1)
@@ -210,9 +193,9 @@ def heard(message: Any, runs: tuple[int, ...], attitude: str, steepest: float) -
         position_sigma = np.where(usable, position_sigma, 1.0)
     count = np.full(runs, np.nan) if message.count is None else array("count")
     whole, faults = came & ~refused, [(where & came, why) for where, why in faults]
-    shown = {"R": unsound, "time": time, "count": count}
+    numbers = {"R": unsound, "time": time, "count": count}
     time = np.where(untimed, np.nan, time)
     return Heard(
         time, np.where(sound, R, 1.0), said, given & fine & whole[..., None], came, whole[..., None] & ~given,
-        whole[..., None] & given & ~fine, position, position_sigma, count, faults, shown,
+        whole[..., None] & given & ~fine, position, position_sigma, count, faults, numbers,
     )  # fmt: skip

@@ -33,8 +33,6 @@ def moved(position: Array, by: Array) -> Array:
 class PositionWatch:
     """Which of the master's positions are taken, run by run."""
 
-    TIMES = ("taken_at", "other_at")
-
     def __init__(self, runs: tuple[int, ...], time: float):
         self.runs = runs
         self.taken_at = np.full(runs, time)

@@ -9,7 +9,7 @@ from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Innovation
-from boresight.runtime.transfer.lever import LeverSeen, turning
+from boresight.runtime.transfer.lever import LeverSeen
 from boresight.runtime.transfer.messages import Heard, Note, Result, Verdict
 
 AXES = {
@@ -20,8 +20,6 @@ AXES = {
 ROWS = ("velocity north", "velocity east", "velocity down", "the level", "the level", "the heading")
 RATE_KNOWN_S = 10.0  # before two messages have come, their rate is not known: silence is told after so long
 INTERVALS = 3.5  # of the master, without a message taken, are silence
-CHANGE_S = 1.0  # over which the velocity residuals' changes are looked at
-CHANGES = 30.7  # of their squares, that chance explains once in a million
 STILL = 5.0  # sigmas: chance moves one of six numbers so far once in 300 000 messages
 
 
@@ -38,12 +36,14 @@ class Rules:
     half_span_s : float, optional
         s: rates are means, and rates of change differences, over twice this.
     delay_sigmas : float, optional
-        How far above the noise of its rates a message has to be in what it tells of the delay.
+        How far above their noise the rates are in a message that informs the delay.
     gate : float, optional
         A message is refused if chance alone would exceed its NIS with this probability.
     coarse_rad, coarse_s : float, optional
-        rad, s: while the sigma of an angle, or of the delay, is above these, the residuals do not
-        count for the lever arm, nor the angles for what the filter keeps from noise.
+        rad, s: at first the gate is open while the sigma of an angle, or of the delay, is above
+        these.
+    settle_s : float, optional
+        s: and so long after that.
     reopen_after : int, optional
         Messages gated in a row, after which velocity and attitude are opened.
     silent_s : float, optional
@@ -79,10 +79,11 @@ class Rules:
     buffer_s: float = 0.5
     ahead_s: float = 0.02
     half_span_s: float = 0.02
-    delay_sigmas: float = 5.0
+    delay_sigmas: float = 8.0
     gate: float = 1e-6
     coarse_rad: float = 0.1
     coarse_s: float = 0.05
+    settle_s: float = 5.0
     reopen_after: int = 5
     silent_s: float = 1.0
     full_scale: tuple[float, float] | None = None
@@ -103,8 +104,6 @@ class Rules:
 class Watch:
     """What the rules remember, run by run, and the lines that they have written."""
 
-    TIMES = ("saturated_at", "stamp", "taken_at", "residual_at", "told_at", "absent_at", "came_at")
-
     def __init__(self, rules: Rules, runs: tuple[int, ...], time: float):
         self.rules, self.runs, self.time = rules, runs, time
         self.notes: list[Note] = []
@@ -115,13 +114,12 @@ class Watch:
         self.stamp = np.full(runs, -np.inf)  # of the last message looked at
         self.taken_at = np.full(runs, time)
         self.silent = np.zeros(runs, bool)
+        self.fine_at = np.full(runs, -np.inf)  # from when on the gate works
+        self.acquired = np.zeros(runs, bool)
         self.refused = np.zeros(runs, int)  # in a row, for whatever reason
         self.told_at = np.full((len(Verdict), *runs), -np.inf)
-        self.noted_at: dict[str, float] = {}  # of lines about all runs
         self.open = np.zeros(runs, bool)  # a refusal was told, its end not yet
-        self.seen, self.changes = LeverSeen.nothing(runs), LeverSeen.nothing(runs)
-        self.residual: dict[str, Array] = {}  # of a message a while ago, for its change
-        self.residual_at = np.full(runs, -np.inf)
+        self.seen = LeverSeen.nothing(runs)
         self.lever_told = np.zeros(runs, bool)
         self.last: dict[str, Array] = {}  # what the last message said, and what was expected of it, with its variance
         self.count = np.full(runs, np.nan)  # of the last message looked at
@@ -212,29 +210,17 @@ class Watch:
             for kind in self.absent:
                 self.absent[kind] &= ~again
 
-    def lever(self, innovation: Innovation, rows: Array, inputs: dict[str, Any], R: Array, corrected: Array) -> None:
-        """Look at the velocity rows (..., 3) of a message, of variances R: (..., 3).
+    def fine(self, coarse: Array, some: Array) -> Array:
+        """(...,) bool: whether the gate works.  coarse: angles or delay are not known yet; some: a row was used."""
+        self.fine_at = np.where(coarse & ~self.acquired & some, self.time + self.rules.settle_s, self.fine_at)
+        fine: Array = self.time >= self.fine_at
+        self.acquired |= fine & some  # what is opened later is opened on purpose
+        return fine
 
-        corrected: (..., 3) m/s, all that was taken off the slave's velocity so far.  With it the residuals' changes in
-        `CHANGE_S` are those of a slave that nobody has corrected: whatever follows the master, opened or not, takes
-        nothing of them away.
-        """
-        A = turning(rotation.matrix_from_quaternion(inputs["q_b2n_wxyz"]), inputs["omega_ib_b"])
-        self.seen = self.seen.with_message(innovation.nu, innovation.S, rows, A)
-        now = {"z": np.where(rows, innovation.nu + corrected, np.nan), "A": A, "R": R}
-        last = self.residual or {name: np.full_like(value, np.nan) for name, value in now.items()}
-        here = np.isfinite(now["z"] - last["z"]) & (self.time - self.residual_at >= CHANGE_S)[..., None]
-        z = np.where(here, now["z"] - last["z"], 0.0)
-        changed = np.where(here.any(-1)[..., None, None], A - last["A"], 0.0)
-        self.changes = self.changes.with_message(z, np.where(here, R + last["R"], 1.0), here, changed)
-        new = rows.any(-1) & (here.any(-1) | ~np.isfinite(last["z"]).any(-1))
-        self.residual = {name: np.where(new.reshape(new.shape + (1,) * (value.ndim - new.ndim)), value, last[name])
-                         for name, value in now.items()}  # fmt: skip
-        self.residual_at = np.where(new, self.time, self.residual_at)
-        suspect = self.seen.many
-        if suspect.any():
-            changes = (self.changes.share > 0.15) & (self.changes.explained > CHANGES)
-            suspect = suspect & ((self.seen.share > 0.15) | changes)
+    def lever(self, innovation: Innovation, rows: Array, inputs: dict[str, Any]) -> None:
+        C = rotation.matrix_from_quaternion(inputs["q_b2n_wxyz"])
+        self.seen = self.seen.with_message(innovation.nu, innovation.S, rows, C, inputs["omega_ib_b"])
+        suspect = self.seen.suspect
         self.note(suspect & ~self.lever_told, "the velocity residuals are too large and move with the turning of the "
                    "hull: compare the lever arm and its sign (from master to slave, in the slave's axes)")  # fmt: skip
         self.lever_told |= suspect
@@ -323,12 +309,6 @@ class Watch:
         entered = {name: replace(part, used=part.used & taken[..., None]) for name, part in innovations.items()}
         rows = np.where(taken, used, 0)
         return Result(verdict, entered, np.where(rows > 0, nis, np.nan), rows, np.asarray(nis), lag)
-
-    def note_all(self, what: str, rest: str) -> None:
-        """A line about all runs; one that begins by the same words comes only after `quiet_s`."""
-        if not abs(self.time - self.noted_at.get(what, np.inf)) < self.rules.quiet_s:
-            self.noted_at[what] = self.time
-            self.note(np.ones(self.runs, bool), what + rest)
 
     def note(self, where: Array, text: str, of_first: bool = False) -> None:
         """of_first: whether the numbers in it are those of the first of the runs."""

@@ -348,7 +348,7 @@ def test_bending_of_a_milliradian_is_followed_ten_times_a_second(whole):
                            bending=bending)  # fmt: skip
     sigma = np.sqrt(np.diagonal(P, axis1=-2, axis2=-1))
     # part of it is taken for misalignment, which differs from it only in that it lasts; about down more so
-    assert (sigma[:, 16:19] < sigma_bend * np.array([0.51, 0.51, 0.7])).all()
+    assert (sigma[:, 16:19] < sigma_bend * np.array([0.5, 0.5, 0.7])).all()
     np.testing.assert_allclose(np.std(error[:, 16:19], axis=0), sigma[:, 16:19].mean(0), rtol=0.3)
     assert_consistent(error[:, 16:], P[:, 16:, 16:])
     assert_consistent(error, P)
