@@ -45,7 +45,7 @@ OF_LOOPS = "f rate K sum h third share weight places stage at"
 OF_LIVE = "live sample carried message output past waiting correction events"
 IN_LIVE = """
     now before part mean span from to last then missing after best means apart sigma other density seeming root
-    expected change between turn k
+    expected still change between turn k
 """
 UNDEFINED = {nan, zoo, oo, -oo, I}
 LARGEST = 1e18  # of a box
@@ -245,7 +245,7 @@ def check_names(model: "Model") -> None:
                 fail(part, f"{name!r} cannot be a name in C; write letters, digits and '_'")
             own = f"{OF_FILTER} {OF_LOOPS if model.loops else ''}" if kind(part) == "struct" else ""
             if table is by_unit and {"strapdown", "feedback"} <= {f.name for f in model.functions}:
-                own += f"{OF_LIVE} {IN_LIVE if kind(part) == 'struct' else ''}"
+                own += f" {OF_LIVE} {IN_LIVE if kind(part) == 'struct' else ''}"
             reserved = f"{TAKEN} {own}".split()
             if name in reserved or re.fullmatch(r"t\d+|(bs|BS)_.*|filter_.*", name):
                 fail(part, f"the name {name!r} has a meaning in C or in the generated code; choose another")

@@ -129,15 +129,18 @@ class Layout:
                                         ("fate", ctypes.c_uint32 * len(Fate)),
                                         *((name, ctypes.c_uint32) for name in after)])  # fmt: skip
 
+    def owner(self, of: Any, name: str) -> str:
+        """The struct of a struct of structs that has a field of this name; "" where none has it."""
+        return next((s for s, _ in of._fields_ if name in self.library.layout.get(s, ())), "")
+
     def place(self, into: Any, name: str, value: Any, function: str) -> None:
         """Write a field by its name into a struct of structs.  Raises BoresightError on a shape that does not fit."""
         size = self.library.field[name]["size"]
         array = np.asarray(value, dtype=float)
         if array.shape != (() if size == 1 else (size,)) and array.shape != (size,):
             raise BoresightError(f"{function}: {name} has shape {array.shape}; give ({size},)")
-        owner = next(s for s, _ in into._fields_ if name in self.library.layout.get(s, ()))
-        setattr(getattr(into, owner), name, float(array.reshape(())) if size == 1 and array.ndim == 0 else
-                float(array[0]) if size == 1 else (self.real * size)(*array))  # fmt: skip
+        owner = getattr(into, self.owner(into, name))
+        setattr(owner, name, float(array.item()) if size == 1 else (self.real * size)(*array))
 
     def values(self, struct: Any) -> dict[str, Array]:
         """Every field of a struct of structs, by name."""
@@ -249,7 +252,7 @@ class Live:
         """
         carried = self.layout.carried()
         for name, value in nav.items():
-            if not any(name in self.library.layout[s] for s, _ in self.layout.carried._fields_):
+            if not self.layout.owner(carried, name):
                 raise BoresightError(f"begin: {self.library.name} does not carry {name!r}")
             self.layout.place(carried, name, value, "begin")
         spread = np.zeros(len(self.library.states)) if sigma is None else np.array(sigma, dtype=float)
@@ -359,7 +362,7 @@ class Live:
         for name, value in fields.items():
             if name == "z":
                 given.z[: np.size(value)] = list(np.ravel(value))
-            elif not any(name in self.library.layout[s] for s in self.layout.described["message"]):
+            elif not self.layout.owner(given, name):
                 raise BoresightError(f"message: {measurement} reads no {name!r} of a message")
             else:
                 self.layout.place(given, name, value, measurement)

@@ -28,7 +28,7 @@ from boresight.codegen.text.filter import filter_view, has_filter, test_view
 from boresight.codegen.text.identity import identity_view, numbers
 from boresight.codegen.text.lanes import lanes_view, unit_lanes_view
 from boresight.codegen.text.layout import laid_out
-from boresight.codegen.text.live import live_view
+from boresight.codegen.text.live import live_view, resets
 from boresight.codegen.text.manifest import described
 from boresight.codegen.text.names import file_stem, snake
 from boresight.codegen.text.vectors import vectors
@@ -138,6 +138,7 @@ def model_files(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> 
             "batch/PREFIX_lanes.c",
         )
         if extra["v"]:
+            extra["v"]["resets"] = resets(model, made)
             m["parts"] += [f"{model.c_prefix}_live"]
             paths += (
                 "include/boresight_live.h",

@@ -88,8 +88,6 @@ class Inputs:
                 self.sensed.append(v)
         self.solved = self.rates(stated)
         self.changes = self.rates_of_change()
-        noise = {s for s in symbols_in(model.noise)}
-        self.noise = [v for v in model.inputs if noise & {*v.symbols}]
 
     def integral(self, v: Variable) -> bool:
         """Whether a sensor delivers it as an integral over the step, not as a rate."""
@@ -192,8 +190,9 @@ def resets(model: Model, made: list[Unit]) -> list[tuple[int, int, int, float]]:
     return [(*key, round(2 * found[0][key]) / 2) for key in sorted(same)]
 
 
-def path(place: str, v: Variable, i: int | None = None) -> str:
-    return f"{place}.{v.name}" if v.size == 1 else f"{place}.{v.name}[{i}]" if i is not None else f"{place}.{v.name}"
+def path(place: str, v: Variable, i: int) -> str:
+    """Component i of a field, as C reaches it."""
+    return f"{place}.{v.name}" if v.size == 1 else f"{place}.{v.name}[{i}]"
 
 
 def live_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> dict[str, Any] | None:
@@ -260,16 +259,14 @@ def live_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> di
     owner = {v.name: s.name for s in model.structs for v in s.fields}
     column = None
     if delay is not None:
-        fed = next(r for r in wiring.units["feedback"][0].results if r.name == delay.name)
-        read = symbols_in(next(o.value for f in model.functions if f.name == "feedback"
-                               for o in f.outputs if o.name == fed.name))  # fmt: skip
+        feedback = next(f for f in model.functions if f.name == "feedback")
+        read = symbols_in(next(o.value for o in feedback.outputs if o.name == delay.name))
         column = next((i for i, s in enumerate(model.x) if s in read), None)
     expected = {f for f, _ in inputs.changes.values()}
     functions = {
         name: {
             "c_name": wiring.units[name][1]["c_name"], "reads": wiring.units[name][1]["reads"],
-            "results": [{"name": r.name, "size": r.shape[0], "used": (name, r.name) in inputs.changes.values()}
-                        for r in wiring.units[name][0].results],
+            "results": [{"name": r.name, "size": r.shape[0]} for r in wiring.units[name][0].results],
         }
         for name in sorted(expected)
     }  # fmt: skip
@@ -291,7 +288,6 @@ def live_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> di
                                       for name, (f, o) in inputs.changes.items()},
         "functions": functions, "brings": brings,
         "most_rows": max(u["m"] for u in measurements), "most_noise": max(u["size_R"] for u in measurements),
-        "wide": sum(s.name in wiring.carried for s in model.structs),
         "filled": [name for name, s in structs.items() if s["fields"] and name in read_at_once],
         "open": ", ".join(number(OPENED * high if i in moved else 0.0) for i, high in enumerate(ends)),
         "most": ", ".join(number(0.9 * high) for high in ends),
@@ -299,7 +295,6 @@ def live_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> di
             {"access": f"{'&' if v.size == 1 else ''}live->now.{owner[v.name]}.{v.name}", "size": v.size}
             for v in inputs.carried
         ],
-        "resets": resets(model, made),
         "test_dt": repr(test_dt), "test_us": round(test_dt * 1e6),
         "dt": {"low": number(inputs.dt.low[0]), "high": number(inputs.dt.high[0])},
         "dt_us": max(1e6 * inputs.dt.high[0], 1e7) + 1,
@@ -312,6 +307,4 @@ def live_manifest(model: Model, made: list[Unit], views: list[dict[str, Any]]) -
     return v and {
         "sensed": [s["name"] for s in v["sensed"]], "rules": v["rules"], "message": v["message"],
         "variances": v["most_noise"], "z": v["most_rows"] if v["brings"] else 0,
-        "filled": {s: [f["name"] for f in v["structs"][s]["fields"]] for s in v["message"]},
-        "delayed": [u["name"] for u in v["measurements"] if u["late"]],
     }  # fmt: skip

@@ -20,7 +20,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "bc287095e08c4d10fde6f24296ec419b4e000eebcd5c24c7cc0a6766c2325fd1"
+#define AH_MODEL_HASH "123cd2aa8df0fc087ae72d46623fa1443f81a27fca216adbb3b20884edaaf088"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

@@ -1,6 +1,5 @@
 
 
-
 /* ahr_live.c - the live loop of azimuth hold with the error of its reference, 16 states.  Generated
  * by Boresight: do not edit. */
 #include "azimuth_hold_reference_live.h"
@@ -72,10 +71,10 @@ static void copy(bs_real *to, const bs_real *from, int n)
     }
 }
 
-static void copy_bytes(unsigned char *to, const unsigned char *from, size_t n)
+static void clear(unsigned char *bytes, size_t n)
 {
     for (size_t i = 0U; i < n; ++i) {
-        to[i] = from[i];
+        bytes[i] = 0U;
     }
 }
 
@@ -758,6 +757,19 @@ static void post(ahr_live *live, uint32_t made_due)
     live->posted += 1U;
 }
 
+/* The states may have moved for so many seconds in a way that nothing is known of. */
+static bs_status open_states(ahr_live *live, bs_real span)
+{
+    bs_real variance[N];
+    bs_status status;
+    for (int i = 0; i < N; ++i) {
+        const bs_real sigma = live->rules.open[i] * span;
+        variance[i] = sigma * sigma;
+    }
+    status = ahr_filter_inflate(&live->filter, 0, N, variance);
+    return bs_good(status) ? BS_OK : status;
+}
+
 /* Carry the covariance to t, which lies in no interval behind the one that follows `behind`s
  * step. */
 static void advance(ahr_live *live, int64_t t, uint32_t last)
@@ -788,13 +800,7 @@ static void advance(ahr_live *live, int64_t t, uint32_t last)
         }
     }
     if ((status == BS_OK) && (missing > BS_REAL(0.0))) {
-        bs_real variance[N];
-        for (int i = 0; i < N; ++i) {
-            const bs_real sigma = live->rules.open[i] * missing;
-            variance[i] = sigma * sigma;
-        }
-        status = ahr_filter_inflate(&live->filter, 0, N, variance);
-        status = bs_good(status) ? BS_OK : status;
+        status = open_states(live, missing);
     }
     if (status != BS_OK) {
         lose(live, BY_BACKGROUND, (int64_t)status);
@@ -807,12 +813,18 @@ static void advance(ahr_live *live, int64_t t, uint32_t last)
     }
 }
 
+/* The next sample that a step of the covariance ends at, whatever comes. */
+static uint32_t next_end(const ahr_live *live)
+{
+    const uint32_t every = live->rules.every;
+    return live->behind + (every - (live->behind % every));
+}
+
 /* Where the next step of the covariance ends on its way to `goal`: at a message, at every so many
  * samples, and where a correction was taken. */
 static int64_t step_end(const ahr_live *live, int64_t goal, uint32_t last)
 {
-    const uint32_t every = live->rules.every;
-    const uint32_t next = live->behind + (every - (live->behind % every));
+    const uint32_t next = next_end(live);
     int64_t end = ((int32_t)(next - last) <= 0) ? lesser(goal, AT(live, next)->at) : goal;
     for (uint32_t k = live->passed; k != live->applied; ++k) {
         const uint32_t when = live->mail[k % WAITING].when;
@@ -1227,15 +1239,9 @@ static void catch_up(ahr_live *live)
     const uint32_t count = live->count;
     const uint32_t lost = count - (RING - (2U * MARGIN));
     if ((count - live->behind) > (RING - (2U * MARGIN))) {
-        bs_real variance[N];
-        const bs_real span = seconds(AT(live, lost)->at - live->at);
-        for (int i = 0; i < N; ++i) {
-            const bs_real sigma = live->rules.open[i] * span;
-            variance[i] = sigma * sigma;
-        }
         live->counts.overruns += 1U;
         note_event(live, BY_BACKGROUND, BS_EVENT_OVERRUN, 0, (int64_t)(lost - live->behind));
-        if (!bs_good(ahr_filter_inflate(&live->filter, 0, N, variance))) {
+        if (open_states(live, seconds(AT(live, lost)->at - live->at)) != BS_OK) {
             lose(live, BY_BACKGROUND, (int64_t)BS_NOT_POSITIVE);
         }
         live->behind = lost;
@@ -1282,14 +1288,10 @@ bs_status ahr_live_background(ahr_live *live)
                 goal = lesser(goal, live->waiting[i].at);
             }
         }
-        {
-            const uint32_t every = live->rules.every;
-            const uint32_t next = live->behind + (every - (live->behind % every));
-            if (((int32_t)(next - last) > 0) || (AT(live, next)->at > goal)) {
-                return BS_NOT_READY;
-            }
-            goal = AT(live, next)->at;
+        if (((int32_t)(next_end(live) - last) > 0) || (AT(live, next_end(live))->at > goal)) {
+            return BS_NOT_READY;
         }
+        goal = AT(live, next_end(live))->at;
     }
     advance(live, step_end(live, goal, last), last);
     return BS_OK;
@@ -1304,13 +1306,10 @@ bs_status ahr_live_defaults(ahr_live_rules *rules)
                                      BS_REAL(0.05), BS_REAL(0.05), BS_REAL(0.05), BS_REAL(0.0),
                                      BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
                                      BS_REAL(0.0), BS_REAL(0.0) };
-    unsigned char *const bytes = (unsigned char *)rules;
     if (rules == NULL) {
         return BS_NULL_POINTER;
     }
-    for (size_t i = 0U; i < sizeof(*rules); ++i) {
-        bytes[i] = 0U;
-    }
+    clear((unsigned char *)rules, sizeof(*rules));
     rules->bridge_us = 100000;
     rules->oldest_us = 500000;
     rules->ahead_us = 100000;
@@ -1349,7 +1348,6 @@ bs_status ahr_live_begin(ahr_live *live,
                          const ahr_carried *carried,
                          const bs_real sigma[N])
 {
-    unsigned char *const bytes = (unsigned char *)live;
     bs_status status;
     if ((live == NULL) || (rules == NULL) || (carried == NULL) || (sigma == NULL)) {
         return BS_NULL_POINTER;
@@ -1361,9 +1359,7 @@ bs_status ahr_live_begin(ahr_live *live,
     if (status != BS_OK) {
         return status;
     }
-    for (size_t i = 0U; i < sizeof(*live); ++i) {
-        bytes[i] = 0U;
-    }
+    clear((unsigned char *)live, sizeof(*live));
     status = ahr_filter_init_sigmas(&live->filter, &carried->nav, &carried->reference, sigma);
     live->rules = *rules;
     live->now = *carried;
@@ -1496,17 +1492,26 @@ size_t ahr_live_snapshot_size(void)
 
 /* ---- a snapshot */
 
-static void write_head(unsigned char *to)
+static int copy_bytes(unsigned char *to, const unsigned char *from, size_t n)
+{
+    for (size_t i = 0U; i < n; ++i) {
+        to[i] = from[i];
+    }
+    return (int)n;
+}
+
+static void write_header(unsigned char *to)
 {
     static const unsigned char magic[4] = { 0x42U, 0x53U, 0x4CU, 0x53U }; /* "BSLS" */
     static const char hash[] = AHR_MODEL_HASH;
     const unsigned short one = 1U;
-    copy_bytes(to, magic, sizeof(magic));
+    (void)copy_bytes(to, magic, sizeof(magic));
     to[4] = (unsigned char)BS_LIVE_VERSION;
     to[5] = (unsigned char)sizeof(bs_real);
     to[6] = BORESIGHT_UD;
-    copy_bytes(&to[7], (const unsigned char *)&one, 1U); /* 1 where the least byte comes first */
-    copy_bytes(&to[8], (const unsigned char *)hash, 64U);
+    /* 1 where the least byte comes first */
+    (void)copy_bytes(&to[7], (const unsigned char *)&one, 1U);
+    (void)copy_bytes(&to[8], (const unsigned char *)hash, 64U);
 }
 
 /* CRC-32 (IEEE 802.3) of all that stands before it, its least byte first. */
@@ -1535,11 +1540,11 @@ bs_status ahr_live_snapshot(const ahr_live *live, unsigned char bytes[AHR_LIVE_S
     for (int k = 0; (k < TRIES) && (status != BS_OK); ++k) {
         const uint32_t sequence = live->sequence;
         BS_LIVE_BARRIER();
-        copy_bytes(&bytes[BS_SNAPSHOT_HEAD], (const unsigned char *)live, sizeof(*live));
+        (void)copy_bytes(&bytes[BS_SNAPSHOT_HEAD], (const unsigned char *)live, sizeof(*live));
         BS_LIVE_BARRIER();
         status = (((sequence & 1U) == 0U) && (sequence == live->sequence)) ? BS_OK : BS_NOT_READY;
     }
-    write_head(bytes);
+    write_header(bytes);
     write_checksum(bytes, &bytes[BS_SNAPSHOT_HEAD + (int)sizeof(*live)]);
     return status;
 }
@@ -1573,7 +1578,7 @@ bs_status ahr_live_restore(ahr_live *live, const unsigned char bytes[AHR_LIVE_SN
     if ((live == NULL) || (bytes == NULL)) {
         return BS_NULL_POINTER;
     }
-    write_head(wanted);
+    write_header(wanted);
     for (int i = 0; i < BS_SNAPSHOT_HEAD; ++i) {
         status = (bytes[i] == wanted[i]) ? status : BS_OUT_OF_RANGE;
     }
@@ -1583,12 +1588,10 @@ bs_status ahr_live_restore(ahr_live *live, const unsigned char bytes[AHR_LIVE_SN
             : BS_OUT_OF_RANGE;
     }
     if (status == BS_OK) {
-        copy_bytes((unsigned char *)live, &bytes[BS_SNAPSHOT_HEAD], sizeof(*live));
+        (void)copy_bytes((unsigned char *)live, &bytes[BS_SNAPSHOT_HEAD], sizeof(*live));
         status = check_live(live);
         if (status != BS_OK) { /* no snapshot wrote this: nothing is known any more */
-            for (size_t i = 0U; i < sizeof(*live); ++i) {
-                ((unsigned char *)live)[i] = 0U;
-            }
+            clear((unsigned char *)live, sizeof(*live));
         }
     }
     return status;

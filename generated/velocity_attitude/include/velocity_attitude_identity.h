@@ -20,7 +20,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "008a45b72a49fc344afe1f74c5f9302f2247097e38ebbb516dc879a7c78fd429"
+#define VA_MODEL_HASH "a2f3b1f18c37f524458409edf33e35df9ea0dee3f1d38706fff69ee9d2657d20"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

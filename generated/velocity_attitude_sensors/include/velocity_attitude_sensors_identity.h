@@ -20,7 +20,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "a764618811b943353143bdb2db5714fe31a4d41544dfce23a598d276862ecbe1"
+#define VAS_MODEL_HASH "b40aa9c4928a4ba282490232f0a1440a3fa1b23597ff6492e8a6f61255c60efe"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1
