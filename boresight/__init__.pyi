@@ -2,6 +2,8 @@
 from boresight import mechanics as mechanics
 from boresight import models as models
 from boresight import simulation as simulation
+from boresight.analysis import observability as observability
+from boresight.analysis.consistency import Consistency as Consistency
 from boresight.codegen.export import export as export
 from boresight.codegen.generate import generate as generate
 from boresight.codegen.verify import verify as verify
@@ -40,8 +42,6 @@ from boresight.runtime.runs import many as many
 from boresight.runtime.transfer import Message as Message
 from boresight.runtime.transfer import Rules as Rules
 from boresight.runtime.transfer import Transfer as Transfer
-from boresight.studies import observability as observability
-from boresight.studies.consistency import Consistency as Consistency
 
 __version__: str
 PUBLIC: dict[str, str]

@@ -570,8 +570,8 @@ app.add_typer(typer.Typer(cls=Studies, callback=no_study, no_args_is_help=True, 
 def fly(one: Any, scenario: Any, out: Path | None, svg: bool, as_json: bool, seeds: int | None = None) -> None:
     """Run a study, print it, draw it; exits 0 if all is well."""
     from boresight import terminal
+    from boresight.analysis.figures import Sheets
     from boresight.studies import study as s
-    from boresight.studies.figures import Sheets
 
     if out is not None:
         need("replay")  # for the figures; said before the flight and not after it

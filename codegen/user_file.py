@@ -21,7 +21,7 @@ from boresight.codegen.stamp import PACKAGE, imported
 from boresight.derive.where import line_of
 from boresight.errors import BoresightError, did_you_mean
 
-LAYERS = ("boresight", "derive", "codegen", "runtime", "studies", "evidence")
+LAYERS = ("boresight", "derive", "codegen", "runtime", "analysis", "studies", "evidence")
 READ: dict[Path, set[Path]] = {}  # by file that was run, what it imported and read, libraries apart
 
 

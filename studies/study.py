@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError, __version__
+from boresight.analysis.figures import Sheets
 from boresight.runtime.manifest import folder_of, read_manifest
-from boresight.studies.figures import Sheets
 
 Progress = Callable[[str], None]
 Result = dict[str, Any]  # can be written as JSON, but for what stands under "history", which only figures show

@@ -195,7 +195,7 @@ def checkout(tmp_path):
     """A copy of the sources, to be edited, and a way to run the command line in it."""
     copy = tmp_path / "checkout"
     copy.mkdir()
-    for name in ("boresight", "derive", "codegen", "runtime", "studies", "generated"):
+    for name in ("boresight", "derive", "codegen", "runtime", "analysis", "studies", "generated"):
         shutil.copytree(ROOT / name, copy / name, symlinks=True, ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copy(ROOT / "pyproject.toml", copy)
 

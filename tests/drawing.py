@@ -5,7 +5,7 @@ from unittest.mock import patch
 
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
-from boresight.studies.figures import Sheets
+from boresight.analysis.figures import Sheets
 
 
 def drawn(study, result, folder, svg=False, unprinted="nothing"):

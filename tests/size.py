@@ -4,7 +4,18 @@ import ast
 import sys
 from pathlib import Path
 
-ROOMS = ("boresight", "derive", "codegen", "runtime", "studies", "evidence", "examples", "benchmarks", "tests")
+ROOMS = (
+    "boresight",
+    "derive",
+    "codegen",
+    "runtime",
+    "analysis",
+    "studies",
+    "evidence",
+    "examples",
+    "benchmarks",
+    "tests",
+)
 root = Path(sys.argv[1] if sys.argv[1:] else Path(__file__).parents[1])
 counts = {room: [0, 0] for room in ROOMS}
 for room in ROOMS:

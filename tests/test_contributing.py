@@ -16,7 +16,7 @@ def test_the_page_is_short_and_names_ten_files_that_exist():
     files = re.findall(r"^\| \d+ \| \[(.*?)\]\((.*?)\)", PAGE, re.MULTILINE)
     assert len(files) == 10 and all(name == link and (ROOT / link).is_file() for name, link in files)
     rooms = re.findall(r"^\| `(\w+/)`", PAGE, re.MULTILINE)
-    assert len(rooms) == 8 and all((ROOT / room).is_dir() for room in rooms)
+    assert len(rooms) == 9 and all((ROOT / room).is_dir() for room in rooms)
     for name in re.findall(r"`((?:derive|runtime|codegen|studies|evidence|tests|docs)/[\w/]+\.\w+)`", PAGE):
         assert (ROOT / name).is_file(), name
 

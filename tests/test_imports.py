@@ -10,16 +10,20 @@ from functools import cache
 import pytest
 from conftest import ROOT
 
-LAYERS = ("derive", "codegen", "runtime", "studies", "evidence")
+LAYERS = ("derive", "codegen", "runtime", "analysis", "studies", "evidence")
 ARROWS = {
     "derive": set(),
     "runtime": set(),
     "codegen": {"derive", "runtime"},
-    "studies": {"runtime"},
+    "analysis": {"runtime"},
+    "studies": {"runtime", "analysis"},
     "evidence": {"derive", "codegen", "runtime"},
 }
 # SymPy and CasADi stop at codegen: what flies needs neither.
-FORBIDDEN = {"runtime": {"sympy", "casadi"}, "studies": {"sympy", "casadi"}, "derive": {"casadi", "numpy", "scipy"}}
+FORBIDDEN = {
+    **{layer: {"sympy", "casadi"} for layer in ("runtime", "analysis", "studies")},
+    "derive": {"casadi", "numpy", "scipy"},
+}
 
 # Within derive, each imports only what stands before it.  The `results` of a paper are functions of which
 # models are made; its letters, equations and witness judge them.
@@ -157,7 +161,9 @@ def test_codegen_takes_from_runtime_only_the_library_the_compiler_the_manifest_a
 )
 def test_what_all_layers_share_is_written_once(written, home):
     """derive keeps its exact constants: a float would spoil them."""
-    layers = [path for name in ("codegen", "runtime", "studies", "evidence", "examples") for path in files(name)]
+    layers = [
+        path for name in ("codegen", "runtime", "analysis", "studies", "evidence", "examples") for path in files(name)
+    ]
     found = [str(path.relative_to(ROOT)) for path in layers if re.search(written, path.read_text(), re.M)]
     assert found == [home]
 

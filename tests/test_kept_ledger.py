@@ -109,7 +109,7 @@ def test_where_nothing_can_be_kept_the_ledger_is_printed_all_the_same(tmp_path, 
 def test_no_proof_reads_a_kept_ledger():
     """Only the command line does, and this test."""
     root = Path(__file__).parent.parent
-    layers = ("derive", "codegen", "runtime", "studies", "evidence", "tests")
+    layers = ("derive", "codegen", "runtime", "analysis", "studies", "evidence", "tests")
     readers = {path.name for layer in layers for path in (root / layer).rglob("*.py") if reads(path)}
     assert readers == {Path(__file__).name}
 

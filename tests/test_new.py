@@ -86,7 +86,7 @@ def test_nothing_is_overwritten(tmp_path, there):
 
 
 def test_without_matplotlib_the_numbers_are_printed_and_the_line_says_what_is_missing(tmp_path, monkeypatch):
-    from boresight.studies import consistency
+    from boresight.analysis import consistency
 
     judged = consistency.Consistency({"height, m": 1.0})
     judged.error(1.0, np.array([[3.0], [-3.0]]), np.array([[4.0]]))
@@ -97,8 +97,8 @@ def test_without_matplotlib_the_numbers_are_printed_and_the_line_says_what_is_mi
 
 @pytest.mark.parametrize(("sigma", "right"), [(2.0, True), (1.8, False), (2.2, False)])
 def test_a_covariance_that_is_wrong_by_a_tenth_of_its_sigma_is_seen(sigma, right):
+    from boresight.analysis.consistency import Consistency
     from boresight.runtime.filter import Innovation
-    from boresight.studies.consistency import Consistency
 
     rng, judged = np.random.default_rng(0), Consistency({"height, m": 1.0})
     for k in range(100):

@@ -184,7 +184,7 @@ def test_the_base_flies_alone(built, bare):
         ("derive", "import boresight.derive.model"),
         ("derive", "import boresight.codegen.generate"),
         ("replay", "from boresight.runtime.recording import read; read('drive.toml')"),
-        ("replay", "from boresight.studies.figures import figure; figure('a.png', 3, 3).__enter__()"),
+        ("replay", "from boresight.analysis.figures import figure; figure('a.png', 3, 3).__enter__()"),
     ],
 )
 def test_a_layer_without_its_extra_says_in_one_line_what_to_install(bare, extra, code):
@@ -271,7 +271,8 @@ def test_the_layers_import_nothing_that_their_extra_does_not_bring():
 
     formats = ("parquet", "excel", "hdf5", "ulog", "ardupilot", "ros", "cluster")
     allowed = {
-        "derive": ("derive",), "codegen": ("derive",), "runtime": ("replay", *formats), "studies": ("replay",)
+        "derive": ("derive",), "codegen": ("derive",), "runtime": ("replay", *formats),
+        "analysis": ("replay",), "studies": ("replay",)
     }  # fmt: skip
     for layer, extras in allowed.items():
         known = {"numpy", "scipy", "platformdirs", "boresight"} | {m for extra in extras for m in EXTRAS[extra]}

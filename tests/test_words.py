@@ -6,7 +6,7 @@ import re
 import pytest
 from conftest import ROOT
 
-ROOMS = ("boresight", "derive", "codegen", "runtime", "studies", "evidence", "benchmarks", "examples")
+ROOMS = ("boresight", "derive", "codegen", "runtime", "analysis", "studies", "evidence", "benchmarks", "examples")
 NOWHERE = {"said", "told", "heard", "push", "way", "pull", "world"}
 NO_FUNCTION = {"moment", "again", "straight", "mixed", "outside", "moved"}
 # Kept as they are until the code that has them is written anew: the live loop, and names that the C has too.

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
+from boresight.analysis.observability import taken_over
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import CompiledFilter
@@ -20,7 +21,6 @@ from boresight.runtime.simulation import inertial, sensors
 from boresight.runtime.units import ARCMIN, DEG, FOOT, HOUR, MILLI_G
 from boresight.studies import study
 from boresight.studies.azimuth_hold import handover
-from boresight.studies.observability import taken_over
 from boresight.studies.study import Seeded, option
 
 

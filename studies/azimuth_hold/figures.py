@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from boresight.studies.figures import BLUE, GREEN, GREY, ORANGE, Sheets
+from boresight.analysis.figures import BLUE, GREEN, GREY, ORANGE, Sheets
 
 # Colour, line, width and label: where two lie on one another, the wide one shows on both sides of the thin one.
 LOOK = {

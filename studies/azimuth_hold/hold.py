@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
+from boresight.analysis.consistency import chi_square_band, nees
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import CompiledFilter, Epoch
@@ -21,7 +22,6 @@ from boresight.runtime.simulation import inertial
 from boresight.runtime.units import ARCMIN, DEG, HOUR, MILLI_G
 from boresight.studies.azimuth_hold import alignment, figures
 from boresight.studies.azimuth_hold.alignment import Aligned, Models, Scenario
-from boresight.studies.consistency import chi_square_band, nees
 from boresight.studies.study import Claim, Progress, Result, Study, claim_lines, shown, silent, table
 
 MODES = ("inertial", "zupt", "azimuth", "reference")

@@ -20,6 +20,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
+from boresight.analysis.consistency import nees
 from boresight.runtime import detector, rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import CompiledFilter
@@ -29,7 +30,6 @@ from boresight.runtime.units import ARCMIN, DEG, MILLI_G
 from boresight.studies.azimuth_hold import alignment, figures
 from boresight.studies.azimuth_hold.alignment import Aligned, Models, Scenario
 from boresight.studies.azimuth_hold.hold import PHI, a_second, carry, root_mean_square, start_filter
-from boresight.studies.consistency import nees
 from boresight.studies.study import Claim, Progress, Result, Study, claim_lines, option, silent, table
 
 EVENTS = {

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from boresight.studies.figures import BLUE, ORANGE, Sheets
+from boresight.analysis.figures import BLUE, ORANGE, Sheets
 
 
 def table_figure(result: dict[str, Any], sheets: Sheets) -> None:

@@ -12,15 +12,15 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
+from boresight.analysis.consistency import nees
+from boresight.analysis.observability import Moment, Replaced, along, taken_over, with_fields
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
 from boresight.runtime.simulation import sensors
 from boresight.runtime.units import ARCMIN, DEG
-from boresight.studies.consistency import nees
 from boresight.studies.euler_table import figures
-from boresight.studies.observability import Moment, Replaced, along, taken_over, with_fields
 from boresight.studies.study import Claim, Progress, Result, Seeded, Study, claim_lines, option, silent, table
 
 ANGLES = ("roll", "pitch", "yaw")

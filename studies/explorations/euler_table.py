@@ -12,12 +12,12 @@ from typing import Any
 
 import numpy as np
 
+from boresight.analysis.consistency import chi_square_band
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.library import load
 from boresight.runtime.simulation import sensors
 from boresight.runtime.units import ARCMIN, DEG
-from boresight.studies.consistency import chi_square_band
 from boresight.studies.euler_table import figures
 from boresight.studies.euler_table import table as euler
 from boresight.studies.study import Progress, Result, Seeded, Study, option, silent, table

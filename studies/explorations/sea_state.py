@@ -15,6 +15,9 @@ from typing import Any
 
 import numpy as np
 
+from boresight.analysis.consistency import chi_square_band
+from boresight.analysis.figures import BLUE, ORANGE, Sheets
+from boresight.analysis.observability import Moment, along, since
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.library import load
@@ -22,9 +25,6 @@ from boresight.runtime.simulation import hull, sensors
 from boresight.runtime.transfer import Message
 from boresight.runtime.transfer.headings import SPACING
 from boresight.runtime.units import DEG, MIL, STANDARD_GRAVITY
-from boresight.studies.consistency import chi_square_band
-from boresight.studies.figures import BLUE, ORANGE, Sheets
-from boresight.studies.observability import Moment, along, since
 from boresight.studies.sea_state import flight as at_sea
 from boresight.studies.study import Claim, Progress, Result, Seeded, Study, option, silent, table
 

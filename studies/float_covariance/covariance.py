@@ -16,6 +16,8 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
+from boresight.analysis.consistency import nees
+from boresight.analysis.figures import BLUE, GREY, ORANGE, Sheets
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.compiler import PRECISIONS, open_library, shared_library
@@ -24,8 +26,6 @@ from boresight.runtime.manifest import folder_of, read_manifest
 from boresight.runtime.simulation.inertial import increments
 from boresight.runtime.simulation.sensors import generator
 from boresight.runtime.units import DEG, DEG_H, FOOT, MILLI_G, STANDARD_GRAVITY
-from boresight.studies.consistency import nees
-from boresight.studies.figures import BLUE, GREY, ORANGE, Sheets
 from boresight.studies.study import Progress, Result, Study, option, silent, table
 
 STEP_S, UPDATE_S = 0.01, 1.0

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
+from boresight.analysis.figures import BLUE, ORANGE, Sheets
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
@@ -19,7 +20,6 @@ from boresight.runtime.recording import Recording, best_delay, shifted, thinned
 from boresight.runtime.recording.check import whole_turns
 from boresight.runtime.units import ARCMIN, DEG, DEG_H
 from boresight.studies.euler_table.table import first_covariance
-from boresight.studies.figures import BLUE, ORANGE, Sheets
 from boresight.studies.replays.innovations import consistency, minus_log_likelihood, most_likely
 from boresight.studies.study import Progress, Replay, Study, table
 

@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
+from boresight.analysis.figures import BLUE, GREY, ORANGE, Sheets
 from boresight.runtime import detector as d
 from boresight.runtime.array import Array
 from boresight.runtime.recording import Inertial, Recording
 from boresight.runtime.status import Status
-from boresight.studies.figures import BLUE, GREY, ORANGE, Sheets
 
 KIM = "kim-2018"  # the paper's decision: accel_std and gyro_mean both say rest
 NAMES = (*d.DETECTORS, KIM)

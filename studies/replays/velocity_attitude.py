@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
+from boresight.analysis.figures import BLUE, GREY, ORANGE, Sheets
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.library import load
@@ -20,7 +21,6 @@ from boresight.runtime.transfer.score import GROUPS as SCORED
 from boresight.runtime.transfer.score import Score, driven
 from boresight.runtime.transfer.sensors import ADDED, CALIBRATION, GRADES, MODEL, Sensors, calibration, carried
 from boresight.runtime.units import MILLI_G, UNITS
-from boresight.studies.figures import BLUE, GREY, ORANGE, Sheets
 from boresight.studies.replays.innovations import consistency, minus_log_likelihood, most_likely
 from boresight.studies.study import Progress, Replay, Study
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
+from boresight.analysis.figures import BLUE, GREY, ORANGE, Sheets
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.detector import gaps
@@ -16,7 +17,6 @@ from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
 from boresight.runtime.recording import Recording
 from boresight.runtime.simulation import inertial
-from boresight.studies.figures import BLUE, GREY, ORANGE, Sheets
 from boresight.studies.replays import stationary
 from boresight.studies.study import Progress, Replay, Study, table
 

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from boresight.analysis.observability import since
 from boresight.runtime.simulation import hull
 from boresight.runtime.units import DEG
-from boresight.studies.observability import since
 from boresight.studies.sea_state.flight import Scenario, fly, only
 from boresight.studies.study import table
 

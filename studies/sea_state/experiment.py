@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
+from boresight.analysis.consistency import chi_square_band, nees
+from boresight.analysis.observability import since
 from boresight.runtime.library import load
 from boresight.runtime.units import MIL
-from boresight.studies.consistency import chi_square_band, nees
-from boresight.studies.observability import since
 from boresight.studies.sea_state import bench, delay, figures
 from boresight.studies.sea_state import flight as at_sea
 from boresight.studies.study import Claim, Progress, Result, Study, claim_lines, silent, table

@@ -4,8 +4,8 @@ from typing import Any
 
 import numpy as np
 
+from boresight.analysis.figures import BLUE, GREY, ORANGE, Sheets
 from boresight.runtime.units import DEG, MIL
-from boresight.studies.figures import BLUE, GREY, ORANGE, Sheets
 from boresight.studies.sea_state.delay import VARIED, closed_form
 
 # From calm to rough: by lightness, and by line where two lie near one another.

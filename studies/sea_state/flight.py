@@ -14,13 +14,13 @@ from typing import Any, Literal
 import numpy as np
 
 from boresight import BoresightError
+from boresight.analysis.consistency import nees
 from boresight.runtime import rotation, transfer
 from boresight.runtime.array import Array
 from boresight.runtime.simulation import hull, inertial, sea, sensors
 from boresight.runtime.transfer import Headings, Increments, Message, Note, Rules, Transfer
 from boresight.runtime.units import DEG, HOUR, MILLI_G
 from boresight.studies import study
-from boresight.studies.consistency import nees
 from boresight.studies.study import Seeded, option
 
 GRADES = (1, 2, 3, 4, 5, 6)

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
+from boresight.analysis.consistency import nees
 from boresight.runtime import random, rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import CompiledFilter, Epoch
@@ -24,7 +25,6 @@ from boresight.runtime.simulation import hull, sensors
 from boresight.runtime.status import Status
 from boresight.runtime.transfer import Message
 from boresight.runtime.units import DEG, HOUR, MIL, MILLI_G
-from boresight.studies.consistency import nees
 from boresight.studies.sea_state import flight as at_sea
 
 MODEL = "velocity-attitude"

@@ -7,6 +7,7 @@ import pytest
 from flint import arb
 from sympy import Integer, Symbol
 
+from boresight.analysis.consistency import Consistency
 from boresight.codegen.flown import falls
 from boresight.codegen.generate import load_model
 from boresight.codegen.mechanics import Verdict
@@ -17,7 +18,6 @@ from boresight.derive.ledger.judge import judge_at, largest_residual
 from boresight.derive.ledger.numbers import Matrix
 from boresight.derive.within import within
 from boresight.evidence.proofs.kept import Output
-from boresight.studies.consistency import Consistency
 from boresight.studies.replays.innovations import consistency
 
 ONE, NOT = Matrix([[1]]), Matrix([[arb("nan")]])

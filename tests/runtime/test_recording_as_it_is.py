@@ -14,6 +14,7 @@ import pymap3d
 import pytest
 
 from boresight import BoresightError
+from boresight.analysis.figures import Sheets
 from boresight.cli import main
 from boresight.evidence.flights.motion import Motion, swinging, waves
 from boresight.runtime import rotation
@@ -21,7 +22,6 @@ from boresight.runtime.library import load
 from boresight.runtime.recording import attitude_increments, best_delay, check, read
 from boresight.runtime.recording.check import slope_of
 from boresight.runtime.units import ARCMIN, DEG
-from boresight.studies.figures import Sheets
 from boresight.studies.replays import euler_matching, stationary, velocity_attitude
 from boresight.studies.replays.innovations import most_likely
 

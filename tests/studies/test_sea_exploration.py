@@ -5,13 +5,13 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from boresight.analysis.consistency import chi_square_band
+from boresight.analysis.observability import Moment, along, since, with_fields
 from boresight.runtime import rotation
 from boresight.runtime.library import load
 from boresight.runtime.simulation import hull, sensors
 from boresight.runtime.units import MIL
-from boresight.studies.consistency import chi_square_band
 from boresight.studies.explorations import sea_state as study
-from boresight.studies.observability import Moment, along, since, with_fields
 from tests.drawing import drawn
 
 DEG = np.pi / 180

@@ -8,9 +8,9 @@ import pytest
 from tools import real_recording
 
 from boresight import BoresightError
+from boresight.analysis.figures import Sheets
 from boresight.runtime import detector as d
 from boresight.runtime.recording import Inertial, Recording, read
-from boresight.studies.figures import Sheets
 from boresight.studies.replays import stationary
 
 DT, SW, SA = 0.01, 8e-4, 4e-3

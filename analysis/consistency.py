@@ -241,7 +241,7 @@ class Consistency:
         """
         if find_spec("matplotlib") is None:
             return "no figure: matplotlib is missing; run pip install 'boresight[replay]'"
-        from boresight.studies.figures import BLUE, ORANGE, figure
+        from boresight.analysis.figures import BLUE, ORANGE, figure
 
         panels = len(self.labels) + 1 + len(self._innovations)
         columns = 1 if panels <= 4 else 3
@@ -270,7 +270,7 @@ class Consistency:
         return f"figure in {path}"
 
     def _chi_square(self, ax: Any, title: str, times: Any, mean: Array, band: list[float]) -> None:
-        from boresight.studies.figures import BLUE, GREY
+        from boresight.analysis.figures import BLUE, GREY
 
         ax.axhspan(*band, color=GREY, alpha=0.3, linewidth=0)
         ax.plot(times, mean, color=BLUE, linewidth=0.8)
