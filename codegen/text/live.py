@@ -296,7 +296,10 @@ def live_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> di
             for v in inputs.carried
         ],
         "test_dt": repr(test_dt), "test_us": round(test_dt * 1e6),
-        "dt": {"low": number(inputs.dt.low[0]), "high": number(inputs.dt.high[0])},
+        "dt": {
+            "low": number(inputs.dt.low[0]), "high": number(inputs.dt.high[0]),
+            "longest_us": max(1, int(0.9e6 * inputs.dt.high[0])),
+        },
         "dt_us": max(1e6 * inputs.dt.high[0], 1e7) + 1,
     }  # fmt: skip
 

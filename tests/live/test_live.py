@@ -7,11 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from conditions import CONDITIONS
+from conftest import ROOT
 from judge import judged, met
 from loops import fly_live, sigmas, start
 from simulator import standard
 
-from boresight import BoresightError, Live, load
+from boresight import BoresightError, Live, generate, load
 
 NAMED = {condition.name: condition for condition in CONDITIONS}
 
@@ -52,6 +53,13 @@ def fly(flight, loop, run=0, behind=lambda: 10**6, cut=None):
     while loop.background():
         pass
     return loop.digest()
+
+
+@pytest.fixture(scope="module")
+def vertical(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("vertical") / "vertical"
+    generate(f"{ROOT / 'examples' / 'vertical.py'}:VERTICAL", folder)
+    return load(folder)
 
 
 @pytest.fixture(scope="module")
@@ -196,3 +204,35 @@ def test_what_it_is_given_by_name_is_looked_at(short):
         loop.message("velocity", 0, np.ones(3), v_m_n=[1, 2])
     with pytest.raises(BoresightError, match="reads dtheta_ib_b, dv_b; it was given gyro"):
         loop.sample(0, 0.01, gyro=np.zeros(3))
+
+
+@pytest.mark.parametrize("off_us", [1, 300, 4999])
+@pytest.mark.parametrize("hz", [5, 100])
+def test_an_instant_nearer_to_a_sample_than_the_shortest_step_is_measured_all_the_same(vertical, hz, off_us):
+    """Its dt is 1 ms to 1 s; four samples at 5 Hz are .8 s, at the box's end."""
+    every = {5: 6, 100: 4}[hz]  # 6 samples are 1.2 s
+    loop = Live(vertical, {"oldest_us": 3_000_000, "every": every}, accel_noise=0.01, bias_noise=1e-4)
+    loop.begin(0, {"height": 100.0, "speed": 0.0, "bias": 0.0}, d_height=10.0, d_speed=1.0, d_bias=0.01)
+    step_us, taken = 1_000_000 // hz, 0
+    for k in range(1, 10 * hz + 1):
+        loop.sample(k * step_us, 1 / hz, dv=9.81 / hz)
+        if k % hz == 0:
+            taken += loop.message("altitude", k * step_us - off_us, 1.0, baro=100.0) == 0
+    loop.sample((10 * hz + 1) * step_us, 1 / hz, dv=9.81 / hz)
+    assert not [event for event in loop.events() if "lost" in event]
+    assert loop.counts()["TAKEN"] == taken == 10
+    assert loop.output((10 * hz + 1) * step_us)["height"] == pytest.approx(100.0, abs=1e-9)
+
+
+@pytest.mark.parametrize("off_us", [-1, 1])
+@pytest.mark.parametrize("step_us", [2000, 5000, 20000])
+def test_a_message_a_microsecond_off_a_sample_loses_no_loop(step_us, off_us):
+    """The shortest step of the model, of which rounding leaves less."""
+    loop = Live("velocity-attitude", gyro_noise=np.full(3, 6e-5), accel_noise=np.full(3, 1e-3))
+    nav = {"lat_lon_height": [0.6, 0.1, 0], "v_n": np.zeros(3), "q_b2n_wxyz": [1, 0, 0, 0], "q_b2m_wxyz": [1, 0, 0, 0]}
+    loop.begin(0, nav, phi=0.1, dv_n=3.0, dmu=0.02)
+    for k in range(1, 106):
+        loop.sample(step_us * k, 1e-6 * step_us, dtheta_ib_b=np.zeros(3), dv_b=[0, 0, -9.79e-6 * step_us])
+        if k % 10 == 0:
+            loop.message("velocity", step_us * (k - 2) + off_us, np.full(3, 4e-4), v_m_n=np.zeros(3))
+    assert loop.output(step_us * 105) and loop.counts()["TAKEN"] == 10

@@ -20,7 +20,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "123cd2aa8df0fc087ae72d46623fa1443f81a27fca216adbb3b20884edaaf088"
+#define AH_MODEL_HASH "7669669b66666d615f8f1c202d040cfb96d88def9fcad89f3410a0f2290b3e10"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

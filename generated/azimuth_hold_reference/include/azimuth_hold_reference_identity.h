@@ -20,7 +20,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "608dc1bdc17c9f2c40a06697cd6642115f8ca93ad676b1b633546c4a7cacb636"
+#define AHR_MODEL_HASH "2f2c5025b55f923660c618a372b852a399c87e105b8b5757ac53daba1e289368"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

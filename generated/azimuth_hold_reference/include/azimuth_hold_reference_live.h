@@ -151,7 +151,9 @@ typedef struct {
     volatile uint32_t posted, applied; /* corrections, by the background and by sample */
     uint32_t passed;            /* of these, by the covariance */
     ahr_filter filter;      /* at the instant that the covariance has reached */
-    int64_t at;                 /* us, this instant */
+    int64_t at;                 /* us, this instant, */
+    int64_t since;              /* and the one that P stands at: less than the shortest step before
+                                 * it */
     uint32_t behind;            /* the number of the newest sample until then */
     ahr_carried flown;      /* the navigation of then: what no strapdown moves */
     bs_real x[AHR_N_STATES]; /* by how much it is known to err, and has not been corrected yet */

@@ -20,7 +20,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "f32f7c8c5f88a39502a83e479b83daf05f82129792bf138290170de99794eb77"
+#define EM_MODEL_HASH "115b2346a37843929cded798bc96304905856f1de2cd21182f4e0bb49f288b72"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1

@@ -20,7 +20,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "a2f3b1f18c37f524458409edf33e35df9ea0dee3f1d38706fff69ee9d2657d20"
+#define VA_MODEL_HASH "be195ea5bbdaf390fbd8bd9dc0fd05ebdb6a13b7c1e50ab0be2628fca2a71c53"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

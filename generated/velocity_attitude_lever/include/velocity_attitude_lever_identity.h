@@ -20,7 +20,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "bf55297724f5c25b2d09adeca2cc1edfe39a26c038b0661c1bbd58adde380cfa"
+#define VAL_MODEL_HASH "b1311c143d2d3d7728571f858303b9fb52959f9f3ef1392815c6df39540da177"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

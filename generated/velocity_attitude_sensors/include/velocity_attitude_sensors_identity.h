@@ -20,7 +20,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "b40aa9c4928a4ba282490232f0a1440a3fa1b23597ff6492e8a6f61255c60efe"
+#define VAS_MODEL_HASH "f95a3afcacf1306e6e6f457f07aebf2f339d26796797429912674b58cbde4110"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1

@@ -20,7 +20,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "ad88623b24088b2561d6affbb6e33054faaeda1088c141dbc95571b4933906f4"
+#define VD_MODEL_HASH "767da79017affad84daa4ce58c2d2be585c7d4161b477ec6d604dfc90fe7fe26"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1

@@ -31,6 +31,8 @@ BS_EXACT_BEGIN
 #define LEAST_TURN BS_REAL(2e-4) /* rad, of a correction that turns the covariance */
 #define MOST_STEPS 16           /* in which an error is carried to now */
 #define TRIES 4               /* how often a reader begins again while sample writes */
+#define SHORTEST BS_REAL(1e-06) /* s, of a step; what is shorter goes with the next one */
+#define LONGEST 9000000       /* us */
 #define FARTHEST (INT64_MAX / 8) /* us; sums of a few cannot overflow */
 
 #define FREE 0U
@@ -113,14 +115,16 @@ static void keep(vd_past *past, const vd_carried *at)
     copy(past->q_b2n_wxyz, at->nav.q_b2n_wxyz, 4);
 }
 
-/* Carry `at` over a part of an interval; before: what the sensors delivered in the one before
- * it. */
+/* Carry `at` over a part of an interval, of what is shorter than SHORTEST over none or that;
+ * before: what the sensors delivered in the interval before it. */
 static bs_status carry(const vd_live *live,
                        vd_carried *at,
                        const vd_past *now,
                        const bs_real before[VD_N_SENSED],
-                       bs_real part)
+                       bs_real until)
 {
+    const bs_real least = SHORTEST / now->dt;
+    const bs_real part = (until < least) ? least : until;
     vd_carried next;
     bs_status status;
     vd_corrected_imu corrected_imu = { .f_b = { BS_REAL(0.0) } };
@@ -140,6 +144,9 @@ static bs_status carry(const vd_live *live,
     increments.dv_before[2] = before[5] * part;
     (void)live;
     (void)before;
+    if (until < (BS_REAL(0.5) * least)) {
+        return BS_OK;
+    }
     status = vd_strapdown(&at->nav, &corrected_imu, &increments, next.nav.lon_lat_height,
                           next.nav.v_n, next.nav.q_b2n_wxyz);
     if (status == BS_OK) {
@@ -793,12 +800,15 @@ static void advance(vd_live *live, int64_t t, uint32_t last)
     vd_carried middle;
     bs_real mean[VD_N_SENSED];
     bs_real missing = BS_REAL(0.0);
-    const bs_real span = mean_between(live, live->at, t, last, mean, &missing);
-    bs_status status = flown_at(live, live->at + ((t - live->at) / 2), last, &middle);
-    if (status == BS_OK) {
-        status = set_filter(live, &middle);
+    const bs_real span = mean_between(live, live->since, t, last, mean, &missing);
+    bs_status status = BS_OK;
+    if (span >= SHORTEST) {
+        status = flown_at(live, live->since + ((t - live->since) / 2), last, &middle);
+        if (status == BS_OK) {
+            status = set_filter(live, &middle);
+        }
     }
-    if ((status == BS_OK) && (span > BS_REAL(0.0))) {
+    if ((status == BS_OK) && (span >= SHORTEST)) {
     vd_corrected_imu corrected_imu = { .f_b = { BS_REAL(0.0) } };
     vd_noise noise = live->rules.noise;
         middle = carried_of(&live->filter);
@@ -811,11 +821,9 @@ static void advance(vd_live *live, int64_t t, uint32_t last)
             copy(live->x, live->filter.x, N);
             copy(live->Phi, live->filter.Phi, VD_N_PHI);
             live->Phi_dt = span;
-            status = BS_OK;
+            live->since = t;
+            status = (missing > BS_REAL(0.0)) ? open_states(live, missing) : BS_OK;
         }
-    }
-    if ((status == BS_OK) && (missing > BS_REAL(0.0))) {
-        status = open_states(live, missing);
     }
     if (status != BS_OK) {
         lose(live, BY_BACKGROUND, (int64_t)status);
@@ -848,7 +856,7 @@ static int64_t step_end(const vd_live *live, int64_t goal, uint32_t last)
             end = lesser(end, AT(live, when)->at);
         }
     }
-    return end;
+    return lesser(end, greater(live->since + LONGEST, live->at + 1));
 }
 
 /* ---- one measurement */
@@ -1410,6 +1418,7 @@ static void catch_up(vd_live *live)
         }
         live->behind = lost;
         live->at = AT(live, lost)->at;
+        live->since = live->at;
         pass(live);
     }
 }
@@ -1528,6 +1537,7 @@ bs_status vd_live_begin(vd_live *live,
     live->flown = *carried;
     live->stamp = at;
     live->at = at;
+    live->since = at;
     live->past[0].at = at;
     keep(&live->past[0], carried);
     live->state = BS_LIVE_FLYING;
@@ -1721,6 +1731,7 @@ static bs_status check_live(const vd_live *live)
         ((live->posted - live->passed) <= WAITING);
     good = good && (live->clock <= (4 * (FARTHEST / 2))) && (live->clock >= -(4 * (FARTHEST / 2)));
     good = good && (live->at <= (4 * (FARTHEST / 2))) && (live->at >= -(4 * (FARTHEST / 2)));
+    good = good && (live->since <= live->at) && (live->since >= -(4 * (FARTHEST / 2)));
     for (uint32_t i = 0U; i < WAITING; ++i) {
         const vd_waiting *const one = &live->waiting[i];
         good = good && (one->state <= STAMPED) && (one->fate < BS_MSG_FATES) &&
