@@ -589,9 +589,11 @@ def fly(one: Any, scenario: Any, out: Path | None, svg: bool, as_json: bool, see
                 one.figures(result, sheets)
             document = s.document(one, scenario, result, sheets.written)
             if sheets.written:
-                text += "".join(f"\nwrote {path}" for path in sheets.written)
+                text += "".join(f"\n{'- ' * one.markdown}wrote {path}" for path in sheets.written)
     if as_json:
         print_json(document)
+    elif one.markdown:
+        terminal.page_markdown(text)
     else:
         terminal.page_text(text + "\n")
     raise typer.Exit(0 if good else 1)
@@ -752,7 +754,8 @@ def replay(
     if check:
         raise typer.Exit(shown(data, as_json=as_json))
     master = data.master
-    fits = "azimuth-hold" if master is None else "euler-matching" if master.v_n is None else "velocity-attitude"
+    by_velocity = "velocity-attitude-lever" if lever_arm is None else "velocity-attitude"
+    fits = "azimuth-hold" if master is None else "euler-matching" if master.v_n is None else by_velocity
     name = one_of(model or fits, REPLAYED, "model to replay with")
     if (name == "azimuth-hold") != (master is None):
         raise BoresightError(f"{recording} has {'no' if master is None else 'a'} master; replay it with --model {fits}")
@@ -799,7 +802,7 @@ def replay(
         settings |= {
             "noise": noise, "prior": {key: float(value[0]) for key, value in prior.items()},
             "lever_b": None if lever_arm is None else quantity(lever_arm, "length", 3), "delay": delay_ms * 1e-3,
-            "rate_hz": rate_hz, "sensors": sensors,
+            "rate_hz": rate_hz, "sensors": sensors, "grade": grade,
         }  # fmt: skip
     fly(one, Replay(data, settings), out, svg, as_json)
 

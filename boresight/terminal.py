@@ -5,10 +5,12 @@ import pydoc
 import re
 import shutil
 import sys
+import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 
 from rich.console import Console, RenderableType
+from rich.markdown import Markdown
 from rich.padding import Padding
 from rich.progress import (
     BarColumn,
@@ -29,6 +31,10 @@ def page(*parts: RenderableType) -> None:
     with out.capture() as captured:
         out.print(*parts, sep="\n")
     page_text("".join(f"{line.rstrip()}\n" for line in captured.get().splitlines()))
+
+
+def page_markdown(text: str) -> None:
+    page(Markdown(text))
 
 
 def page_text(text: str) -> None:
@@ -89,11 +95,30 @@ def progress() -> Iterator[Callable[[int, int, str], None]]:
         yield lambda done, total, text: bar.update(task, completed=done, total=total, description=text)
 
 
+class Working:
+    """Called with what is done now: behind a spinner on a terminal, else a line on standard error every EVERY_S."""
+
+    EVERY_S = 5.0
+
+    def __init__(self, err: Console, bar: Progress):
+        self.err, self.bar, self.task = err, bar, bar.add_task("", total=None)
+        self.printed = time.monotonic()
+
+    def __call__(self, text: str) -> None:
+        self.bar.update(self.task, description=text)
+        if not self.err.is_terminal and time.monotonic() - self.printed >= self.EVERY_S:
+            self.line(text)
+
+    def line(self, text: str) -> None:
+        """One that stays."""
+        self.printed = time.monotonic()
+        self.err.print(text, markup=False, highlight=False, soft_wrap=True)
+
+
 @contextmanager
-def working() -> Iterator[Callable[[str], None]]:
+def working() -> Iterator[Working]:
     """The same where nobody knows how much there is: a function of what is done now, and the time that has passed."""
     columns = (SpinnerColumn(), TextColumn("{task.description}", markup=False), TimeElapsedColumn())
     err = Console(stderr=True)
     with Progress(*columns, console=err, transient=True, disable=not err.is_terminal) as bar:
-        task = bar.add_task("", total=None)
-        yield lambda text: bar.update(task, description=text)
+        yield Working(err, bar)

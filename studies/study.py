@@ -46,6 +46,7 @@ class Study:
     figures: Callable[[Result, Sheets], None] | None = None
     claims: Callable[[Result], list[Claim]] | None = None
     good: Callable[[Result], bool] = lambda result: True
+    markdown: bool = False  # what `report` writes
 
     def options(self) -> list[Any]:
         """The fields of the scenario that can be chosen."""
@@ -97,6 +98,11 @@ def checked(name: str, scenario: Any, signed: Sequence[str], limits: Mapping[str
 
 def silent(line: str) -> None:
     """Progress of which nobody wants to know."""
+
+
+def lasting(progress: Progress, line: str) -> None:
+    """A line of progress that stays where progress has such."""
+    getattr(progress, "line", progress)(line)
 
 
 def plain(value: Any) -> Any:

@@ -4,6 +4,7 @@ The slave takes over its master's velocity and attitude and knows of itself only
 not given are those under which the innovations are most likely.  What is found on a real recording: docs/recordings.md.
 """
 
+import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Any
@@ -14,15 +15,17 @@ from boresight import BoresightError
 from boresight.analysis.figures import BLUE, GREY, ORANGE, Sheets
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
+from boresight.runtime.filter import CompiledFilter
 from boresight.runtime.library import load
 from boresight.runtime.recording import Recording, check, thinned
-from boresight.runtime.transfer import Increments, Message, Rules, Transfer, Verdict, first
+from boresight.runtime.transfer import Increments, Message, Verdict, first
 from boresight.runtime.transfer.score import GROUPS as SCORED
 from boresight.runtime.transfer.score import Score, driven
 from boresight.runtime.transfer.sensors import ADDED, CALIBRATION, GRADES, MODEL, Sensors, calibration, carried
 from boresight.runtime.units import MILLI_G, UNITS
 from boresight.studies.replays.innovations import consistency, minus_log_likelihood, most_likely
-from boresight.studies.study import Progress, Replay, Study
+from boresight.studies.replays.passes import HALF_SPAN_S, Pass
+from boresight.studies.study import Progress, Replay, Study, lasting
 
 ROWS = ("velocity north", "velocity east", "velocity down", "attitude north", "attitude east", "attitude down")
 MATCHING = ("velocity", "dcm")
@@ -30,9 +33,9 @@ BODY = ("front", "right", "down")
 # One sigma before the first message, SI and rad: a MEMS unit screwed in by eye, on a clock that nobody has compared.
 PRIOR = {"gyro_bias": np.radians(0.2), "accel_bias": 0.5, "misalignment": np.radians(2.0), "delay": 0.05, "lever": 1.0}
 HOLD_S = 0.15  # a message is handed over so late, so that a delay that is believed negative for a while stays inside
-GATE = 1e-300  # by chance; NIS 1400 of six rows
 BAND = 1.96  # sigmas, 95 %
-COVARIANCE_S = 0.1  # at most, between two steps of it
+USUAL_PASSES = 8  # of a search for noises
+FIRST_PASSES, DELAY_NEAR_S = 3, 0.005
 # One sigma of what a filter without states for it does not know, where nothing is told: a MEMS unit, calibrated once.
 ASSUMED = Sensors(gyro_scale=1e-3, accel_scale=1e-3, gyro_axes=1e-3, accel_axes=1e-3)
 
@@ -62,6 +65,20 @@ NOISES = {
 }
 LEAST = {name: NOISES[name].limits[0] for name in ("delay", "gyro_walk", "accel_walk")}  # what constant ones are given
 PARTS = tuple(one for one in NOISES.values() for _ in one.parts)
+# What sensors of a grade have, one sigma, SI and rad: white noise by datasheets of the classes of `sensors.GRADES`,
+# bias walks by their instabilities; of the master what one has that is worth aligning to.
+MASTERS = {"velocity": 0.1, "attitude": np.radians(0.3)}
+NOISE_OF_GRADE = {
+    name: {
+        "gyro": gyro * UNITS["gyro noise"]["deg/sqrt(h)"], "accel": accel * UNITS["accelerometer noise"]["m/s/sqrt(h)"],
+        "gyro_walk": GRADES[name].gyro_instability * np.sqrt(2 / GRADES[name].correlation_s),
+        "accel_walk": GRADES[name].accel_instability * np.sqrt(2 / GRADES[name].correlation_s), **MASTERS,
+    }
+    for name, gyro, accel in (
+        ("mems", 0.5, 0.25), ("industrial", 0.3, 0.1), ("tactical", 0.15, 0.07), ("navigation", 0.003, 0.02)
+    )
+}  # fmt: skip
+WORST, MOST = "mems", 10.0
 ENOUGH = 0.5  # of minus the log likelihood: the noises are then within one of their own sigmas
 # Of NOISES one after the other: which number serves which of the gyros, accelerometers, rows of velocity and attitude.
 SPREAD = np.array([0, 0, 0, 1, 1, 1, 2, 2, 3, 4, 4, 5])
@@ -104,31 +121,44 @@ def fly(
     prior: Mapping[str, float],
     delay_sigma: Any,
     sensors: Sensors | None = None,
+    informs: Array | None = None,
 ) -> dict[str, Any]:
     """One pass of the filter over a recording whose master lies inside the slave's data, by HOLD_S at both ends.
 
     noises: (..., 9) in SI and rad, in the order of NOISES; leading axes are runs side by side.  start: (..., 19) where
     the estimates begin, as `estimates` has them.  prior: one sigma of each by name; delay_sigma: (...,) s, the delay's.
     sensors: what a model with states for it carries of scale factors, axes, instability, bending and the lever arm.
+    informs: as of `Pass`.
     Returns, first axis the K messages: time (K,) s, nu, S and used (K, ..., 6), estimate and sigma (K, ..., n), verdict
-    (K, ...); and notes, pairs of run numbers and a line.  A message whose numbers can be read is refused where its NIS
-    is beyond GATE only, which no filter that is nearly right comes to, or where the master repeats itself: what one in
-    flight would refuse shows in the innovations.
+    (K, ...); and pass, how the filter ended, where they are one: runs that begin with one delay are flown side by side.
     """
-    imu, master = recording.imu, recording.master
-    assert master is not None and master.v_n is not None and master.position is not None
     runs = np.broadcast_shapes(np.shape(noises)[:-1], np.shape(start)[:-1], np.shape(delay_sigma))
     noises, start = (np.broadcast_to(part, (*runs, np.shape(part)[-1])) for part in (noises, start))
+    delay_sigma = np.broadcast_to(delay_sigma, runs)
+    delays, which = np.unique(start[..., 15], return_inverse=True)
+    if len(delays) == 1:
+        return _fly(recording, model, noises, start, prior, delay_sigma, sensors, informs)
+    each = [np.flatnonzero(which.ravel() == i) for i in range(len(delays))]
+    tracks = [_fly(recording, model, noises[i], start[i], prior, delay_sigma[i], sensors, informs) for i in each]
+    common = sorted(set.intersection(*(set(track["time"]) for track in tracks)))
+    out: dict[str, Any] = {"time": np.array(common)}
+    for part in ("nu", "S", "used", "estimate", "sigma", "verdict"):
+        at = [np.isin(track["time"], common) for track in tracks]
+        joined = np.concatenate([track[part][rows] for track, rows in zip(tracks, at, strict=True)], axis=1)
+        out[part] = joined[:, np.argsort(np.concatenate(each))]
+    return out
+
+
+def _fly(
+    recording: Recording, model: Any, noises: Array, start: Array, prior: Mapping[str, float], delay_sigma: Array,
+    sensors: Sensors | None, informs: Array | None,
+) -> dict[str, Any]:  # fmt: skip
+    imu, master = recording.imu, recording.master
+    assert master is not None and master.v_n is not None and master.position is not None
     spread = noises[..., SPREAD]
     R = spread[..., 6:] ** 2
     q = rotation.quaternion_from_euler(master.euler)
-
-    reported = [
-        Message(time, R, v_m_n=v_n, q_m2n_wxyz=q, position=position)
-        for time, v_n, q, position in zip(master.time, master.v_n, q, master.position, strict=True)
-    ]
-
-    tau = start[..., 15]
+    tau = float(np.ravel(start[..., 15])[0])
     constants: dict[str, Any] = {
         "gyro_noise": spread[..., :3], "accel_noise": spread[..., 3:6], "mu_noise": np.zeros(3),
         "gyro_bias_noise": np.repeat(noises[..., 7:8], 3, axis=-1), "lever_b": start[..., 16:],
@@ -136,7 +166,7 @@ def fly(
         "tau_noise": np.where(np.asarray(delay_sigma) > 0, noises[..., 6], 0.0),
     }  # fmt: skip
     estimated = {"q_b2m_wxyz": rotation.turned(np.array([1.0, 0, 0, 0]), start[..., 12:15]),
-                 "gyro_bias": start[..., 6:9], "accel_bias": start[..., 9:12], "tau": tau}  # fmt: skip
+                 "gyro_bias": start[..., 6:9], "accel_bias": start[..., 9:12], "tau": start[..., 15]}  # fmt: skip
     sigmas = {"q_b2m_wxyz": prior["misalignment"], "gyro_bias": prior["gyro_bias"], "accel_bias": prior["accel_bias"],
               "tau": delay_sigma, "lever_b": prior["lever"]}  # fmt: skip
     how: dict[str, Any] = {"sigmas": sigmas}
@@ -150,42 +180,24 @@ def fly(
     else:
         del sigmas["lever_b"]
     begin, end, dtheta, dv = imu.increments
-    i = int(np.searchsorted(end, master.time[0] + HOLD_S - 1e-6 * imu.dt)) + 1
-    nav, P, past = first(reported[0], model, constants, **how, estimates=estimated, matching=MATCHING,
-                         increments=Increments(begin[:i], end[:i], dtheta[:i], dv[:i]))  # fmt: skip
-    reach = HOLD_S + float(np.max(tau)) + 3 * float(np.max(delay_sigma)) + 0.1
-    loop = Transfer(
-        model, nav, P, constants, time=end[i - 1], past=past, matching=MATCHING,
-        every=max(1, round(COVARIANCE_S / imu.dt)), rules=Rules(gate=GATE, buffer_s=reach),
-    )  # fmt: skip
-    loop.filter.considered = considered
-    loop.score = Score(loop.runs) if sensors is not None and sensors.probed else None
-    rest = P.shape[-1] - 6
-    history: dict[str, list[Array]] = {name: [] for name in ("nu", "S", "used", "estimate", "sigma", "verdict")}
-    k = 1
-    for j in range(i, len(end)):
-        loop.slave(end[j], dtheta[j], dv[j], end[j] - begin[j])
-        if imu.doubt is not None and imu.doubt[j].any():  # what a sample that was bridged may have missed
-            loop.filter.P = loop.filter.P + np.diag(np.concatenate([np.repeat(imu.doubt[j] ** 2, 3), np.zeros(rest)]))
-        while k < len(master.time) and end[j] >= master.time[k] + HOLD_S - 1e-6 * imu.dt:
-            try:
-                result = loop.master(reported[k])
-            except BoresightError as error:
-                advice = "the filter, or the one beside it without a delay, is driven off: take another stretch"
-                raise BoresightError(f"{recording.name}, {end[j]:.2f} s: {error}; {advice}") from None
-            k += 1
-            for part in ("nu", "S", "used"):
-                rows = [getattr(result.innovations[name], part) for name in MATCHING]
-                history[part].append(np.concatenate(rows, axis=-1))
-            history["verdict"].append(result.verdict)
-            history["estimate"].append(estimates(loop.nav, start))
-            history["sigma"].append(np.sqrt(np.diagonal(loop.P, axis1=-2, axis2=-1)))
-        if k == len(master.time):
-            break
-    return {name: np.array(values) for name, values in history.items()} | {
-        "time": master.time[1:k],
-        "notes": [(note.runs, str(note)) for note in loop.notes],
-        "loop": loop,
+    opened = master.time - tau
+    k = int(np.argmax(opened - begin[0] > 4 * HALF_SPAN_S + 1e-6))
+    i = int(np.searchsorted(end, opened[k] + HALF_SPAN_S)) + 1
+    opening = Message(master.time[k], R, v_m_n=master.v_n[k], q_m2n_wxyz=q[k], position=master.position[k])
+    nav, P, _ = first(opening, model, constants, **how, estimates=estimated, matching=MATCHING,
+                      increments=Increments(begin[:i], end[:i], dtheta[:i], dv[:i]))  # fmt: skip
+    kept = {name for struct in model.manifest["filter"]["carried"] for name in model.layout[struct]} & set(constants)
+    nav |= {name: np.broadcast_to(constants.pop(name), (*P.shape[:-2], 3)) for name in sorted(kept)}
+    loop = CompiledFilter(model, nav, P)
+    score = Score(loop.P.shape[:-2]) if sensors is not None and sensors.probed else None
+    messages = {"time": master.time, "v_m_n": master.v_n, "q_m2n_wxyz": q, "position": master.position}
+    track = Pass(loop, imu, float(end[i - 1]), messages, tau, constants, R, considered, score, informs).fly()
+    return {
+        "time": master.time[track.taken],
+        **{part: getattr(track, part) for part in ("nu", "S", "used", "verdict")},
+        "estimate": estimates(track.nav, start),
+        "sigma": np.sqrt(track.variance),
+        "pass": track,
     }
 
 
@@ -193,7 +205,7 @@ def estimates(nav: dict[str, Array], start: Array) -> Array:
     """(..., 19 or 46) in the order of the error states: zeros for attitude and velocity, then what is estimated."""
     mu = rotation.vector_from_matrix(rotation.matrix_from_quaternion(nav["q_b2m_wxyz"]))
     none = np.zeros((*mu.shape[:-1], 6))
-    lever = nav.get("lever_b", start[..., 16:])
+    lever = np.broadcast_to(nav.get("lever_b", start[..., 16:]), mu.shape)
     more = [nav[name] for name in ADDED if name != "lever_b"] if "gyro_scale" in nav else []
     return np.concatenate([none, nav["gyro_bias"], nav["accel_bias"], mu, nav["tau"][..., None], lever, *more], axis=-1)
 
@@ -232,6 +244,7 @@ def run(
     rate_hz: float | None = None,
     sensors: Sensors | None = None,
     assumed: Sensors | None = ASSUMED,
+    grade: str | None = None,
     progress: Callable[[str], None] = lambda line: None,
 ) -> dict[str, Any]:
     """Replay a recording with the delay as a state and without it; what came out, as a dict that json can write.
@@ -239,6 +252,7 @@ def run(
     noise: what is known of NOISES, in SI and rad, one number or one for each part; the rest is chosen by likelihood,
     with the delay as a state.  prior: what is known otherwise than PRIOR has it, SI and rad.  lever_b: (3,) m, as
     believed.  delay: s, where its estimate begins.  rate_hz: use the master no more often than this.
+    grade: of the slave, as of `sensors.GRADES`; a noise is held against what its sensors have.
     sensors: what is carried.  assumed: scale factors and axes that widen each sigma where none are carried; None: none.
     It is flown twice: what the first pass ends with is where the others begin, with the same sigmas, so that they are
     linear about it.  Fields: docs/recordings.md.  Raises BoresightError if the recording cannot be replayed.
@@ -259,36 +273,51 @@ def run(
     start[0, 15] = delay
     delay_sigma = np.array([prior["delay"], 0.0])
     progress("first pass")
-    track = fly(cut, model, noises, start, prior, delay_sigma, sensors)
-    start = track["estimate"][-1, :, :19]
+    began = time.monotonic()
+    passed = 0
+    while passed < FIRST_PASSES:  # H is along the motion at the delay that a pass begins with
+        passed += 1
+        track = fly(cut, model, noises, start[0], prior, prior["delay"], sensors)
+        moved = track["estimate"][-1, 15] - start[0, 15]
+        start[0] = track["estimate"][-1, :19]
+        if abs(moved) < DELAY_NEAR_S:
+            break
+    pass_s = (time.monotonic() - began) / passed
+    start[1] = np.where(np.arange(19) == 15, 0.0, start[0])
+    lasting(progress, first_look(model, track))
+    informs = track["pass"].informs
     # A noise that is far too large comes down slowly; what is white in the innovations' scatter is near.
     late = slice(len(track["nu"]) // 2, None)
-    whole = track["used"][late, 0].all(-1)
+    whole = track["used"][late].all(-1)
     if whole.sum() < 3:
-        reported = ", ".join(f"{name} {count}" for name, count in refused(track["verdict"][late, 0]).items())
+        reported = ", ".join(f"{name} {count}" for name, count in refused(track["verdict"][late]).items())
         raise BoresightError(f"{recording.name}: hardly a message of its second half was used; refused: {reported}")
-    scatter = np.std(np.diff(track["nu"][late, 0][whole], axis=0), axis=0) / np.sqrt(2)
+    scatter = np.std(np.diff(track["nu"][late][whole], axis=0), axis=0) / np.sqrt(2)
     near = np.array([*noises[:2], scatter[:2].max(), scatter[2], scatter[3:5].max(), scatter[5], *noises[6:]])
     noises = np.where(free, np.clip(near, low, high), noises)
 
     def flown(noises: Array) -> dict[str, Any]:
-        return fly(cut, model, noises, start[0], prior, prior["delay"], sensors)
+        return fly(cut, model, noises, start[0], prior, prior["delay"], sensors, informs)
 
+    if free.any():
+        lasting(progress, f"{free.sum()} noises are to be chosen: {USUAL_PASSES} passes or so, about "
+                f"{USUAL_PASSES * 1.7 * pass_s:.0f} s")  # fmt: skip
     noises, passes = most_likely(flown, noises, free, (low, high), enough=ENOUGH, progress=progress)
     progress("last pass")
-    track = fly(cut, model, noises, start, prior, delay_sigma, sensors)
+    track = fly(cut, model, noises, start, prior, delay_sigma, sensors, informs)
     both = {
-        name: {part: values[:, i] for part, values in track.items() if part not in ("time", "notes", "loop")}
+        name: {part: values[:, i] for part, values in track.items() if part not in ("time", "pass")}
         for i, name in enumerate(("with", "without"))
     }
     bare = sensors or Sensors(lever=prior["lever"] if "d_lever_x" in model.states else 0.0)
-    found, more = None, np.zeros(len(model.states))
+    unheld, more = None, np.zeros(len(model.states))
     if not calibration(bare).any():
         progress("score test")
         probed = replace(bare, probed=True)
-        scored = fly(cut, load(MODEL), noises, start[0], prior, prior["delay"], probed)["loop"]
-        found, more = unmodelled(scored, prior), unknown(scored.P, scored.score, assumed)[: len(model.states)]
+        scored = fly(cut, load(MODEL), noises, start[0], prior, prior["delay"], probed, informs)["pass"]
+        unheld, more = unmodelled(scored, prior), unknown(scored.loop.P, scored.score, assumed)[: len(model.states)]
     assert cut.master is not None
+    stated_noise = said_noise(noises, free, passes)
     return {
         "recording": recording.name,
         "title": recording.title,
@@ -299,31 +328,44 @@ def run(
         "used": int((track["verdict"][:, 0] <= Verdict.REOPENED).sum()),
         "refused": refused(track["verdict"][:, 0]),
         "lever_given_m": None if lever_b is None else np.asarray(lever_b, float).tolist(),
-        "noise": said_noise(noises, free, passes),
+        "noise": stated_noise,
+        "hidden": hidden(stated_noise, grade),
         "sensors": None if sensors is None else asdict(sensors),
-        "assumed": None if found is None or assumed is None else asdict(assumed),
-        "unmodelled": found,
+        "assumed": None if unheld is None or assumed is None else asdict(assumed),
+        "unmodelled": unheld,
         "minus_log_likelihood": {name: float(minus_log_likelihood(part)) for name, part in both.items()},
         "states": states(model, track["time"], both, recording.reference, prior, more),
         "nis": {name: consistency(part["nu"] / np.sqrt(part["S"]), part["used"]) for name, part in both.items()},
-        "notes": [*recording.notes, *(line for runs, line in track["notes"] if 0 in runs)],
+        "notes": list(recording.notes),
         "history": {"time_s": track["time"], "states": model.states, **both},
     }
 
 
-def unmodelled(loop: Transfer, prior: Mapping[str, float]) -> list[dict[str, Any]]:
+def first_look(model: Any, track: Mapping[str, Any]) -> str:
+    """What one pass found with noises that no search has chosen."""
+    parts = []
+    for group in GROUPS[:4]:
+        at = model.states.index(group.first)
+        found, sigma = (track[part][-1, at : at + len(group.axes)] / group.scale for part in ("estimate", "sigma"))
+        numbers = ", ".join(number(value, one) for value, one in zip(found, sigma, strict=True))
+        parts.append(f"{group.name} {numbers} {group.unit}")
+    return f"first pass, usual noises: {'; '.join(parts)}"
+
+
+def unmodelled(flown: Pass, prior: Mapping[str, float]) -> list[dict[str, Any]]:
     """The score test of each group of sensors' errors that are not carried, and what the smallest noticed one does.
 
     does: by Group.name, one sigma of its worst axis in its unit, of errors of the smallest size.
     """
-    assert loop.score is not None
-    sensitivity, states_of = driven(loop.P), loop.filter.model.states
+    assert flown.score is not None
+    P = flown.loop.P
+    sensitivity, states_of = driven(P), flown.loop.model.states
     out = []
-    for name, one in loop.score.noticed().items():
+    for name, one in flown.score.noticed().items():
         smallest = float(one.smallest) if np.isfinite(one.smallest) else None  # none: not in this motion
         does = {}
         for group in GROUPS[:5]:
-            if prior.get(group.key) and (group.key != "lever" or loop.P[16, 16] > 0):
+            if prior.get(group.key) and (group.key != "lever" or P[16, 16] > 0):
                 at = states_of.index(group.first)
                 per_unit = np.linalg.norm(sensitivity[at : at + len(group.axes), SCORED[name]], axis=-1).max()
                 value = None if smallest is None else float(smallest * per_unit / group.scale)
@@ -360,6 +402,18 @@ def sizes_of(sensors: Sensors) -> dict[str, float]:
         for name in ("gyro_scale", "accel_scale", "gyro_axes", "accel_axes"):
             sizes[name] = float(sigma[ADDED[name].start - CALIBRATION.start])
     return sizes
+
+
+def hidden(noise: Mapping[str, Any], grade: str | None) -> list[dict[str, Any]]:
+    """Chosen noises beyond MOST times what sensors of the grade have, or the worst: they stand for something else."""
+    known = NOISE_OF_GRADE[grade or WORST]
+    out = []
+    for name, most in known.items():
+        one = noise[name]
+        unit = UNITS[NOISES[name].kind][NOISES[name].unit]
+        if one["chosen"] and max(one["value"]) > MOST * most / unit:
+            out.append({"noise": name, "value": max(one["value"]), "usual": most / unit, "unit": one["unit"]})
+    return out
 
 
 def noise_vector(given: Mapping[str, Any]) -> tuple[Array, Array]:
@@ -457,20 +511,18 @@ def report(result: Mapping[str, Any]) -> str:
     """One page of Markdown, which a terminal shows as well."""
     nis, noise = result["nis"], result["noise"]
     known = [s for s in result["states"] if s["difference_sigmas"] is not None]
-    head = ("", "estimate", "1 sigma", "by noise", "unit", "of the prior", "settled", "without delay")
-    table = [(*head, "stated", "difference")]
+    table = [("", "estimate", "1 sigma", "by noise", "unit", "stated", "off, sigmas")]
+    course = [("", "of the prior", "settled", "delay taken as 0")]
     for s in result["states"]:
         bare = "0, held" if s["state"] == "delay" else number(s["without_delay"], s["sigma"])
-        stated = (
-            (number(s["reference"], s["sigma"]), f"{s['difference_sigmas']:+.1f} sigmas") if s in known else ("", "")
-        )
+        stated = (number(s["reference"], s["sigma"]), f"{s['difference_sigmas']:+.1f}") if s in known else ("", "")
         table.append((
             named(s), number(s["estimate"], s["sigma"]), number(s["sigma"], s["sigma"]),
-            number(s["noise_sigma"], s["noise_sigma"]), s["unit"], f"{s['of_prior']:.2g}", f"{s['settled_s']:.0f} s",
-            bare, *stated,
+            number(s["noise_sigma"], s["noise_sigma"]), s["unit"], *stated,
         ))  # fmt: skip
+        course.append((named(s), f"{s['of_prior']:.2g}", f"{s['settled_s']:.0f} s", bare))
     checks = [
-        ("NIS per row", "mean", "95 % band", "by quarter of the time", "largest correlation of neighbours", "bound"),
+        ("NIS per row", "mean", "95 % band", "by quarter of the time", "neighbours", "bound"),
         *((
             label, f"{reported['mean']:.3f}", "[{:.3f}, {:.3f}]".format(*reported["band"]),
             " ".join("none" if value is None else f"{value:.2f}" for value in reported["by_quarter"]),
@@ -478,7 +530,7 @@ def report(result: Mapping[str, Any]) -> str:
         ) for label, reported in (("delay a state", nis["with"]), ("delay taken as 0", nis["without"]))),
     ]  # fmt: skip
     rows = [
-        ("mean NIS", *ROWS),
+        ("mean NIS", *(f"{row.split()[0][0]} {row.split()[1]}" for row in ROWS)),
         *((f"{name} delay", *(f"{v:.2f}" for v in nis[name]["per_row"])) for name in ("with", "without")),
     ]
     agree = [named(s) for s in known if abs(s["difference_sigmas"]) <= 2]
@@ -489,6 +541,7 @@ def report(result: Mapping[str, Any]) -> str:
     lines = [
         f"# {result['title'] or result['recording']}",
         "",
+        *(f"**{line}**\n" for line in hidden_lines(result["hidden"])),
         f"Model {result['model']}: {result['updates']} messages of the master in {result['duration_s']:.1f} s, "
         f"{_used(result)}; nothing calibrated beforehand.",
         f"Lever arm (front, right, down): {lever}.",
@@ -508,9 +561,13 @@ def report(result: Mapping[str, Any]) -> str:
         ]
     lines += [
         *_sigmas(result),
-        "- Stated: by the recording's description.  Without delay: what a filter finds that takes the delay as 0.",
-        "- Settled: from when on the sigma by noise is within twice its last.",
+        "- Stated: by the recording's description.",
         f"- Hardly shown by this motion (sigma above half of the prior): {', '.join(map(named, poor)) or 'nothing'}.",
+        "",
+        *markdown(course),
+        "",
+        "- Of the prior: the sigma by noise at the end.  Settled: from when on it is within twice its last.",
+        "- Delay taken as 0: what a filter finds that does not estimate it.",
         "",
         *markdown(checks),
         "",
@@ -518,7 +575,8 @@ def report(result: Mapping[str, Any]) -> str:
         "",
         "- Innovation: what the filter expected of the master less what the master measured.",
         "- NIS: an innovation squared over its variance; 1 on average where noises and model are right.",
-        "- Neighbours, one innovation and the next, correlate where something is not modelled.",
+        "- Neighbours: the largest correlation of one innovation with the next, which shows what is not modelled.",
+        "- v, a: velocity and attitude.",
         "",
         "Noises, one sigma:",
         "",
@@ -543,6 +601,16 @@ def report(result: Mapping[str, Any]) -> str:
         *(f"- {one['level']}: {one['where']}: {one['text']}" for one in result["read"]),
     ]
     return "\n".join(lines)
+
+
+def hidden_lines(found: Sequence[Mapping[str, Any]]) -> list[str]:
+    """What noises say that no such sensor has."""
+    return [
+        f"{one['noise'].replace('_', ' ')} noise came out as {one['value']:.3g} {one['unit']}, and {one['usual']:.2g} "
+        "is usual: it hides something else, as a wrong heading, lever arm, scale factor or axis; the estimates are not "
+        "to be believed."
+        for one in found
+    ]
 
 
 def _sigmas(result: Mapping[str, Any]) -> list[str]:
@@ -668,7 +736,13 @@ def draw_states(result: Mapping[str, Any], axes: Array) -> None:
         # The first seconds are off the scale by design: the prior is wide.
         reach = max(12 * sigma[-1], 1.3 * abs((state["reference"] or value[-1]) - value[-1]))
         ax.fill_between(
-            time, value - BAND * sigma, value + BAND * sigma, color=BLUE, alpha=0.25, lw=0, label="95 % band by noise"
+            time,
+            value - BAND * sigma,
+            value + BAND * sigma,
+            color=BLUE,
+            alpha=0.25,
+            lw=0,
+            label="95 % band by noise, in the title 1 sigma",
         )
         ax.plot(time, value, color=BLUE, label="estimate")
         if group.name != "delay":
@@ -677,8 +751,8 @@ def draw_states(result: Mapping[str, Any], axes: Array) -> None:
         if state["reference"] is not None:
             ax.axhline(state["reference"], color="0.2", ls=(0, (5, 3)), lw=0.9, label="stated")
         ax.set_ylim(value[-1] - reach, value[-1] + reach)
-        ax.set_title(f"{named(state)}: {number(state['estimate'], state['sigma'])} $\\pm$ "
-                     f"{number(state['sigma'], state['sigma'])} {state['unit']}")  # fmt: skip
+        ax.set_title(f"{named(state)}: {number(state['estimate'], state['noise_sigma'])} $\\pm$ "
+                     f"{number(state['noise_sigma'], state['noise_sigma'])} {state['unit']}")  # fmt: skip
         ax.set_ylabel(f"[{state['unit']}]")
     over = axes[-1, 1]
     for name, color in (("without", ORANGE), ("with", BLUE)):
@@ -730,4 +804,5 @@ def study(model: str) -> Study:
         return run(asked.recording, load(model), **asked.settings, progress=progress)
 
     return Study(f"replay {model}", (model,), Replay, flown, report, write,
-                 good=lambda result: result["nis"]["with"]["consistent"])  # fmt: skip
+                 good=lambda result: result["nis"]["with"]["consistent"] and not result["hidden"],
+                 markdown=True)  # fmt: skip
