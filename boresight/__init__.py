@@ -7,7 +7,7 @@ Make C
     `generate`, `verify`, `export`.
 Fly
     `load` gives a `Library`; `Filter`, `CompiledFilter` and `Epoch` fly it, and `update` returns an `Innovation`;
-    `Consistency` and `observability` judge the flight.
+    `Consistency` and `observability` judge the flight; `Record` keeps each step of it.
 Align in flight
     `Live`, `Transfer`, `Message`, `Rules`, `Clock`; the start, and sensors that are not ideal, in `transfer`.
 Recordings
@@ -68,6 +68,7 @@ PUBLIC = {
     "Innovation": "boresight.runtime.filter:Innovation",
     "Consistency": "boresight.analysis.consistency:Consistency",
     "observability": "boresight.analysis.observability",
+    "Record": "boresight.analysis.record:Record",
     "Transfer": "boresight.runtime.transfer:Transfer",
     "Message": "boresight.runtime.transfer:Message",
     "Rules": "boresight.runtime.transfer:Rules",

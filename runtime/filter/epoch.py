@@ -262,6 +262,8 @@ class Epoch(Fixed):
         if loop.considered is not None or loop.disabled is not None:
             what = "considered" if loop.disabled is None else "disabled"
             raise BoresightError(f"an Epoch corrects every state; fly a filter with {what} states by its methods")
+        if loop.recorder is not None:
+            raise BoresightError("an Epoch is one call, of which no step is recorded; fly the filter by its methods")
 
     def _check(self) -> None:
         """Raise BoresightError where the loop has states that it does not correct, other runs, or too little in nav."""

@@ -137,6 +137,7 @@ class Filter:
     considered: Any = None
     disabled: Any = None
     at_ceiling: Any = False  # (...,) bool
+    recorder: Any = None  # what writes down each step, by standing in the place of the methods
 
     def __init__(self, model: Any, nav: dict[str, Array], P: Array, x: Any = None):
         self.model = model
