@@ -187,9 +187,8 @@ class Record:
         given = self._given(name, args, inputs)
         found = method(*args, **inputs)  # raises, and nothing is left
         if name == "predict":
-            self._clock += float(np.ravel(inputs.get("dt", 0.0))[0])
-            if np.any(loop.at_ceiling):
-                given["at_ceiling"] = np.array(loop.at_ceiling, float)
+            dt = inputs.get("dt", 0.0)
+            self._clock += dt if isinstance(dt, float) else float(np.ravel(dt)[0])
         if isinstance(found, Innovation):
             name = args[0] if args else inputs["measurement"]
             given |= {part: getattr(found, part) for part in FOUND}
@@ -204,16 +203,16 @@ class Record:
         """What a step was called with, in arrays of its own."""
         loop = self.loop
         assert loop is not None
+        words = inputs
         if name == "update":
             words = {**inputs, **dict(zip(("measurement", "R"), args, strict=False))}
-            given = {n: np.array(v, float) for n, v in words.items() if n != "measurement" and v is not None}
-            given |= {"considered": np.array(loop.considered, float)} if loop.considered is not None else {}
+            del words["measurement"]
+            if words.get("considered") is None:
+                words["considered"] = loop.considered
         elif name in BLOCKS:
             second = {"inflate": "variance", "disable": "count"}.get(name, "block")
             words = {"count": 1} | dict(zip(("first", second), args, strict=False)) | inputs
-            given = {n: np.array(v, float) for n, v in words.items()}
-        else:
-            given = {n: np.array(v, float) for n, v in inputs.items()}
+        given = {n: v if type(v) is float else np.array(v, float) for n, v in words.items() if v is not None}
         if name == "feedback":
             given |= {f"nav {n}": np.array(v) for n, v in self._nav()}
         if name == "predict" and loop.disabled is not None:
@@ -233,9 +232,9 @@ class Record:
     def _add(self, name: str, given: dict[str, Any]) -> None:
         loop, state = self.loop, None
         assert loop is not None
-        if isinstance(loop, CompiledFilter) and loop.memory.settled and not loop.memory.lent:
-            runs = loop.memory.runs
-            numbers = loop.memory.blocks.numbers[:, : loop.memory.part["P"].stop]
+        memory: Any = getattr(loop, "memory", None)
+        if memory is not None and memory.settled and not memory.lent:
+            runs, numbers = memory.runs, memory.blocks.numbers[:, : memory.part["P"].stop]
         else:
             state, runs = self._state()
             numbers = self._raw[0] if len(self._raw) else np.empty((0, 0, 0))
@@ -246,9 +245,7 @@ class Record:
             self._raw = np.empty((max(1, min(CHUNK_STEPS, CHUNK_BYTES // size)), *numbers.shape))
         if state is None:
             self._raw[len(self._steps)] = numbers
-            self._last = self._raw[len(self._steps)]
-        else:
-            self._last = state
+        self._last = state
         self._steps.append((name, self._clock, self._piece, state, given))
         self._count += 1
         self._loaded = None
@@ -276,7 +273,7 @@ class Record:
         else:
             assert loop is not None
             there = {"x": loop.x, "P": loop.P}
-        changed = {n for n, value in there.items() if not np.array_equal(value, self._was(n))}
+        changed = {n for n, value in there.items() if not same(value, self._was(n))}
         if changed == {"x"} and not self.total:
             taken = self._was("x") - there["x"]
             self._add("feedback", {"taken": taken})
@@ -284,12 +281,13 @@ class Record:
             self._begin()
 
     def _was(self, name: str) -> Array:
-        if isinstance(self._last, dict):
+        if self._last is not None:
             return self._last[name]
         loop = self.loop
         assert isinstance(loop, CompiledFilter)
-        numbers = runs_of(self._last[None], self._runs)[0][..., loop.memory.part[name]]
-        return numbers if name == "x" else numbers[..., packed(len(loop.memory.library.states))[1]]
+        memory = loop.memory  # in which stands what the last step left
+        numbers = memory.blocks.read(memory.part[name]).reshape(*memory.runs, -1)
+        return numbers if name == "x" else numbers[..., packed(len(memory.library.states))[1]]
 
     def _close(self) -> None:
         """Put the steps that came beside those before: as they are, or as arrays into a file."""
@@ -644,6 +642,11 @@ class Again(Filter):
             H = np.stack([each[..., i, :] for i, each in enumerate(row_by_row)], axis=-2)
         self.linearised.append((found[0], H))
         return found
+
+
+def same(one: Array, other: Array) -> bool:
+    """Whether two arrays are equal, of one shape: `array_equal` takes twice as long."""
+    return one.shape == other.shape and bool((one == other).all())
 
 
 def runs_of(numbers: Array, runs: tuple[int, ...]) -> Array:

@@ -9,7 +9,6 @@ from conftest import ROOT
 
 from boresight import BoresightError, CompiledFilter, Epoch, Filter, Record, load
 
-STEPS = ("strapdown", "predict", "update", "feedback")
 RADAR = {"gusts": [0.5, 0.01]}
 
 
@@ -220,34 +219,26 @@ def test_a_recorded_flight_has_the_bits_of_one_that_is_not(radar):
 
 
 def test_it_takes_at_most_15_percent_of_the_flight_of_the_example(folder_of, monkeypatch):
-    """Of GNSS/INS in 20 runs, as examples/fly_gnss_ins.py flies it; in one flight, so that both have one processor."""
+    """Of GNSS/INS in 20 runs, as examples/fly_gnss_ins.py flies it."""
     monkeypatch.syspath_prepend(ROOT / "examples")
     import fly_gnss_ins as example
 
     library = load(folder_of(f"{ROOT / 'examples' / 'gnss_ins.py'}:GNSS_INS"))
-    spent = {"record": 0.0, "filter": 0.0}
-
-    def timed(method, part):
-        def call(*args, **words):
-            begin = time.perf_counter()
-            try:
-                return method(*args, **words)
-            finally:
-                spent[part] += time.perf_counter() - begin
-
-        return call
+    monkeypatch.setattr(example, "SECONDS", 40)
 
     def recorded(*args, **words):
         loop = CompiledFilter(*args, **words)
-        for part in ("filter", "record"):
-            for name in STEPS:
-                setattr(loop, name, timed(getattr(loop, name), part))
-            if part == "filter":
-                Record(loop)
+        Record(loop)
         return loop
 
-    monkeypatch.setattr(example, "CompiledFilter", recorded)
-    begin = time.perf_counter()
-    example.fly(library)
-    whole, added = time.perf_counter() - begin, spent["record"] - spent["filter"]
-    assert 0 < added < 0.15 * (whole - added), (added, whole)
+    example.fly(library)  # the C of many runs is compiled when it is first called
+    took = {"plain": np.inf, "recorded": np.inf}
+    for _ in range(25):  # others may have the processor: the least of a few
+        for name, kind in (("plain", CompiledFilter), ("recorded", recorded)):
+            monkeypatch.setattr(example, "CompiledFilter", kind)
+            begin = time.process_time()
+            example.fly(library)
+            took[name] = min(took[name], time.process_time() - begin)
+        if took["recorded"] < 1.15 * took["plain"]:
+            break
+    assert took["recorded"] < 1.15 * took["plain"], took
