@@ -224,11 +224,6 @@ class Record:
         nav: Any = self.loop.nav
         return ((n, nav.seen(n) if hasattr(nav, "seen") else nav[n]) for n in nav)
 
-    def _axes(self, name: str) -> int:
-        """How many axes of a field are none of runs."""
-        field = getattr(self.model, "field", {}).get(name)
-        return 1 if field is None or field["size"] > 1 else 0
-
     def _add(self, name: str, given: dict[str, Any]) -> None:
         loop, state = self.loop, None
         assert loop is not None
@@ -260,7 +255,7 @@ class Record:
         assert loop is not None
         read: Any = loop.memory.read if isinstance(loop, CompiledFilter) else partial(getattr, loop)
         x, P, nav = read("x"), read("P"), {n: np.array(v) for n, v in self._nav()}
-        by_run = (v.shape[: v.ndim - self._axes(n)] for n, v in nav.items())
+        by_run = (v.shape[: v.ndim - axes_of(self.model, n)] for n, v in nav.items())
         return {"x": x.copy(), "P": P.copy(), **nav}, np.broadcast_shapes(x.shape[:-1], P.shape[:-2], *by_run)
 
     def _look(self) -> None:
@@ -323,7 +318,7 @@ class Record:
         upper = packed(n)[0]
         out = {"x": np.empty((len(states), *runs, n)), "P": np.empty((len(states), *runs, n * (n + 1) // 2))}
         for name, value in nav.items():
-            out[name] = np.empty((len(states), *runs, *np.shape(value)[np.ndim(value) - self._axes(name) :]))
+            out[name] = np.empty((len(states), *runs, *np.shape(value)[np.ndim(value) - axes_of(self.model, name) :]))
         there = [i for i, state in enumerate(states) if state is None]
         if there:
             numbers = runs_of(raw[there], runs)
@@ -474,13 +469,7 @@ class Record:
         """Nav, x before the step, and what it was given, (K, ..., size) with the axes of the runs."""
         all_ = self._all()
         nav = {name: value[rows] for name, value in all_.nav.items()}
-        return {**nav, "x": all_.x[rows - 1], **{name: self._spread(name, value) for name, value in given.items()}}
-
-    def _spread(self, name: str, value: Array, axes: int | None = None) -> Array:
-        """A thing given, (K, ..., size), with the axes of the runs that it lacks.  axes: those of one run."""
-        axes = self._axes(name) if axes is None else axes
-        lacking = self.x.ndim - 1 - (value.ndim - axes)
-        return value.reshape(len(value), *(1,) * max(lacking, 0), *value.shape[1:])
+        return {**nav, "x": all_.x[rows - 1], **{name: spread(self, name, value) for name, value in given.items()}}
 
     def innovation(self, name: str) -> Innovation:
         """All innovations of a measurement, with the verdict on each row.
@@ -508,7 +497,7 @@ class Record:
         shape = (*self.x.shape[1:-1], *tables[0].given["nu"].shape[-axes:][:axes])
         out = np.empty((len(rows), *shape), bool if true else float)
         for table in tables:
-            out[np.searchsorted(rows, table.rows)] = self._spread("", table.given[part], axes)
+            out[np.searchsorted(rows, table.rows)] = spread(self, "", table.given[part], axes)
         return out
 
     def _taken(self, name: str) -> list[Table]:
@@ -565,7 +554,7 @@ class Record:
             out[..., i] = gain
         for table in self._taken(name):
             if "considered" in table.given:
-                kept = self._spread("", table.given["considered"], 1) > 0
+                kept = spread(self, "", table.given["considered"], 1) > 0
                 where = np.searchsorted(rows, table.rows)
                 out[where] = np.where(kept[..., None], 0.0, out[where])
         return out
@@ -576,7 +565,7 @@ class Record:
         found = {part: given.pop(part) for part in FOUND}
         options = {name: given.pop(name)[0] for name in OPTIONS if name in given}
         taking = {name: given.pop(name) for name in TAKING if name in given}
-        inputs = {name: self._spread(name, value, 1 if name == "z" else None) for name, value in given.items()}
+        inputs = {name: spread(self, name, value, 1 if name == "z" else None) for name, value in given.items()}
         m = found["nu"].shape[-1]
         R = taking["R"]
         R = R.reshape(len(R), *R.shape[1:]) if R.ndim > 1 else R[:, None]
@@ -584,13 +573,13 @@ class Record:
         again = Again(self, table.rows)
         known: dict[str, Any] = dict(inputs)
         if "jacobian" in taking:
-            known["jacobian"] = self._spread("", taking["jacobian"], 2)
+            known["jacobian"] = spread(self, "", taking["jacobian"], 2)
         if "iterations" in options:
             known["iterations"] = int(options["iterations"])
         again.update(
             table.name,
-            self._spread("", R, axes),
-            rows=self._spread("", found["used"], 1) > 0,
+            spread(self, "", R, axes),
+            rows=spread(self, "", found["used"], 1) > 0,
             relinearize=bool(options.get("relinearize", 0)),
             **known,
         )
@@ -616,6 +605,18 @@ class Record:
         """
         rows = self.rows("feedback")
         return self.x[rows - 1] - self.x[rows]
+
+
+def axes_of(model: Any, name: str) -> int:
+    """How many axes of a field are none of runs."""
+    field = getattr(model, "field", {}).get(name)
+    return 1 if field is None or field["size"] > 1 else 0
+
+
+def spread(record: Record, name: str, value: Array, axes: int | None = None) -> Array:
+    """A thing that was given, (K, ..., size), with the axes of the runs that it lacks.  axes: those of one run."""
+    lacking = record.x.ndim - 1 - (value.ndim - (axes_of(record.model, name) if axes is None else axes))
+    return value.reshape(len(value), *(1,) * max(lacking, 0), *value.shape[1:])
 
 
 class Again(Filter):

@@ -5,6 +5,7 @@ from boresight import simulation as simulation
 from boresight.analysis import observability as observability
 from boresight.analysis.consistency import Consistency as Consistency
 from boresight.analysis.record import Record as Record
+from boresight.analysis.smoother import smooth as smooth
 from boresight.codegen.export import export as export
 from boresight.codegen.generate import generate as generate
 from boresight.codegen.verify import verify as verify
