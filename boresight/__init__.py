@@ -7,8 +7,8 @@ Make C
     `generate`, `verify`, `export`.
 Fly
     `load` gives a `Library`; `Filter`, `CompiledFilter` and `Epoch` fly it, and `update` returns an `Innovation`;
-    `Consistency` and `observability` judge the flight; `Record` keeps each step of it, and
-    `smooth` estimates it afterwards.
+    `Consistency` and `observability` judge the flight; `budget` splits its errors by source; `Record` keeps each step
+    of it, and `smooth` estimates it afterwards.
 Align in flight
     `Live`, `Transfer`, `Message`, `Rules`, `Clock`; the start, and sensors that are not ideal, in `transfer`.
 Recordings
@@ -71,6 +71,7 @@ PUBLIC = {
     "observability": "boresight.analysis.observability",
     "Record": "boresight.analysis.record:Record",
     "smooth": "boresight.analysis.smoother:smooth",
+    "budget": "boresight.analysis.budget:budget",
     "Transfer": "boresight.runtime.transfer:Transfer",
     "Message": "boresight.runtime.transfer:Message",
     "Rules": "boresight.runtime.transfer:Rules",

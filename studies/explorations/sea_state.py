@@ -22,6 +22,7 @@ from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.library import load
 from boresight.runtime.simulation import hull, sensors
+from boresight.runtime.simulation.motions import ramp, swinging, underway
 from boresight.runtime.transfer import Message
 from boresight.runtime.transfer.headings import SPACING
 from boresight.runtime.units import DEG, MIL, STANDARD_GRAVITY
@@ -38,39 +39,6 @@ SEAS = 5  # random seas of one grade, of which the median is told
 
 
 # ---- motions
-
-
-def ramp(time: Array, begin_s: float, length_s: float, height: float) -> Array:
-    """From 0 to `height` by half a cosine."""
-    return height * (1 - np.cos(np.pi * np.clip((time - begin_s) / length_s, 0, 1))) / 2
-
-
-def underway(time: Array, heading: Any = 0.0, speed: Any = 0.0) -> hull.Pose:
-    """A hull that stays level and goes where it heads, (T, 1, ...): rad and m/s at these times, or constant."""
-    psi, u = (np.broadcast_to(np.asarray(part, float), time.shape) for part in (heading, speed))
-    zero = np.zeros_like(time)
-    euler = np.stack([zero, zero, psi], axis=-1)
-    v_n = u[:, None] * np.stack([np.cos(psi), np.sin(psi), zero], axis=-1)
-
-    def change(values: Array) -> Array:
-        rate: Array = np.gradient(values, time, axis=0, edge_order=2)
-        return rate
-
-    parts = (
-        np.cumsum(v_n, axis=0) * (time[1] - time[0]),
-        v_n,
-        change(v_n),
-        rotation.quaternion_from_euler(euler),
-        *hull.body_rates(euler, change(euler), change(change(euler))),
-    )
-    return hull.Pose(time, *(part[:, None] for part in parts))
-
-
-def swinging(time: Array, period_s: float = 8.0, phase_deg: Any = 0.0, **amplitude: float) -> hull.Pose:
-    """Sinusoids of the freedoms named, in m and degrees, of one period: (T, 1, ...).  phase_deg: of the pitch."""
-    size = np.array([amplitude.get(name, 0.0) * (1.0 if i < 3 else DEG) for i, name in enumerate(hull.FREEDOMS)])
-    phase = np.where(np.array(hull.FREEDOMS) == "pitch", phase_deg * DEG, 0.0)
-    return hull.ride(hull.sinusoids(size[None], phase[None], np.array([1 / period_s])), time)
 
 
 def motions(time: Array, seed: int) -> dict[str, hull.Pose]:

@@ -18,13 +18,13 @@ from boresight.analysis.consistency import nees
 from boresight.runtime import rotation, transfer
 from boresight.runtime.array import Array
 from boresight.runtime.simulation import hull, inertial, sea, sensors
+from boresight.runtime.simulation.motions import HEIGHT_M
 from boresight.runtime.transfer import Headings, Increments, Message, Note, Rules, Transfer
 from boresight.runtime.units import DEG, HOUR, MILLI_G
 from boresight.studies import study
 from boresight.studies.study import Seeded, option
 
 GRADES = (1, 2, 3, 4, 5, 6)
-HEIGHT_M = (0.01, 0.1, 0.5, 1.25, 2.5, 4.0)  # the paper's Table 1: the lower ends of the WMO's code 3700
 FILTERS = ("with", "without")  # compensation of the delay
 MOTIONS = {
     "wave": "(a) equation (6) as heave, and nothing else",
