@@ -8,7 +8,7 @@ Make C
 Fly
     `load` gives a `Library`; `Filter`, `CompiledFilter` and `Epoch` fly it, and `update` returns an `Innovation`;
     `Consistency` and `observability` judge the flight; `budget` splits its errors by source; `Record` keeps each step
-    of it, and `smooth` estimates it afterwards.
+    of it, and `smooth` estimates it afterwards; `noise` is what a log at rest, or a datasheet, has of it.
 Align in flight
     `Live`, `Transfer`, `Message`, `Rules`, `Clock`; the start, and sensors that are not ideal, in `transfer`.
 Recordings
@@ -72,6 +72,7 @@ PUBLIC = {
     "Record": "boresight.analysis.record:Record",
     "smooth": "boresight.analysis.smoother:smooth",
     "budget": "boresight.analysis.budget:budget",
+    "noise": "boresight.analysis.noise",
     "Transfer": "boresight.runtime.transfer:Transfer",
     "Message": "boresight.runtime.transfer:Message",
     "Rules": "boresight.runtime.transfer:Rules",

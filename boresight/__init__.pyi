@@ -2,6 +2,7 @@
 from boresight import mechanics as mechanics
 from boresight import models as models
 from boresight import simulation as simulation
+from boresight.analysis import noise as noise
 from boresight.analysis import observability as observability
 from boresight.analysis.budget import budget as budget
 from boresight.analysis.consistency import Consistency as Consistency

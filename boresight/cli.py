@@ -759,6 +759,14 @@ def replay(
     name = one_of(model or fits, REPLAYED, "model to replay with")
     if (name == "azimuth-hold") != (master is None):
         raise BoresightError(f"{recording} has {'no' if master is None else 'a'} master; replay it with --model {fits}")
+    # of the description, where an option does not say otherwise
+    described = data.noise if name.startswith("velocity-attitude") else {}
+    gyro_noise, accel_noise = gyro_noise or described.get("gyro"), accel_noise or described.get("accel")
+    velocity_noise = velocity_noise or described.get("velocity")
+    attitude_noise = attitude_noise or described.get("attitude")
+    delay_noise, correlation = delay_noise or described.get("delay"), correlation or described.get("correlation")
+    gyro_instability = gyro_instability or described.get("gyro_instability")
+    accel_instability = accel_instability or described.get("accel_instability")
     noise, prior = (
         {key: quantity(text, kind, count) for key, text, kind, count in rows if text is not None}
         for rows in (
@@ -805,6 +813,80 @@ def replay(
             "rate_hz": rate_hz, "sensors": sensors, "grade": grade,
         }  # fmt: skip
     fly(one, Replay(data, settings), out, svg, as_json)
+
+
+@app.command()
+def noise(
+    log: Annotated[
+        str | None,
+        typer.Argument(help="A log at rest: a recording, or the TOML file that describes one.", show_default=False),
+    ] = None,
+    datasheet: Annotated[
+        str | None,
+        typer.Option(help='In place of a log, a line of a datasheet, as "ARW 0.15 deg/rt-hr".', show_default=False),
+    ] = None,
+    rate: Annotated[
+        str | None, typer.Option(help='With --datasheet: for sigmas per sample, as "100 Hz".', show_default=False)
+    ] = None,
+    correlation: Annotated[
+        str | None, typer.Option(help='With --datasheet: of a bias that wanders, as "300 s".', show_default=False)
+    ] = None,
+    begin: Annotated[str | None, typer.Option("--from", help='Begin here, as "60 s", or a date.')] = None,
+    end: Annotated[str | None, typer.Option("--to", help="End here.")] = None,
+    bridge: Annotated[str | None, typer.Option(help='Fill up to so much missing, as "20 ms".')] = None,
+    regular_clock: Annotated[
+        bool, typer.Option("--regular-clock", help="The samples are regular; only their tags scatter.")
+    ] = False,
+    allow: Annotated[
+        list[str] | None, typer.Option(help="An error of the check that is meant so, by its name; may be repeated.")
+    ] = None,
+    out: Out = None,
+    svg: Svg = False,
+    as_json: AsJson = False,
+) -> None:
+    """Find a unit's noises from a log at rest.
+
+    Allan deviation with its intervals; quantisation, random walk, instability, rate random walk and ramp, where each
+    was read, and the lines to paste into a recording's description.  Exits 1 if the log is not static, clipped,
+    quantised, driven by temperature or otherwise no log of noise.  With --datasheet: what a line of a datasheet is to a
+    filter.
+    """
+    from boresight.analysis import noise as n
+    from boresight.runtime.units import quantity
+
+    if (log is None) == (datasheet is None):
+        raise BoresightError("name a log at rest, or a line of a datasheet with --datasheet")
+    if datasheet is not None:
+        line = n.datasheet(
+            datasheet,
+            rate_hz=None if rate is None else float(quantity(rate, "frequency")[0]),
+            correlation_s=None if correlation is None else float(quantity(correlation, "time")[0]),
+        )
+        print_json(line.document()) if as_json else print(line.report())
+        return
+    assert log is not None
+    if rate or correlation:
+        raise BoresightError("--rate and --correlation are for a line of a datasheet; leave them out")
+    from boresight import terminal
+    from boresight.runtime.recording.read import read_at_rest
+
+    if out is not None:
+        need("replay")  # for the figure; said before the fit and not after it
+        make(out)
+    with terminal.working() as progress:
+        progress("reading")
+        recording = read_at_rest(log, begin=begin, end=end, bridge=bridge, regular=regular_clock, allow=allow or ())
+        progress("Allan deviations")
+        found = n.identify(recording)
+    written = None
+    if out is not None:
+        made_from = f"noise {recording.name}, boresight {__version__}"
+        written = found.draw(out / f"noise.{'svg' if svg else 'png'}", made_from)
+    if as_json:
+        print_json(found.document() | {"figures": [str(written)] if written else []})
+    else:
+        terminal.page_text(found.report() + (f"\nwrote {written}" if written else "") + "\n")
+    raise typer.Exit(0 if found.good else 1)
 
 
 def make(folder: Path) -> Path:

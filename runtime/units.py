@@ -26,6 +26,7 @@ UNITS: dict[str, dict[str, float]] = {
     "matrix": {"1": 1.0},
     "scale factor": {"1": 1.0, "%": 0.01, "ppm": 1e-6},
     "frequency": {"Hz": 1.0},
+    "temperature": {"degC": 1.0, "K": 1.0},  # differences alone matter
     # White noise as datasheets say it: a random walk of the integral, or a density of the rate.
     "gyro noise": {
         "rad/sqrt(s)": 1.0,

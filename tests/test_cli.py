@@ -41,7 +41,19 @@ def fits(text, columns):
 def test_help_names_every_command(run):
     status, out, _ = run("--help")
     assert status == 0
-    for command in ("new", "models", "equations", "show", "generate", "verify", "study", "many", "replay", "export"):
+    for command in (
+        "new",
+        "models",
+        "equations",
+        "show",
+        "generate",
+        "verify",
+        "study",
+        "many",
+        "replay",
+        "noise",
+        "export",
+    ):
         assert command in out
     assert "..." not in out.split("Commands:")[1] and not fits(out, 80)
 

@@ -14,7 +14,10 @@ import boresight
 
 OPTIONS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
 NAMES = sorted(name for name in boresight.PUBLIC if callable(getattr(boresight, name)))
-MORE = {"observability.along": "boresight.analysis.observability:along"}  # of the public modules
+MORE = {  # of the public modules
+    "observability.along": "boresight.analysis.observability:along",
+    **{f"noise.{name}": f"boresight.analysis.noise:{name}" for name in ("identify", "fitted", "datasheet")},
+}
 SECTION = re.compile(r"^(\w[\w ]*)\n-{3,}\n", re.MULTILINE)
 ENTRY = re.compile(r"^(\*{0,2}\w+(?:, \*{0,2}\w+)*)(?: : .*)?$", re.MULTILINE)
 

@@ -70,6 +70,7 @@ class ImuPart(Source):
     time: Column
     gyro: Column
     accel: Column
+    temperature: Column | None = None
 
 
 class MasterPart(Source):
@@ -110,6 +111,19 @@ class ReferencePart(Source):
     lever_arm: Known | None = None
 
 
+class NoisePart(Part):
+    """What is known of the noises, each with its unit; the same as options of `boresight replay`."""
+
+    gyro: str | None = None
+    accel: str | None = None
+    velocity: str | None = None
+    attitude: str | None = None
+    delay: str | None = None
+    gyro_instability: str | None = None
+    accel_instability: str | None = None
+    correlation: str | None = None
+
+
 class Description(Part):
     title: str = ""
     recognised_by: list[str] = []  # all arrays of a file that this description serves without being named
@@ -126,6 +140,7 @@ class Description(Part):
     master: MasterPart | None = None
     calibration: CalibrationPart | None = None
     reference: ReferencePart | None = None
+    noise: NoisePart | None = None
 
 
 def load(path: Path) -> Description:

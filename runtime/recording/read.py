@@ -101,9 +101,55 @@ def read(
     (3, 3)
     """
     need("replay")
+    found = find(path)
+    recording = _read(found, begin, end, bridge, regular, allow, join=True)
+    if strict:
+        refuse_wrong(recording, found)
+    return recording
+
+
+def read_at_rest(
+    path: str | Path,
+    *,
+    begin: float | str | datetime | None = None,
+    end: float | str | datetime | None = None,
+    bridge: float | str | None = None,
+    regular: bool = False,
+    allow: Sequence[str] = (),
+) -> Recording:
+    """The slave of a recording at rest, for a look at its noise: whatever side is up, and no master.
+
+    Rates at instants stay such: a cubic between them is a filter.  Arguments and errors are those of `read`.
+    """
+    need("replay")
+    found = find(path)
+    recording = _read(found, begin, end, bridge, regular, allow, join=False)
+    recording = replace(recording, master=None, allow=(*recording.allow, "down"))
+    refuse_wrong(recording, found)
+    return recording
+
+
+def refuse_wrong(recording: Recording, found: Path) -> None:
+    """Raises BoresightError where the check calls something an error."""
+    wrong = [finding for finding in check(recording) if finding.level == "error"]
+    if wrong:
+        more = f" ({len(wrong) - 1} more: --check lists them)" if len(wrong) > 1 else ""
+        meant = f"; if it is meant so: --allow {wrong[0].name}" if wrong[0].name else ""
+        raise BoresightError(f"{found}: {wrong[0].where}: {wrong[0].text}{more}{meant}")
+
+
+def _read(
+    found: Path,
+    begin: float | str | datetime | None,
+    end: float | str | datetime | None,
+    bridge: float | str | None,
+    regular: bool,
+    allow: Sequence[str],
+    join: bool,
+) -> Recording:
+    """What `read` returns, unjudged.  join: rates at instants become increments between them."""
     from boresight.runtime.recording import description
 
-    found = find(path)
     tables: dict[Path, dict[str, Array]] = {}
     if found.suffix == ".toml":
         described = description.load(found)
@@ -157,10 +203,10 @@ def read(
     notes += lines
     if described.calibration:
         imu = _calibrated(described, source(described.calibration), imu, notes)
-    if described.imu.time_marks == "point":
+    if described.imu.time_marks == "point" and join:
         imu = joined(imu)
         notes.append("imu: rates at instants joined to increments between them, by cubics")
-    recording = Recording(
+    return Recording(
         name=found.stem,
         title=described.title,
         imu=imu,
@@ -169,14 +215,9 @@ def read(
         epoch=since,
         notes=tuple(notes),
         allow=(*described.allow, *allow),
+        noise=described.noise.model_dump(exclude_none=True) if described.noise else {},
+        temperature=_temperature(described.imu, at, since),
     )
-    if strict:
-        wrong = [finding for finding in check(recording) if finding.level == "error"]
-        if wrong:
-            more = f" ({len(wrong) - 1} more: --check lists them)" if len(wrong) > 1 else ""
-            meant = f"; if it is meant so: --allow {wrong[0].name}" if wrong[0].name else ""
-            raise BoresightError(f"{found}: {wrong[0].where}: {wrong[0].text}{more}{meant}")
-    return recording
 
 
 def template(path: str | None = None) -> str:
@@ -390,6 +431,20 @@ def _imu(described: "Description", at: _Source, since: int, notes: list[str]) ->
     # Samples at instants are joined once they are all there; until then only their tags count.
     marks = "end" if part.time_marks == "point" else part.time_marks
     return Inertial(part.kind, marks, time, gyro, accel)
+
+
+def _temperature(part: Any, at: _Source, since: int) -> Array | None:
+    """(N, 2) s and degC of the slave, rows that are finite."""
+    if part.temperature is None:
+        return None
+    names = part.temperature.columns
+    factor = at.factor("imu.temperature", part.temperature.unit, "temperature")
+    values = at.numbers("imu.temperature", names if isinstance(names, str) else names[0]).astype(float) * factor
+    of = part.temperature.time or part.time.columns
+    time = at.time("imu.temperature.time", part.time.model_copy(update={"columns": of}), since)
+    at.same_length("imu", time, temperature=values)
+    both = np.column_stack([time, np.ravel(values)])
+    return both[np.isfinite(both).all(axis=1)]
 
 
 def _tagged(at: _Source, what: str, column: "Column", of: "Column", since: int, values: Array) -> Array:

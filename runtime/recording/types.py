@@ -106,6 +106,8 @@ class Recording:
     "misalignment" rad (mu, C_b2n = C_m2n exp([mu x])), "lever_arm" m (master to slave); each (3,).
     epoch: s, from which the times are counted where the file has dates (since 1970, of UNIX time), else 0.
     notes: what was done to the file's numbers: bridged, cut, converted, taken off.
+    noise: what the description has of the noises, by name and with their units, as "0.15 deg/sqrt(h)".
+    temperature: (N, 2) s and degC (or K) of the slave, where the file has it.
     allow: names of findings that are no errors here.
     """
 
@@ -117,6 +119,8 @@ class Recording:
     epoch: int = 0
     notes: tuple[str, ...] = ()
     allow: tuple[str, ...] = ()
+    noise: Mapping[str, str] = field(default_factory=dict)
+    temperature: Array | None = None
 
 
 @dataclass(frozen=True)
