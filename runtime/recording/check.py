@@ -10,6 +10,7 @@ import numpy as np
 from boresight.errors import BoresightError, did_you_mean
 from boresight.runtime import frames, rotation
 from boresight.runtime.array import Array
+from boresight.runtime.recording import tags
 from boresight.runtime.recording.types import Finding, Inertial, Master, Recording
 from boresight.runtime.units import ARCMIN, DEG, HOUR
 from boresight.runtime.units import STANDARD_GRAVITY as G
@@ -80,11 +81,6 @@ def shown(recording: Recording, *, as_json: bool = False) -> int:
     return int(any(finding.level == "error" for finding in findings))
 
 
-def _listed(times: Array) -> str:
-    shown = ", ".join(f"{t:.4f}" for t in times[:3])
-    return f"{shown} s" + (f" and {len(times) - 3} more" if len(times) > 3 else "")
-
-
 def _check_time(where: str, time: Array, gap_level: Literal["warning", "error"]) -> list[Finding]:
     where = f"{where}.time"
     if not np.isfinite(time).all():
@@ -93,10 +89,11 @@ def _check_time(where: str, time: Array, gap_level: Literal["warning", "error"])
         return [Finding("error", where, text)]
     step = np.diff(time)
     out = []
-    for bad, what in ((step < 0, "go backwards after"), (step == 0, "are repeated at")):
-        if bad.any():
-            text = f"{bad.sum()} tags {what} {_listed(time[:-1][bad])}; sort the rows and keep one for each instant"
-            out.append(Finding("error", where, text))
+    if text := tags.disorder(time):
+        out.append(Finding("error", where, text))
+    elif text := tags.coarse(time):
+        advice = 'write them in double precision, or say clock = "regular"'
+        out.append(Finding("warning", where, f"the tags have lost digits: {text}; {advice}"))
     dt = float(np.median(step))
     if dt <= 0:
         return out
@@ -111,7 +108,7 @@ def _check_time(where: str, time: Array, gap_level: Literal["warning", "error"])
         # As many tags are too near as are too far: they scatter, and nothing is missing.
         if np.sum(step < 0.5 * dt) > gap.sum() / 2 > 1:
             advice = '; the tags scatter: if the clock is regular, say so (clock = "regular")'
-        text = f"{gap.sum()} gaps after {_listed(time[:-1][gap])}, the longest {step.max():.4f} s"
+        text = f"{gap.sum()} gaps after {tags.listed(time[:-1][gap])}, the longest {step.max():.4f} s"
         out.append(Finding(gap_level, where, text + (advice if gap_level == "error" else ""), "gap"))
     jitter = float(np.std(step[(step > 0) & ~gap]))
     text = f"{1 / dt:.6g} Hz, {time[0]:.3f} s to {time[-1]:.3f} s, jitter {jitter * 1e3:.3f} ms"
@@ -233,7 +230,7 @@ def _check_master(master: Master) -> list[Finding]:
     turn = np.degrees(np.linalg.norm(rotation.vector_from_matrix(attitude_steps(master.euler)), axis=1))
     jump = turn > 30
     if jump.any():
-        text = f"{jump.sum()} steps of more than 30 deg after {_listed(master.time[:-1][jump])}"
+        text = f"{jump.sum()} steps of more than 30 deg after {tags.listed(master.time[:-1][jump])}"
         out.append(Finding("warning", "master.attitude", text + ": too slow a rate, or a wrong unit?"))
     spans = ", ".join(
         f"{name} {lo:.2f} to {hi:.2f}"
@@ -328,7 +325,9 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
     common = min(end[-1], master.time[-1]) - max(start[0], master.time[0])
     if common <= 0:
         spans = f"{master.time[0]:.3f} to {master.time[-1]:.3f} s, imu {start[0]:.3f} to {end[-1]:.3f} s"
-        return [Finding("error", "master.time", f"master {spans}: no overlap; bring both to one clock")]
+        off = master.time[0] - start[0]
+        text = f"master {spans}: no overlap, {off:+.3f} s apart{tags.apart(off)}; bring both to one clock"
+        return [Finding("error", "master.time", text)]
     out = [] if master.v_n is None else _check_gravity(imu, master)
     dt, slave, turn = attitude_increments(imu, master)
     if len(turn) < 10:

@@ -1,0 +1,590 @@
+"""A drive of its own, and sixty-one recordings of it that are wrong in one thing each.  Nothing of the check is used.
+
+`healthy(seed)` draws a vehicle, its motion, its sensors and its rates; FAULTS changes one recording of a turn of 100
+degrees.  python tests/recordings_falsified.py [HEALTHY] prints what `--check` says of each, and how many of so many
+healthy ones are called wrong.
+"""
+
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+DEG, G, R_EARTH = np.pi / 180, 9.80665, 6371e3
+LATITUDE, LONGITUDE = 47.4 * DEG, 8.5 * DEG
+OMEGA = 7.292115e-5 * np.array([np.cos(LATITUDE), 0.0, -np.sin(LATITUDE)])
+DESCRIPTION = """title = "a drive"
+file = "drive.npz"
+[imu]
+kind = "rates"
+time_marks = "end"
+body = "FRD"
+time = { columns = "t", unit = "s" }
+gyro = { columns = "gyro", unit = "rad/s" }
+accel = { columns = "accel", unit = "m/s^2" }
+[master]
+body = "FRD"
+navigation = "NED"
+time = { columns = "tm", unit = "s" }
+attitude = { columns = "attitude", unit = "rad" }
+velocity = { columns = "velocity", unit = "m/s" }
+position = { columns = "position", unit = "rad" }
+"""
+
+
+@dataclass
+class Written:
+    """Columns and description, as files hold them."""
+
+    columns: dict
+    toml: str = DESCRIPTION
+    notes: dict = field(default_factory=dict)
+
+    def replace(self, *pairs):
+        for old, new in pairs:
+            assert old in self.toml, old
+            self.toml = self.toml.replace(old, new)
+
+    def write(self, folder):
+        folder = Path(folder)
+        np.savez(folder / "drive.npz", **self.columns)
+        path = folder / "drive.toml"
+        path.write_text(self.toml)
+        return path
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A vehicle: functions of time (s), and its sensors."""
+
+    speed: Callable = lambda t: 12 + 2 * np.sin(0.25 * t)
+    heading: Callable = lambda t: np.radians(20 + 50 * (1 + np.tanh((t - 25) / 6)) + 1.5 * np.sin(0.5 * t))
+    roll: Callable = lambda t: np.radians(2.5 * np.sin(0.9 * t) + 4 / np.cosh((t - 25) / 6) ** 2)
+    pitch: Callable = lambda t: np.radians(1.5 * np.sin(0.7 * t + 1) + 1)
+    climb: Callable = lambda t: 0.6 * np.sin(0.3 * t)
+    crab: Callable = lambda t: np.zeros_like(t)  # course less heading
+    seconds: float = 50.0
+    imu_hz: float = 50.0
+    master_hz: float = 4.0
+    mounting: tuple = (0.004, -0.006, 0.008)
+    lever: tuple = (0.0, 0.0, 0.0)
+    gyro_bias: tuple = (20, -35, 15)  # deg/h
+    accel_bias: tuple = (0.03, -0.02, 0.04)
+    gyro_noise: float = 0.15 * DEG / 60
+    accel_noise: float = 1e-3
+    velocity_noise: float = 0.02
+    attitude_noise: float = 1.5e-4
+    delay: float = 0.01
+
+
+def fly(plan, seed):
+    """The recording of a plan: mean rates of the slave, and its master, each with its noise."""
+    rng = np.random.default_rng(seed)
+    fine = 10
+    steps = round(plan.seconds * plan.imu_hz)
+    h = 1 / plan.imu_hz / fine
+    t = np.arange(steps * fine + 1) * h
+    euler = np.stack([plan.heading(t), plan.pitch(t), plan.roll(t)], axis=-1)
+    attitude = Rotation.from_euler("ZYX", euler)
+    course = plan.heading(t) + plan.crab(t)
+    v = np.stack([plan.speed(t) * np.cos(course), plan.speed(t) * np.sin(course), -plan.climb(t)], axis=-1)
+    moved = np.concatenate([np.zeros((1, 3)), np.cumsum((v[1:] + v[:-1]) / 2, axis=0) * h])
+    position = np.stack([
+        LATITUDE + moved[:, 0] / R_EARTH, LONGITUDE + moved[:, 1] / (R_EARTH * np.cos(LATITUDE)), 450 - moved[:, 2],
+    ], axis=-1)  # fmt: skip
+    slave = attitude * Rotation.from_rotvec(plan.mounting)
+    lever = attitude.apply(plan.lever)
+    acceleration = np.gradient(v, h, axis=0) + np.gradient(np.gradient(lever, h, axis=0), h, axis=0)
+    turning = OMEGA + np.stack([v[:, 1], -v[:, 0], -v[:, 1] * np.tan(LATITUDE)], axis=-1) / R_EARTH
+    force = slave.inv().apply(acceleration + np.cross(OMEGA + turning, v) - [0, 0, G])
+    # the whole turn against inertial space, from one fine step to the next
+    turn = (slave[:-1].inv() * Rotation.from_rotvec((turning[1:] + turning[:-1]) / 2 * h) * slave[1:]).as_rotvec()
+    gyro = turn.reshape(steps, fine, 3).sum(axis=1) * plan.imu_hz
+    accel = ((force[1:] + force[:-1]) / 2).reshape(steps, fine, 3).mean(axis=1)
+    gyro += np.radians(plan.gyro_bias) / 3600 + plan.gyro_noise * np.sqrt(plan.imu_hz) * rng.standard_normal(gyro.shape)
+    accel += plan.accel_bias + plan.accel_noise * np.sqrt(plan.imu_hz) * rng.standard_normal(accel.shape)
+    every = np.arange(1, int(plan.seconds * plan.master_hz)) / plan.master_hz
+    k = np.round((every - plan.delay) / h).astype(int)
+    k = np.clip(k, 0, len(t) - 1)
+    noise = rng.standard_normal((2, len(k), 3))
+    columns = {
+        "t": t[fine::fine], "gyro": gyro, "accel": accel, "tm": every,
+        "attitude": euler[k][:, ::-1] + plan.attitude_noise * noise[0],
+        "velocity": v[k] + plan.velocity_noise * noise[1], "position": position[k],
+    }  # fmt: skip
+    return Written(columns)
+
+
+def drawn(seed):
+    """A plan at random: car, aircraft or boat, its grade and its rates."""
+    rng = np.random.default_rng(seed)
+    kind = ("car", "aircraft", "boat")[seed % 3]
+    begin, wide, phase = rng.uniform(0, 360), rng.uniform(3, 8), rng.uniform(0, 6.28, 6)
+    turn = rng.choice([-1, 1]) * rng.uniform(20, 150)
+    speed = {"car": rng.uniform(6, 30), "aircraft": rng.uniform(45, 120), "boat": rng.uniform(3, 12)}[kind]
+    swing = {"car": 1.5, "aircraft": 1.0, "boat": 6.0}[kind]
+    bank = {"car": 0.05, "aircraft": 1.0, "boat": 0.1}[kind]
+    crab = {"car": 0.0, "aircraft": rng.uniform(-12, 12), "boat": rng.uniform(-8, 8)}[kind]
+    seconds = rng.uniform(40, 70)
+    middle = seconds / 2
+
+    def rate(t):
+        return np.radians(turn / 2 / wide) / np.cosh((t - middle) / wide) ** 2
+
+    return Plan(
+        speed=lambda t: speed * (1 + 0.1 * np.sin(0.2 * t + phase[0])),
+        heading=lambda t: np.radians(
+            begin + turn / 2 * (1 + np.tanh((t - middle) / wide)) + np.sin(0.45 * t + phase[1])
+        ),
+        roll=lambda t: np.radians(swing * np.sin(0.8 * t + phase[2])) + bank * np.arctan(speed * rate(t) / G),
+        pitch=lambda t: np.radians(1.5 + 0.7 * swing * np.sin(0.65 * t + phase[3])),
+        climb=lambda t: {"car": 0.3, "aircraft": 2.0, "boat": 0.8}[kind] * np.sin(0.35 * t + phase[4]),
+        crab=lambda t: np.radians(crab) + 0 * t, seconds=seconds,
+        imu_hz=float(rng.choice([50, 100, 200])), master_hz=float(rng.choice([1, 2, 5, 10])),
+        mounting=tuple(np.radians(rng.normal(0, 1, 3))), lever=tuple(rng.normal(0, 0.5, 3)),
+        gyro_bias=tuple(rng.normal(0, rng.choice([1, 20, 200]), 3)), accel_bias=tuple(rng.normal(0, 0.03, 3)),
+        gyro_noise=rng.choice([0.01, 0.15, 0.5]) * DEG / 60, accel_noise=rng.choice([3e-4, 1e-3, 3e-3]),
+        velocity_noise=rng.choice([0.005, 0.03, 0.1]), attitude_noise=rng.choice([1e-4, 5e-4, 1e-3]),
+        delay=rng.uniform(0, 0.08),
+    )  # fmt: skip
+
+
+def healthy(seed):
+    """A recording of a plan at random, in a format at random."""
+    made = fly(drawn(seed), seed)
+    form = np.random.default_rng([seed, 1]).integers(4)
+    if form == 1:
+        dt = np.median(np.diff(made.columns["t"]))
+        made.columns |= {"gyro": np.degrees(made.columns["gyro"]) * dt, "accel": made.columns["accel"] * dt}
+        made.replace(('kind = "rates"', 'kind = "increments"'), ('unit = "rad/s"', 'unit = "deg"'))
+        made.replace(('accel = { columns = "accel", unit = "m/s^2" }', 'accel = { columns = "accel", unit = "m/s" }'))
+    elif form == 2:
+        quaternion = Rotation.from_euler("ZYX", made.columns["attitude"][:, ::-1]).as_quat()
+        made.columns["attitude"] = quaternion
+        made.replace(('attitude = { columns = "attitude", unit = "rad" }',
+                      'attitude = { columns = "attitude", unit = "1", order = "xyzw" }'))  # fmt: skip
+    elif form == 3:
+        made.columns |= {"t": made.columns["t"] + 1.7e9, "tm": made.columns["tm"] + 1.7e9}
+        made.columns["velocity"] = made.columns["velocity"][:, [1, 0, 2]] * [1, 1, -1]
+        made.replace(('navigation = "NED"', 'navigation = "ENU"'),
+                     ('unit = "rad" }\nvelocity', 'unit = "rad", yaw_from = "north" }\nvelocity'))  # fmt: skip
+    return made
+
+
+# ---------------------------------------------------------------- one fault each
+
+FAULTS: dict = {}
+
+
+def fault(cause, *, limit=""):
+    """cause: what a right answer says, a pattern.  limit: why the data cannot tell, in one of at most six."""
+
+    def keep(change):
+        FAULTS[change.__name__] = (change, cause, limit)
+        return change
+
+    return keep
+
+
+def quaternions(w, order="wxyz", change=lambda q: q):
+    q = Rotation.from_euler("ZYX", w.columns["attitude"][:, ::-1]).as_quat()  # x y z w
+    q = change(q)
+    w.columns["attitude"] = q if order == "xyzw" else np.roll(q, 1, axis=1)
+    w.replace(('unit = "rad" }\nvelocity', f'unit = "1", order = "{order}" }}\nvelocity'))
+
+
+@fault("slope|slave over master.*57.3|deg")
+def one_gyro_axis_in_degrees(w):
+    w.columns["gyro"][:, 0] *= 180 / np.pi
+
+
+@fault("deg/s declared as rad/s|degrees declared as radians")
+def gyro_in_degrees(w):
+    w.columns["gyro"] *= 180 / np.pi
+
+
+@fault("g declared as m/s")
+def accel_in_g(w):
+    w.columns["accel"] /= G
+
+
+@fault("g declared as m/s|mean specific force")
+def down_accel_in_g(w):
+    w.columns["accel"][:, 2] /= G
+
+
+@fault("increments declared as rates")
+def increments_as_rates(w):
+    w.columns["gyro"] /= 50
+    w.columns["accel"] /= 50
+
+
+@fault("roll.*pitch|order|axes")
+def roll_and_pitch_swapped(w):
+    w.columns["attitude"] = w.columns["attitude"][:, [1, 0, 2]]
+
+
+@fault("navigation|order of columns|velocity")
+def velocity_in_enu(w):
+    w.columns["velocity"] = w.columns["velocity"][:, [1, 0, 2]] * [1, 1, -1]
+
+
+def attitudes(w):
+    return Rotation.from_euler("ZYX", w.columns["attitude"][:, ::-1])
+
+
+@fault("body|navigation")
+def body_velocity_as_navigation(w):
+    w.columns["velocity"] = attitudes(w).inv().apply(w.columns["velocity"])
+
+
+@fault("body|navigation")
+def navigation_velocity_as_body(w):
+    w.replace(('unit = "m/s" }\nposition', 'unit = "m/s", axes = "body" }\nposition'))
+
+
+@fault("axis|axes|turns about")
+def columns_exchanged_half_way(w):
+    half = len(w.columns["t"]) // 2
+    w.columns["gyro"][half:] = w.columns["gyro"][half:][:, [1, 0, 2]]
+
+
+@fault("order|axes|quaternion")
+def quaternion_xyzw_as_wxyz(w):
+    quaternions(w, "wxyz", lambda q: np.roll(q, -1, axis=1))
+
+
+@fault("conjugate|inverse|sign|axes")
+def quaternion_conjugate(w):
+    quaternions(w, "wxyz", lambda q: q * [-1, -1, -1, 1])
+
+
+@fault("axes|navigation|body")
+def quaternion_enu_flu(w):
+    a = Rotation.from_matrix([[0, 1, 0], [1, 0, 0], [0, 0, -1]])
+    b = Rotation.from_matrix(np.diag([1, -1, -1]))
+    quaternions(w, "wxyz", lambda q: (a * Rotation.from_quat(q) * b).as_quat())
+
+
+@fault("unit|velocity")
+def velocity_in_km_h(w):
+    w.columns["velocity"] *= 3.6
+
+
+@fault("unit|velocity")
+def velocity_in_knots(w):
+    w.columns["velocity"] *= 3600 / 1852
+
+
+@fault("order|velocity|position")
+def latitude_and_longitude_swapped(w):
+    w.columns["position"] = w.columns["position"][:, [1, 0, 2]]
+
+
+@fault("position|velocity")
+def sign_of_latitude_lost(w):
+    w.columns["position"][:, 0] *= -1
+
+
+@fault("latitude|degrees")
+def nmea_degrees_and_minutes(w):
+    d = np.degrees(w.columns["position"][:, :2])
+    whole = np.floor(d)
+    w.columns["position"][:, :2] = np.radians(whole * 100 + (d - whole) * 60)
+
+
+@fault("repeated|equal rows|dropped")
+def rows_doubled(w):
+    for name in ("t", "gyro", "accel"):
+        w.columns[name] = np.repeat(w.columns[name], 2, axis=0)
+
+
+@fault("overlap.*zone|7200|zone")
+def time_zone_missing(w):
+    w.columns["tm"] = w.columns["tm"] - 7200
+
+
+@fault("gap")
+def two_drives_joined(w):
+    half = len(w.columns["t"]) // 2
+    w.columns["t"][half:] += 300
+    w.columns["tm"][len(w.columns["tm"]) // 2 :] += 300
+
+
+@fault("mean specific force")
+def gravity_removed(w):
+    w.columns["accel"] += attitudes_of_imu(w).inv().apply([0, 0, G])
+
+
+def attitudes_of_imu(w):
+    a = np.stack([np.interp(w.columns["t"], w.columns["tm"], np.unwrap(x)) for x in w.columns["attitude"].T], axis=-1)
+    return Rotation.from_euler("ZYX", a[:, ::-1])
+
+
+@fault("sign|down")
+def accel_sign(w):
+    w.columns["accel"] *= -1
+
+
+@fault("sign|axes|mirrored")
+def left_handed(w):
+    for name in ("gyro", "accel"):
+        w.columns[name] = w.columns[name] * [1, -1, 1]
+
+
+@fault("body axes|axes")
+def front_and_right_swapped(w):
+    for name in ("gyro", "accel"):
+        w.columns[name] = w.columns[name][:, [1, 0, 2]]
+
+
+@fault("body axes|axes|turned by 90")
+def slave_turned_by_90(w):
+    for name in ("gyro", "accel"):
+        w.columns[name] = w.columns[name][:, [1, 0, 2]] * [1, -1, 1]
+
+
+@fault("sign|axes|turns about front")
+def one_gyro_axis_mirrored(w):
+    w.columns["gyro"][:, 0] *= -1
+
+
+@fault("wrap|counter|2\\^16|65536")
+def counter_of_16_bits_wraps(w):
+    w.columns["t"] = np.round(w.columns["t"] * 1000 + 40_000) % 65536
+    w.replace(('time = { columns = "t", unit = "s" }', 'time = { columns = "t", unit = "ms" }'))
+    w.columns["tm"] = w.columns["tm"] + 40
+
+
+@fault("single precision|float32|digits|2\\^-")
+def time_tags_in_float32(w):
+    since = 1_234_567.0
+    w.columns["t"] = (w.columns["t"] + since).astype(np.float32)
+    w.columns["tm"] = (w.columns["tm"] + since).astype(np.float32)
+
+
+@fault("clock.*1[78]\\.?\\d* s|18 s|leap")
+def leap_seconds(w):
+    w.columns["tm"] = w.columns["tm"] + 18
+
+
+@fault("clock.* 1\\.?\\d* s|1 s")
+def one_second_late(w):
+    w.columns["tm"] = w.columns["tm"] + 1
+
+
+@fault("3600|clock.*step|steps")
+def clock_steps_by_an_hour(w):
+    w.columns["tm"][len(w.columns["tm"]) // 2 :] += 3600
+
+
+@fault("height.*step|steps? .*height|geoid|47")
+def height_steps_by_the_geoid(w):
+    w.columns["position"][len(w.columns["tm"]) // 2 :, 2] += 47
+
+
+@fault("saturat|clip|range|largest")
+def gyro_saturates(w):
+    w.columns["gyro"] = np.clip(w.columns["gyro"], -4.6 * DEG, 4.6 * DEG)
+
+
+@fault("held|repeats|slower")
+def master_held_at_1_hz(w):
+    for name in ("attitude", "velocity", "position"):
+        w.columns[name] = w.columns[name][np.arange(len(w.columns["tm"])) // 4 * 4]
+
+
+@fault("heading is off by 30|heading.* 30 ")
+def heading_off_by_30(w):
+    w.columns["attitude"][:, 2] += 30 * DEG
+
+
+@fault("heading is off by 90|heading.* 90 ")
+def heading_off_by_90(w):
+    w.columns["attitude"][:, 2] += 90 * DEG
+
+
+@fault("heading is off by 180|heading.* 180 ")
+def heading_off_by_180(w):
+    w.columns["attitude"][:, 2] += 180 * DEG
+
+
+@fault("yaw.*(sign|counter-clockwise)|heading.*mirrored")
+def heading_mirrored(w):
+    w.columns["attitude"][:, 2] *= -1
+
+
+@fault("heading is off by 4|heading.* 4", limit="four degrees are within what so short a turn tells, or are not")
+def magnetic_heading_4(w):
+    w.columns["attitude"][:, 2] += 4 * DEG
+
+
+@fault("heading is off by 1[123]|heading.* 1[123]")
+def magnetic_heading_12(w):
+    w.columns["attitude"][:, 2] += 12 * DEG
+
+
+@fault("compass|sine and cosine")
+def compass_of_soft_iron(w):
+    yaw = w.columns["attitude"][:, 2]
+    w.columns["attitude"][:, 2] = yaw + 8 * DEG * np.sin(yaw) + 5 * DEG * np.cos(yaw)
+
+
+@fault("vertical velocity|velocity down|up and which down|is up")
+def vertical_velocity_up(w):
+    w.columns["velocity"] = w.columns["velocity"] * [1, 1, -1]
+
+
+@fault("velocity.*level|velocity.*body|navigation|heading")
+def level_velocity_as_body(w):
+    yaw = w.columns["attitude"][:, 2]
+    v = w.columns["velocity"]
+    along = np.cos(yaw) * v[:, 0] + np.sin(yaw) * v[:, 1]
+    across = -np.sin(yaw) * v[:, 0] + np.cos(yaw) * v[:, 1]
+    w.columns["velocity"] = np.stack([along, across, v[:, 2]], axis=-1)
+    w.replace(('unit = "m/s" }\nposition', 'unit = "m/s", axes = "body" }\nposition'))
+
+
+@fault("order|Euler|sequence|axes|turns about")
+def another_euler_sequence(w):
+    a = attitudes(w).as_euler("ZXY")  # yaw, then roll's axis before pitch's
+    w.columns["attitude"] = np.stack([a[:, 1], a[:, 2], a[:, 0]], axis=-1)
+
+
+@fault("held|repeats|neighbour")
+def slave_held_at_25_hz(w):
+    for name in ("gyro", "accel"):
+        w.columns[name] = w.columns[name][np.arange(len(w.columns["t"])) // 2 * 2]
+
+
+def coarse(w, mean):
+    t = w.columns["t"]
+    for name in ("gyro", "accel"):
+        x = w.columns[name]
+        ten = x.reshape(-1, 5, 3).mean(axis=1) if mean else x[4::5]
+        w.columns[name] = np.stack([np.interp(t, t[4::5], part) for part in ten.T], axis=-1)
+
+
+@fault("interpolated")
+def means_of_10_hz_interpolated(w):
+    coarse(w, True)
+
+
+@fault("interpolated")
+def points_of_10_hz_interpolated(w):
+    coarse(w, False)
+
+
+@fault("copy|copies|repeat|equal")
+def one_sample_in_50_a_copy(w):
+    for name in ("gyro", "accel"):
+        w.columns[name][50::50] = w.columns[name][49::50][: len(w.columns[name][50::50])]
+
+
+@fault("nothing", limit="the Earth's rate taken off is a constant 15 deg/h: to the data, a bias")
+def earth_rate_taken_off(w):
+    w.columns["gyro"] -= attitudes_of_imu(w).inv().apply(OMEGA)
+
+
+@fault("clocks? .*(ppm|apart|drift)")
+def clocks_500_ppm_apart(w):
+    w.columns["tm"] = w.columns["tm"] * (1 + 500e-6)
+
+
+@fault("rounded|steps? of 1 deg|digits")
+def angles_rounded_to_1_deg(w):
+    w.columns["attitude"] = np.radians(np.round(np.degrees(w.columns["attitude"])))
+
+
+@fault("rounded|steps? of 0?.1 deg|digits")
+def angles_rounded_to_a_tenth(w):
+    w.columns["attitude"] = np.radians(np.round(np.degrees(w.columns["attitude"]), 1))
+
+
+@fault("nothing", limit="a lever arm that nobody measured is for the filter, which estimates it")
+def lever_arm_of_3_m(w):
+    made = fly(Plan(lever=(3.0, 0.5, -1.0)), 1)
+    w.columns = made.columns
+
+
+@fault("velocity.*(late|filter|averaged|old)")
+def velocity_averaged_over_a_second(w):
+    v = w.columns["velocity"]
+    w.columns["velocity"] = np.array([v[max(0, k - 3) : k + 1].mean(axis=0) for k in range(len(v))])
+
+
+@fault("nothing", limit="2 % of an accelerometer's scale are what a bias of 10 mg does to so gentle a drive")
+def one_accel_axis_by_2_per_cent(w):
+    w.columns["accel"][:, 1] *= 1.024
+
+
+@fault("feet|height")
+def height_in_feet(w):
+    w.columns["position"][:, 2] /= 0.3048
+
+
+@fault("nothing|200 ms|0.2 s", limit="a master that is late by less than a filter's prior is estimated")
+def master_200_ms_late(w):
+    w.columns["tm"] = w.columns["tm"] + 0.2
+
+
+@fault("2 rows are out of order; sort the rows")
+def two_rows_swapped(w):
+    for name in ("t", "gyro", "accel"):
+        w.columns[name][[1200, 1201]] = w.columns[name][[1201, 1200]]
+
+
+@fault("half|every other|lost|increments")
+def half_of_the_increments_lost(w):
+    dt = 1 / 50
+    for name in ("gyro", "accel"):
+        w.columns[name] = w.columns[name][::2] * dt
+    w.columns["t"] = w.columns["t"][::2]
+    w.replace(('kind = "rates"', 'kind = "increments"'), ('unit = "rad/s"', 'unit = "rad"'),
+              ('unit = "m/s^2"', 'unit = "m/s"'))  # fmt: skip
+
+
+@fault("never moves|stands still|constant|does not move")
+def master_never_moves(w):
+    for name in ("attitude", "velocity", "position"):
+        w.columns[name] = np.tile(w.columns[name][:1] * (name != "velocity"), (len(w.columns["tm"]), 1))
+
+
+def complaints(path):
+    """What the check calls wrong, or warns of: one text a finding."""
+    from boresight import BoresightError
+    from boresight.runtime.recording import check, read
+
+    try:
+        found = check(read(path, strict=False))
+    except BoresightError as error:
+        return [f"error {error}"]
+    return [f"{one.level} {one.where}: {one.text}" for one in found if one.level != "note"]
+
+
+if __name__ == "__main__":
+    import re
+    from tempfile import TemporaryDirectory
+
+    right = 0
+    with TemporaryDirectory() as folder:
+        for name, (change, cause, limit) in FAULTS.items():
+            made = fly(Plan(), 1)
+            change(made)
+            texts = complaints(made.write(folder))
+            first = texts[0] if texts else ""
+            ok = bool(re.search(cause, first)) if first else cause.startswith("nothing")
+            right += ok
+            print(f"{'right' if ok else 'LIMIT' if limit else 'WRONG':<6}{name:<34}{len(texts)} {first[:240]}")
+        print(f"{right} of {len(FAULTS)}")
+        count = int(sys.argv[1]) if len(sys.argv) > 1 else 60
+        wrong = 0
+        for seed in range(count):
+            texts = [text for text in complaints(healthy(seed).write(folder)) if text.startswith("error")]
+            wrong += bool(texts)
+            if texts:
+                print(seed, texts[0][:240])
+        print(f"{wrong} of {count} healthy recordings are called wrong")
