@@ -10,7 +10,7 @@ import numpy as np
 from boresight.errors import BoresightError, did_you_mean
 from boresight.runtime import frames, rotation
 from boresight.runtime.array import Array
-from boresight.runtime.recording import tags
+from boresight.runtime.recording import patterns, tags
 from boresight.runtime.recording.types import Finding, Inertial, Master, Recording
 from boresight.runtime.units import ARCMIN, DEG, HOUR
 from boresight.runtime.units import STANDARD_GRAVITY as G
@@ -28,6 +28,11 @@ NAMES = {
     "path": "the position is not the sum of the velocity, or goes against it",
     "gravity": "in the master's axes the specific force is not gravity",
     "turns": "the slave does not turn as its master",
+    "copies": "samples or rows that repeat the one before",
+    "interpolated": "samples between which a line was drawn",
+    "saturated": "an axis that stays at the end of its range",
+    "rounded": "angles of the master without their digits",
+    "still": "a master that never moves while its slave turns",
 }
 
 
@@ -58,8 +63,11 @@ def check(recording: Recording) -> list[Finding]:
     parts += [part for part in vars(master).values() if part is not None] if master else []
     times = [recording.imu.time] + ([master.time] if master else [])
     if all(np.isfinite(part).all() for part in parts) and all((np.diff(time) > 0).all() for time in times):
+        out += patterns.of_samples(recording.imu)
+        still = patterns.of_master(recording.imu, master) if master else []
+        out += still
         out += _check_imu(recording.imu, master)
-        if master:
+        if master and not any(one.name == "still" for one in still):
             out += _check_master(master)
             out += _check_pair(recording.imu, master, calibrated="gyro_bias" in recording.reference)
     out = [
@@ -149,6 +157,9 @@ def _check_imu(imu: Inertial, master: Master | None) -> list[Finding]:
             "rates declared as increments": norm / rate_hz,
             "increments declared as rates": norm * rate_hz,
         }
+        if imu.kind == "increments":
+            # n = 2: every other row was left out when a file was thinned
+            guesses |= {f"one increment in {n} is there, and the others are lost": norm * n for n in (2, 3, 4, 5, 10)}
         fits = [guess for guess, value in guesses.items() if 0.9 * G < value < 1.1 * G]
         text = f"the mean specific force is {norm:.4g} m/s^2, not about {G:.2f}"
         out.append(Finding("error", "imu.accel", f"{text}: {fits[0] if fits else 'check its unit and kind'}", "norm"))
@@ -349,7 +360,12 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
             out.append(Finding("note", "imu.gyro", text))
             continue
         wrong = high < 0.8 or low > 1.25 or found.correlation + least < 0.8
-        hint = "; check unit, kind, body axes and the sign of yaw" if wrong else ""
+        factor = next((what for size, what in FACTORS.items() if abs(found.slope / size - 1) < 0.03), "")
+        hint = (
+            (f"; check its unit: {factor}" if factor else "; check unit, kind, body axes and the sign of yaw")
+            if wrong
+            else ""
+        )
         out.append(Finding("error" if wrong else "note", "imu.gyro", text + hint, "turns" if wrong else ""))
     if np.abs(surplus).max() > 1 * DEG and not calibrated and not any(one.name == "turns" for one in out):
         shown = ", ".join(f"{x:+.3f}" for x in np.degrees(surplus))
@@ -359,6 +375,14 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
         )
         out.append(Finding("error", "imu.gyro", text, "bias"))
     return out
+
+
+FACTORS = {
+    180 / np.pi: "deg/s declared as rad/s",
+    np.pi / 180: "rad/s declared as deg/s",
+    3600.0: "deg/s declared as deg/h",
+    1 / 3600: "deg/h declared as deg/s",
+}
 
 
 @dataclass(frozen=True)

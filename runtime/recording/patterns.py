@@ -1,0 +1,95 @@
+"""What somebody did to samples before they were written: held, copied, interpolated, clipped, rounded."""
+
+from typing import Literal
+
+import numpy as np
+
+from boresight.runtime.array import Array
+from boresight.runtime.recording.types import Finding, Inertial, Master
+from boresight.runtime.units import DEG
+
+AXES = ("front", "right", "down")
+LONGEST = 30  # rows
+
+
+def _together(columns: Array) -> tuple[float, Array]:
+    """The share of rows (K, m) that are true in all columns, and which; 0 where columns are so by chance.
+
+    A coarse sensor at rest repeats a number in one axis and another one in the next; what repeats a row does so in all.
+    A long run of them is no pattern, but a motion that is even, of a simulation without noise.
+    """
+    rows: Array = np.all(columns, axis=1)
+    share, least = float(rows.mean()), float(columns.mean(axis=0).min())
+    ends = np.flatnonzero(~np.concatenate([[False], rows, [False]]))
+    found = rows.sum() >= 3 and share > 0.3 * least and np.diff(ends).max() <= LONGEST
+    return (share if found else 0.0), rows
+
+
+def of_samples(imu: Inertial) -> list[Finding]:
+    """Held, copied or interpolated samples, and axes at the end of their range."""
+    values = np.hstack([imu.gyro, imu.accel])
+    measured: Array = np.ones(len(values), bool)
+    if imu.doubt is not None:
+        measured &= (imu.doubt == 0).all(axis=1)
+    out = []
+    rate = 1 / imu.dt
+    # to rounding: what a simulation without noise gives of an even motion
+    same = np.abs(np.diff(values, axis=0)) <= 1e-10 * np.abs(values).max(axis=0)
+    bend, size = np.abs(np.diff(values, 2, axis=0)), np.diff(values, axis=0).std(axis=0)
+    between, _ = _together((bend <= 1e-6 * size)[measured[1:-1]])
+    copied, rows = _together(same[measured[1:]])
+    if between > 0.3:
+        text = f"{between:.0%} of the samples lie on the line between their neighbours: interpolated from about "
+        text += f"{rate * (1 - between):.3g} Hz; write the samples as the sensor gave them"
+        out.append(Finding("error", "imu", text, "interpolated"))
+    elif copied > 0.3:
+        text = f"{copied:.0%} of the samples repeat the one before: the slave is held at {rate * (1 - copied):.3g} Hz"
+        out.append(Finding("error", "imu", f"{text}; write each sample once, with its own tag", "copies"))
+    elif copied:
+        first = imu.time[1:][measured[1:]][int(np.argmax(rows))]
+        text = f"{rows.sum()} samples are copies of the one before, the first at {first:.3f} s: lost ones filled in"
+        out.append(Finding("error", "imu", f"{text}; leave these rows out, and bridge the gaps (bridge)", "copies"))
+    for name, sensor in (("gyro", imu.rates()[0]), ("accel", imu.rates()[1])):
+        for axis, label in enumerate(AXES):
+            out += _clipped(f"imu.{name}", label, sensor[1:, axis][~same.all(axis=1)], name)
+    return out
+
+
+def _clipped(where: str, axis: str, values: Array, name: str) -> list[Finding]:
+    levels, counts = np.unique(values, return_counts=True)
+    if len(levels) < 10:
+        return []
+    for end, beside in ((0, 1), (-1, -2)):
+        most = int(counts[end])
+        alone = abs(levels[end] - levels[beside]) > 1e-9 * abs(levels[end])  # not an even motion, to rounding
+        if most >= 8 and most > 4 * counts[beside] and levels[end] != 0 and alone:
+            size = f"{levels[end] / DEG:.4g} deg/s" if name == "gyro" else f"{levels[end]:.4g} m/s^2"
+            text = f"{axis}: {most} samples are {size} and none is beyond: the sensor saturates, or was clipped"
+            return [Finding("error", where, text + "; cut the recording there (from, to)", "saturated")]
+    return []
+
+
+def of_master(imu: Inertial, master: Master) -> list[Finding]:
+    """A master that does not move, that repeats its rows, or whose angles are rounded."""
+    gyro = imu.rates()[0]
+    turned = float(np.sqrt(np.mean((gyro - gyro.mean(axis=0)) ** 2)))
+    if np.ptp(master.euler, axis=0).max() < 1e-9 and turned > 0.3 * DEG:
+        text = f"its attitude never moves, while the slave turns by {turned / DEG:.3g} deg/s rms"
+        return [Finding("error", "master.attitude", text + ": a reference that was never filled in?", "still")]
+    parts = [part for part in (master.euler, master.v_n, master.position) if part is not None]
+    out = []
+    held, _ = _together(np.hstack([part[1:] == part[:-1] for part in parts]))
+    if held > 0.3:
+        rate = 1 / float(np.median(np.diff(master.time)))
+        text = f"{held:.0%} of its rows repeat the one before: it is held at {rate * (1 - held):.3g} Hz"
+        out.append(Finding("error", "master", f"{text}; write each row once, with its own time", "copies"))
+    degrees = np.degrees(master.euler)
+    for step in (1.0, 0.5, 0.1):
+        places = degrees / step
+        if np.abs(places - np.round(places)).max() < 1e-6:
+            if len(np.unique(np.round(places), axis=0)) >= 10:
+                level: Literal["error", "warning"] = "error" if step >= 0.5 else "warning"
+                text = f"its angles are rounded to {step:g} deg, a noise of {step / np.sqrt(12):.2g} deg that is none"
+                out.append(Finding(level, "master.attitude", text + "; write more digits", "rounded"))
+            break
+    return out
