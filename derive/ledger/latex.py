@@ -37,10 +37,10 @@ class _Latex(Writer):
         turning = re.fullmatch(r"\[(.*) x\]", name)
         if turning and r"\times" not in self.letters.get(name, ""):
             return rf"[{self._spelled(turning[1])}\times]"
-        return self.letters.get(name) or latex_name(name)
+        return ascii_latex(self.letters.get(name, "")) or latex_name(name)
 
     def head(self, name):
-        return self.letters.get(name + "(") or latex_name(name)
+        return ascii_latex(self.letters.get(name + "(", "")) or latex_name(name)
 
     def bracketed(self, text, left="(", right=")"):
         return rf"\left{left}{text}\right{right}"
@@ -85,8 +85,11 @@ def _stem(latex: str) -> str:
     return latex if latex.startswith("[") else re.split(r"[_^]", latex)[0].strip()
 
 
-SIGNS = {"→": r"\to", "∂": r"\partial"}
-MARKS = {"\u0302": "hat", "\u0307": "dot", "\u0308": "ddot", "\u0304": "bar", "\u030c": "check"}
+SIGNS = {"→": r"\to", "−": "-", "×": r"\times"}
+LETTERS = {"∂": r"\partial", "∇": r"\nabla", "ℓ": r"\ell", "ħ": r"\hbar"}
+LETTERS |= {"ϕ": r"\varphi", "ϑ": r"\vartheta", "ϱ": r"\varrho"}
+MARKS = {"\u0302": "hat", "\u0307": "dot", "\u0308": "ddot", "\u0304": "bar", "\u030c": "check", "\u0303": "tilde"}
+CAPITALS = ("gamma", "delta", "theta", "lambda", "xi", "pi", "sigma", "upsilon", "phi", "psi", "omega")
 
 
 def greek(word: str) -> str:
@@ -103,11 +106,11 @@ def latex_name(name: str) -> str:
     name = name.replace("_hat", "\u0302")  # as the headers of C write it
     if "^" in name:
         base, _, above = name.partition("^")
-        return f"{latex_name(base)}^{{{above}}}"
+        return f"{latex_name(base)}^{{{_scripted(above)}}}"
     transformation = re.fullmatch(r"(.*?)_(\w'?)2(\w'?)", name)
     if transformation:
         letter, source, target = transformation.groups()
-        return f"{latex_name(letter)}_{{{source}}}^{{{target}}}"
+        return f"{latex_name(letter)}_{{{_scripted(source)}}}^{{{_scripted(target)}}}"
     turning = re.fullmatch(r"\[(.*) x\]", name)
     if turning:
         return rf"[{latex_name(turning[1])}\times]"
@@ -120,15 +123,34 @@ def latex_name(name: str) -> str:
         return rf"\langle {latex_name(moment[1])} \, {latex_name(moment[2])} \rangle"
     text, _, scripts = name.partition("_")
     result = ""
-    for word, marks in re.findall(rf"([A-Za-z]+|.)([{''.join(MARKS)}]*)", normalize("NFD", text)):
+    for word, marks in _letters(text):
         if word[:1] == "d" and greek(word[1:]):
             result, word = result + r"\delta ", word[1:]
-        latex = f"\\{word} " if greek(word) else word if word.isascii() and word.isalpha() else _character(word)
-        for mark in marks:
-            latex = rf"\{MARKS[mark]}{{{latex.strip()}}}"
-        result += latex
-    below, _, above = scripts.partition("_")
+        result += _marked(f"\\{word} " if greek(word) else word, marks)
+    below, _, above = map(_scripted, scripts.partition("_"))
     return result.strip() + (f"_{{{below}}}" if below else "") + (f"^{{{above}}}" if above else "")
+
+
+def _letters(text: str) -> list[tuple[str, str]]:
+    """Words of plain letters, and each other character alone, with the marks above it."""
+    return re.findall(rf"([A-Za-z]+|.)([{''.join(MARKS)}]*)", normalize("NFD", text))
+
+
+def _scripted(text: str) -> str:
+    """LaTeX of what stands below or above a letter: its words are names, no Greek letters."""
+    return "".join(_marked(word, marks) for word, marks in _letters(text)).strip()
+
+
+def _marked(word: str, marks: str) -> str:
+    latex = word if word.isascii() else _character(word)
+    for mark in marks:
+        latex = rf"\{MARKS[mark]}{{{latex.strip()}}}"
+    return latex
+
+
+def ascii_latex(latex: str) -> str:
+    """LaTeX with the name of each letter that stands in it as itself: \\hat{φ} is \\hat{\\phi}."""
+    return latex if latex.isascii() else "".join(_marked(word, marks) for word, marks in _letters(latex))
 
 
 def _character(character: str) -> str:
@@ -136,5 +158,8 @@ def _character(character: str) -> str:
     greek = re.fullmatch(r"GREEK (SMALL|CAPITAL) LETTER (FINAL )?(\w+)", name_of(character, ""))
     if greek:
         word = greek[3].lower().replace("lamda", "lambda")
-        return "\\" + (word.capitalize() if greek[1] == "CAPITAL" else word) + " "
-    return SIGNS[character] + " " if character in SIGNS else character
+        if greek[1] == "CAPITAL" and word not in CAPITALS:  # it looks like a Latin one, and LaTeX has no name for it
+            return {"eta": "H", "rho": "P", "chi": "X"}.get(word, word[0].upper())
+        return "o" if word == "omicron" else "\\" + (word.capitalize() if greek[1] == "CAPITAL" else word) + " "
+    sign = (SIGNS | LETTERS).get(character)
+    return sign + " " if sign else character

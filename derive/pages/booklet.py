@@ -10,7 +10,7 @@ from types import MappingProxyType
 
 from boresight import BoresightError
 from boresight.derive.ledger.equation import Quantity, Relation
-from boresight.derive.ledger.latex import latex_name, latex_relation
+from boresight.derive.ledger.latex import LETTERS, SIGNS, latex_name, latex_relation
 from boresight.derive.pages.blocks import (
     NAME,
     REFERENCE,
@@ -164,9 +164,13 @@ def tex(text: str, anchors: Mapping[str, str] = MappingProxyType({})) -> str:
     return "".join([*parts, _plain(text[end:])])
 
 
+TEXT_SIGNS = SIGNS | LETTERS | {"⋅": r"\cdot", "≤": r"\leq", "∈": r"\in"}
+
+
 def _plain(text: str) -> str:
     text = re.sub(r"([&%$#{}_])", r"\\\1", text).replace("--", "-{}-")
     text = re.sub("[<>]", r"$\g<0>$", text)
+    text = re.sub(f"[{''.join(TEXT_SIGNS)}]", lambda found: f"${TEXT_SIGNS[found[0]]}$", text)
     return re.sub(r"\^(-?\d+|T\b)?", lambda found: rf"$^{{{found[1]}}}$" if found[1] else r"\^{}", text)
 
 
@@ -186,6 +190,8 @@ def pdf_from_latex(document: str) -> bytes:
                 raise BoresightError(
                     f"pdflatex lacks {package[1]}: install texlive-latex-recommended, or use --format html"
                 )
+            if sign := re.search(r"Unicode character (\S+) \(U\+", log):
+                raise BoresightError(f"pdflatex has no sign {sign[1]!r}: write it in LaTeX, or use --format html")
             errors = [line for line in log.splitlines() if line.startswith("!")]
             raise BoresightError(f"pdflatex failed: {errors[0] if errors else 'see its log'}")
         return made.read_bytes()

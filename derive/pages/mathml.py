@@ -7,16 +7,17 @@ from html import escape
 from boresight import BoresightError
 from boresight.derive.ledger.equation import Quantity, Relation
 from boresight.derive.ledger.formula import ELEMENTARY, Place
+from boresight.derive.ledger.latex import LETTERS as NAMED_LETTERS
 from boresight.derive.ledger.latex import MARKS, SIGNS, greek, latex_relation
 
 TOKEN = re.compile(r"\\[A-Za-z]+|\\.|\d+|\s+|.")
 APPLY, TIMES = "<mo>&#x2061;</mo>", "<mo>&#x2062;</mo>"
-ACCENTS = {"hat": "^", "dot": "˙", "ddot": "¨", "bar": "¯", "overline": "¯", "check": "ˇ"}
+ACCENTS = {"hat": "^", "dot": "˙", "ddot": "¨", "bar": "¯", "overline": "¯", "check": "ˇ", "tilde": "~", "vec": "→"}
 OPERATORS = {
     r"\times": "×", r"\leq": "≤", r"\in": "∈", r"\vee": "∨", r"\|": "‖", r"\{": "{", r"\}": "}", "-": "−", "'": "′",
-    r"\langle": "⟨", r"\rangle": "⟩", **{latex: sign for sign, latex in SIGNS.items() if sign != "∂"},
+    r"\langle": "⟨", r"\rangle": "⟩", **{latex: sign for sign, latex in SIGNS.items()},
 }  # fmt: skip
-LETTERS = {r"\partial": "∂", r"\varphi": "ϕ", r"\vartheta": "ϑ", r"\varrho": "ϱ", r"\varepsilon": "ε", r"\ell": "ℓ"}
+LETTERS = {latex: letter for letter, latex in NAMED_LETTERS.items()} | {r"\varepsilon": "ε"}
 NAMED = {"\\" + word for word in ELEMENTARY.values()}
 assert set(MARKS.values()) <= set(ACCENTS)
 

@@ -8,14 +8,16 @@ from unicodedata import combining
 
 import pytest
 from conftest import ROOT
+from sympy import Symbol
 from tools import needs
 
 from boresight import BoresightError, cli
 from boresight.derive.ledger.differences import differences, marks
+from boresight.derive.ledger.equation import Quantity, Relation
 from boresight.derive.ledger.latex import latex_relation
 from boresight.derive.ledger.lines import count_steps
 from boresight.derive.pages import notebook
-from boresight.derive.pages.booklet import pdf_from_latex, pieces
+from boresight.derive.pages.booklet import pdf_from_latex, pieces, tex
 from boresight.derive.pages.mathml import mathml_relation
 from boresight.derive.pages.page import notation
 from boresight.derive.pages.render import render
@@ -280,3 +282,36 @@ def test_a_page_shows_no_code(name, monkeypatch):
     monkeypatch.setenv("COLUMNS", "100")
     lines = render(paper(name)).splitlines()
     assert not [line for line in lines if re.search(r"\w\*\w|\*\*|\b(eye|entry|transpose|Matrix|norm|vee)\(", line)]
+
+
+def written_letters():
+    """Every letter of every paper, by its name and as its page has it, and letters that no paper has."""
+    letters = [
+        letter for name in (*PAPERS, *DERIVATIONS) for letter in (*paper(name).quantities(), *paper(name).letters())
+    ]
+    strange = [f"x_{c}" for c in "αβγδεζηθικλμνξοπρςστυφχψωΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΣΤΥΦΧΨΩℓ∂∇ϕ"]
+    names = [*(letter.symbol.name for letter in letters), *strange, "ä_φ̂", "C_β2ξ", "[ω̃_α x]", "dγ/dΛ", "v_s(k+α)^ν"]
+    formulas = [latex_relation(Relation((Symbol(name),)), ()) for name in names]
+    typed = Quantity(Symbol("typed"), r"\hat{φ}_{α}^Ω", "", "")
+    return [*formulas, *(letter.latex for letter in letters), latex_relation(Relation((typed.symbol,)), (typed,))]
+
+
+def test_no_letter_of_a_formula_stands_in_latex_as_itself():
+    assert [latex for latex in written_letters() if not latex.isascii()] == []
+
+
+@needs_pdflatex
+def test_every_letter_and_a_whole_page_with_greek_scripts_compile():
+    formulas = dict.fromkeys(rf"${latex}$\par" for latex in written_letters())
+    page = render(paper("kang-2025"), "2", "latex")
+    assert r"k+\alpha" in page
+    beside = r"→ ⋅ ≤ ∈ ∂ − ×"
+    document = page.replace(r"\end{document}", "\n".join([*formulas, tex(beside), r"\end{document}"]))
+    assert pdf_from_latex(document).startswith(b"%PDF")
+
+
+@needs_pdflatex
+def test_a_sign_that_latex_lacks_is_named():
+    page = render(paper("delay-error"), "5", "latex").replace(r"\end{document}", "ж\n\\end{document}")
+    with pytest.raises(BoresightError, match="pdflatex has no sign 'ж': write it in LaTeX, or use --format html"):
+        pdf_from_latex(page)
