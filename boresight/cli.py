@@ -175,8 +175,7 @@ def equations(
     elif paper is None:
         terminal.page(*report.equations(rows))
     elif number is None:
-        kept = ledgers[paper]
-        terminal.page(*report.paper(paper, rows[paper], kept["conditions"], kept["findings"]))
+        terminal.page(*report.paper(paper, rows[paper], ledgers[paper]))
     else:
         terminal.page(*report.equation(rows[paper][0], ledgers[paper]["conditions"]))
 

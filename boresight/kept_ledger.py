@@ -21,14 +21,18 @@ DERIVE = Path(__file__).parent / "derive"
 
 
 def compute(paper: str, progress: Progress = lambda done, total, text: None) -> dict[str, Any]:
-    """`entries`, the rows of `boresight equations PAPER --json`, `findings`, the sentences beside them, and
-    `conditions`: what the sizes hold for, and the point at which errata are computed."""
+    """`entries`, the rows of `boresight equations PAPER --json`, `findings`, the sentences beside them, `unheld`, what
+    nothing holds, and `conditions`: what the sizes hold for, and the point at which errata are computed."""
     from boresight.derive import papers
-    from boresight.derive.ledger.entries import findings, ledger
+    from boresight.derive.ledger.entries import findings, ledger, unheld
 
     one = papers.paper(paper)
-    entries = [entry.to_dict() for entry in ledger(one, progress)]
-    return {"entries": entries, "findings": list(findings(one)), "conditions": [one.conditions.text, one.point.text]}
+    return {
+        "entries": [entry.to_dict() for entry in ledger(one, progress)],
+        "findings": list(findings(one)),
+        "unheld": list(unheld(one)),
+        "conditions": [one.conditions.text, one.point.text],
+    }
 
 
 def ledger(paper: str, progress: Progress = lambda done, total, text: None) -> dict[str, Any]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from rich.console import RenderableType
 
+from boresight.derive.letters import is_number, number_label
 from boresight.terminal import bullets, indented, table
 
 if TYPE_CHECKING:
@@ -76,43 +77,43 @@ def variables(fields: Iterable[dict[str, Any]], singly: bool = False) -> Rendera
 # ---------------------------------------------------------------- equations
 
 
-def label(entry: dict[str, str]) -> str:
-    """(19), or the letter of a definition without a number."""
-    return f"({entry['number']})" if entry["number"].isdigit() else entry["number"]
-
-
 def equations(ledgers: dict[str, list[dict[str, str]]]) -> Parts:
     """How many equations of each paper have which status, and which are errata."""
     rows = table("paper", "equations", *STATUSES, right=("equations", *STATUSES))
     errata = table("errata of", "kinds and equations", prose="kinds and equations")
     for paper, entries in ledgers.items():
-        numbered = [entry for entry in entries if entry["number"].isdigit()]
+        numbered = [entry for entry in entries if is_number(entry["number"])]
         counts = Counter(entry["status"] for entry in numbered)
         rows.add_row(paper, str(len(numbered)), *(str(counts[status]) for status in STATUSES))
         kinds = dict.fromkeys(entry["kind"] for entry in entries if entry["kind"])
-        named = (f"{kind} " + " ".join(label(e) for e in entries if e["kind"] == kind) for kind in kinds)
+        named = (
+            f"{kind} " + " ".join(number_label(e["number"]) for e in entries if e["kind"] == kind) for kind in kinds
+        )
         errata.add_row(paper, ", ".join(named))
     return [rows, "", errata, "'boresight equations PAPER' prints what was found about each equation."]
 
 
-def paper(name: str, entries: Sequence[dict[str, str]], conditions: Sequence[str], findings: Sequence[str]) -> Parts:
-    """A line for each equation, and what was found beside them."""
+def paper(name: str, entries: Sequence[dict[str, str]], kept: dict[str, Any]) -> Parts:
+    """A line for each equation, what was found beside them, and what is not held.  kept: of kept_ledger.ledger."""
     rows = table("", "status", "kind", "what was found", prose="what was found", right=("",))
     for entry in entries:
-        more = "" if entry["depends"].startswith("Robust") else f" {entry['depends']}"
-        rows.add_row(label(entry), entry["status"], entry["kind"], entry["found"] + more)
+        more = f" {entry['depends']}" if entry["depends"].startswith("It depends") else ""
+        rows.add_row(number_label(entry["number"]), entry["status"], entry["kind"], entry["found"] + more)
     counts = Counter(entry["status"] for entry in entries)
-    numbered = sum(entry["number"].isdigit() for entry in entries)
+    numbered = sum(is_number(entry["number"]) for entry in entries)
     beside_them = f" and {len(entries) - numbered} without a number" if len(entries) > numbered else ""
     total = ", ".join(f"{counts[status]} {status}" for status in STATUSES if counts[status])
-    beside: Parts = ["", "Beside the equations:", bullets(findings)] if findings else []
+    beside: Parts = ["", "Beside the equations:", bullets(kept["findings"])] if kept["findings"] else []
     return [
         f"{name}: {numbered} equations{beside_them}, {total}",
         "",
         rows,
         "",
-        f"The remainders hold for {conditions[0]}.",
+        f"The remainders hold for {kept['conditions'][0]}.",
         *beside,
+        "",
+        "Not held:",
+        bullets(kept["unheld"]),
         "",
         f"'boresight equations {name} NUMBER' prints the evidence, 'boresight show {name} NUMBER' the derivation.",
     ]
@@ -121,7 +122,12 @@ def paper(name: str, entries: Sequence[dict[str, str]], conditions: Sequence[str
 def equation(entry: dict[str, str], conditions: Sequence[str]) -> Parts:
     """The evidence on one equation."""
     kind = f"; kind {entry['kind']}, origin {entry['origin']}" if entry["kind"] else ""
-    parts: Parts = [f"{entry['paper']} {label(entry)}: {entry['status']}{kind}", "", entry["found"], ""]
+    parts: Parts = [
+        f"{entry['paper']} {number_label(entry['number'])}: {entry['status']}{kind}",
+        "",
+        entry["found"],
+        "",
+    ]
     evidence = entry["evidence"].replace(f"at {conditions[1]}: ", "").replace(f" at {conditions[0]}", "")
     parts += ["Evidence", bullets(evidence.split("; "))]
     used = [text for text in conditions if f"at {text}" in entry["evidence"]]

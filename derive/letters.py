@@ -1,9 +1,22 @@
-"""How a name in code is written as a letter of a formula."""
+"""How a name in code is written as a letter of a formula, and the number of an equation in prose."""
 
 import re
 
 GREEK = """alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi chi psi
 omega Phi"""
+
+
+NUMBER = r"(?:[A-Z][.-]?)?\d+(?:[.-]\d+)*[a-z]?'*"  # 19, 2.14, A.3, 12a
+
+
+def is_number(number: str) -> bool:
+    """Whether an equation is called by a number, and not by a letter that it defines."""
+    return re.fullmatch(NUMBER, number) is not None
+
+
+def number_label(number: str) -> str:
+    """(19), or the letter of a definition without a number."""
+    return f"({number})" if is_number(number) else number
 
 
 def letter_latex(name: str) -> str:

@@ -14,6 +14,8 @@ from conftest import PENDULUM, ROOT
 
 from boresight import __version__, cli, report, terminal
 from boresight.derive.ledger.entries import ledger
+from boresight.derive.ledger.lines import count_steps
+from boresight.derive.letters import number_label
 from boresight.derive.papers import PAPERS, paper
 from boresight.runtime.manifest import built_in, folder_of, read_manifest
 from boresight.studies.known import STUDIES, study
@@ -95,12 +97,17 @@ def test_equations_are_a_table_of_whole_sentences(run, columns, name):
         assert re.fullmatch(r"[A-Z].*[^ .]\.", said), said
         assert "Origin" not in said
         flat = " ".join(out.split())
-        row = rf"^ *{re.escape(report.label(entry))} +{entry['status']} +{entry['kind']}"
+        row = rf"^ *{re.escape(number_label(entry['number']))} +{entry['status']} +{entry['kind']}"
         assert re.search(row, out, re.MULTILINE)
-        assert entry["depends"].startswith("Robust") or entry["depends"][:40] in flat
+        assert entry["depends"].startswith(("Robust", "Nothing")) or entry["depends"][:40] in flat
         assert said in " ".join(out.replace("\n", " ").split()) or len(said) > columns - 30
     for text in (one.conditions.text, one.point.text):
         assert " ".join(out.split()).count(text) <= 1
+    last = " ".join(out.partition("\nNot held:\n")[2].split())
+    assert "Frames are held where the witness gives a letter other numbers" in last
+    assert ("are prose, which proves nothing" in last) == (", prose 0" not in str(count_steps(one.equations)))
+    for text in one.witness.left_out.values():
+        assert f"the witness leaves out {text}." in last
 
 
 @pytest.mark.parametrize("columns", [80, 100])

@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 
 from boresight import kept_ledger
 from boresight.cli import app
-from boresight.derive.ledger.entries import findings, ledger
+from boresight.derive.ledger.entries import findings, ledger, unheld
 from boresight.derive.papers import PAPERS, paper
 
 PAPER = "kang-2025"
@@ -34,7 +34,8 @@ def calls(monkeypatch):
 def computed(name):
     one = paper(name)
     entries = [asdict(entry) for entry in ledger(one)]
-    return {"entries": entries, "findings": list(findings(one)), "conditions": [one.conditions.text, one.point.text]}
+    texts = {"findings": list(findings(one)), "unheld": list(unheld(one))}
+    return {"entries": entries, **texts, "conditions": [one.conditions.text, one.point.text]}
 
 
 def forge(folder):

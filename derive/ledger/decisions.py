@@ -20,6 +20,7 @@ from boresight.derive.ledger.judge import (
     Sense,
     Verdict,
     falls,
+    holds_errors,
     judge,
     judge_at,
     meant,
@@ -29,6 +30,8 @@ from boresight.derive.ledger.judge import (
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.reader import plain, read
 from boresight.derive.ledger.text import text_relation
+
+NOTHING = "Nothing."
 
 
 @dataclass(frozen=True)
@@ -44,7 +47,7 @@ class Decisions:
         if self.depends:
             return f"It depends on a decision: {'; '.join(self.depends)}."
         if not self.taken:
-            return "Robust: nothing of it is decided by hand."
+            return NOTHING
         if not self.tried:
             return "Robust: no decision could be made otherwise with a meaning."
         if self.tried == 1:
@@ -68,7 +71,7 @@ def _neighbours(
 ) -> Iterator[tuple[str, Verdict]]:
     """Each decision made otherwise, in words, and the verdict on the print with it."""
     print_, own = equation.read(), _small(paper, equation)
-    if verdict.status == "first-order" or (verdict.status == "refuted" and not verdict.empty and not equation.defines):
+    if verdict.status == "first-order" or _falls_too_slowly(paper, equation, verdict):
         for part in _candidates(paper):
             if part not in own:
                 yield f"{_word(paper, part)} is small too", _judge_small(paper, equation, (*own, part))
@@ -97,6 +100,13 @@ def _neighbours(
             f"{definition.label} is taken as it is printed",
             judge_at(print_, lambda seed, scale, c=changed: witness_point(paper, seed, scale, equation.small, c)),  # type: ignore[misc]
         )
+
+
+def _falls_too_slowly(paper: Paper, equation: Equation, verdict: Verdict) -> bool:
+    """Whether it is refuted because of which errors are small."""
+    if verdict.status != "refuted" or verdict.empty or equation.defines:
+        return False
+    return holds_errors(paper, equation, meant(equation, equation.read(), (m.senses[0] for m in equation.meanings)))
 
 
 def _small(paper: Paper, equation: Equation) -> tuple[str, ...]:
@@ -171,7 +181,7 @@ def _taken(paper: Paper, equation: Equation, verdict: Verdict, needed: tuple[str
     elif needed:
         dropped = _listed(_word(paper, part) for part in needed)
         yield f"Small: {words}; what is dropped is of second order in {dropped}."
-    elif verdict.status == "refuted" and not verdict.empty and not equation.defines:
+    elif _falls_too_slowly(paper, equation, verdict):
         yield f"Small: {words}."
     for reading in equation.readings:
         yield f"{_written(reading.printed)} is read as {_written(reading.meant)}: {reading.why}."

@@ -14,30 +14,28 @@ from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from functools import cache
 from itertools import zip_longest
+from typing import Any
 
 import mpmath as mp
 
 from boresight import BoresightError
+from boresight.derive.dimensions import Mismatch
 from boresight.derive.ledger.carried import check_maps
 from boresight.derive.ledger.decisions import decisions
 from boresight.derive.ledger.differences import differences
 from boresight.derive.ledger.differences import origin as origin_of
+from boresight.derive.ledger.dimensions import Terms, of_letter
 from boresight.derive.ledger.equation import Equation
 from boresight.derive.ledger.evaluate import DIGITS, Point, evaluate, residual
 from boresight.derive.ledger.judge import EXACT, SEEDS, judge, largest_residual, paper_points
 from boresight.derive.ledger.latex import latex_relations
-from boresight.derive.ledger.lines import check_derivation
+from boresight.derive.ledger.lines import check_derivation, count_steps
 from boresight.derive.ledger.numbers import Matrix, digits, middle
 from boresight.derive.ledger.paper import Paper
+from boresight.derive.units import ONE
 
-UNITS = {
-    "rad": (10800 / mp.pi, "arcmin"),
-    "rad/s": (3600 * 180 / mp.pi, "deg/h"),
-    "m/s": (mp.mpf(1), "m/s"),
-    "m/s^2": (mp.mpf(1), "m/s^2"),
-    "1": (mp.mpf(1), ""),
-    "SI": (mp.mpf(1), "in SI units of the entry"),
-}
+# In which a size is said, if not in its own unit.
+SAID = {"rad": (10800 / mp.pi, "arcmin"), "rad/s": (3600 * 180 / mp.pi, "deg/h"), "1": (mp.mpf(1), "")}
 
 
 @dataclass(frozen=True)
@@ -82,6 +80,26 @@ def findings(paper: Paper) -> tuple[str, ...]:
         return paper.findings()
 
 
+def unheld(paper: Paper) -> tuple[str, ...]:
+    """What no check of the ledger holds, a sentence each."""
+    entries = [entry_of(paper, equation) for equation in paper.equations]
+    defined = [e.label for e, entry in zip(paper.equations, entries, strict=True) if entry.status == "definition"]
+    bare = [e.label for e in paper.equations if e.label not in defined and not e.derivation.lines]
+    counted = count_steps(paper.equations)
+    left_out: dict[str, list[str]] = {}
+    for equation in paper.equations:
+        if equation.number in paper.witness.left_out:
+            left_out.setdefault(paper.witness.left_out[equation.number], []).append(equation.label)
+    found = [f"Of {', '.join(labels)} the witness leaves out {what}." for what, labels in left_out.items()]
+    if defined:
+        found.append(f"Definitions are only held against the equations that use them: {', '.join(defined)}.")
+    if bare:
+        found.append(f"Without a derivation, judged by the witness alone: {', '.join(bare)}.")
+    if counted.prose:
+        found.append(f"Of {counted.steps} steps {counted.prose} are prose, which proves nothing.")
+    return (*found, "Frames are held where the witness gives a letter other numbers in another frame, by no rule.")
+
+
 @cache
 def entry_of(paper: Paper, equation: Equation) -> Entry:
     """The line of one equation.  Raises BoresightError where the witness refutes its derived form."""
@@ -113,7 +131,8 @@ def _entry(paper: Paper, equation: Equation) -> Entry:
         if kind == "letter":
             found = f"It prints {', '.join(letters)}."
         else:
-            found = f"I{verdict.why[1:]}." if verdict.empty or not equation.note else re.split(r"(?<=\.) ", notes[1])[0]
+            why = f"{verdict.why[:1].upper()}{verdict.why[1:]}."
+            found = why if verdict.empty or not equation.note else re.split(r"(?<=\.) ", notes[1])[0]
     elif status == "definition" and equation.introduces:
         what = ", ".join(symbol.name for symbol in equation.introduces)
         evidence = f"both sides agree to 28 digits because the witness makes {what} so"
@@ -155,16 +174,42 @@ def _size(paper: Paper, equation: Equation) -> str:
         for relation in equation.derived:
             left = residual(relation.sides, point)
             own = len(left) // (len(relation.sides) - 1)
+            units = units_of(paper, equation, relation.sides[0], own, rows)
             for k, entry in enumerate(left):
-                unit = equation.unit if isinstance(equation.unit, str) else equation.unit[rows + k % own]
+                unit = units[k % own]
                 largest[unit] = max(largest.get(unit, mp.mpf(0)), abs(middle(entry)))
             rows += own
     sizes = [_with_unit(size, unit) for unit, size in largest.items() if size > EXACT]
     return "at most " + " and ".join(filter(None, (", ".join(sizes[:-1]), sizes[-1])))
 
 
+def units_of(paper: Paper, equation: Equation, side: Any, count: int, row: int = 0) -> list[str]:
+    """The unit of each of `count` entries of a side that begins in this row of the equation: what the equation states,
+    and where it states none, that of the letters."""
+    unit = equation.unit
+    stated = [unit] * count if isinstance(unit, str) else [*unit[row : row + count], *[""] * count][:count]
+    own = [""] * count if all(one not in ("", "1") for one in stated) else letter_units(paper, side, count)
+    bare = ("", "1", "rad")  # of a letter, no more than the equation states
+    return [b if a == "" or (a == "1" and b not in bare) else a for a, b in zip(stated, own, strict=True)]
+
+
+def letter_units(paper: Paper, side: Any, count: int = 1) -> list[str]:
+    """The units of a side's entries by those of its letters, "1" where they do not fit."""
+    letters = {q.symbol.name: of_letter(paper.units, q) for q in (*paper.quantities(), *paper.letters())}
+    try:
+        found = [str(entry or ONE) for entry in Terms(letters)(side)]
+    except (Mismatch, KeyError):
+        found = ["1"]
+    return found if len(found) != 1 else found * count
+
+
+def in_words(unit: str) -> tuple[mp.mpf, str]:
+    """By what a value is multiplied, and the unit in which it is then said."""
+    return SAID.get(unit, (mp.mpf(1), unit.replace("*", " ")))
+
+
 def _with_unit(size, unit: str) -> str:
-    factor, name = UNITS[unit]
+    factor, name = in_words(unit)
     return f"{mp.nstr(size * factor, 3)} {name or '(no unit)'}"
 
 
@@ -186,14 +231,15 @@ def numbers_of(paper: Paper, equation: Equation) -> list[Numbers]:
     """The numbers of every side that is misprinted, at the paper's stated point."""
     point, rows, result = Point(paper.witness.values(paper.point.at, paper.definitions)), 0, []
 
-    def entries(side, factor) -> tuple[mp.mpf, ...]:
+    def entries(side, factor: Any = 1) -> tuple[mp.mpf, ...]:
         value = evaluate(side, point)
         return tuple(middle(entry) * factor for entry in (value if isinstance(value, Matrix) else [value]))
 
     for printed, derived in zip(equation.read(), equation.derived, strict=False):
-        factor, name = UNITS[equation.unit if isinstance(equation.unit, str) else equation.unit[rows]]
-        true = entries(derived.sides[0], factor)
-        rows += len(true)
+        true = entries(derived.sides[0])
+        unit = dict.fromkeys(units_of(paper, equation, derived.sides[0], len(true), rows))
+        factor, name = in_words(*unit) if len(unit) == 1 else (mp.mpf(1), "SI, by entry")
+        true, rows = tuple(entry * factor for entry in true), rows + len(true)
         what = str(derived.sides[0]) if derived.sides[0].is_Symbol else ""
         last = printed.sides[-1]
         for ours, theirs in dict.fromkeys(zip_longest(derived.sides, printed.sides, fillvalue=last)):

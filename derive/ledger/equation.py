@@ -12,6 +12,8 @@ from unicodedata import normalize
 from sympy import Add, ImmutableMatrix, MatAdd, MatMul, Mul, S, StrictLessThan, Symbol
 from sympy.matrices import MatrixBase
 
+from boresight.derive.letters import is_number, number_label
+
 
 @dataclass(frozen=True)
 class Quantity:
@@ -216,12 +218,11 @@ class Equation:
 
     @property
     def numbered(self) -> bool:
-        return self.number.isdigit()
+        return is_number(self.number)
 
     @property
     def label(self) -> str:
-        """(19), or the letter of a definition without a number."""
-        return f"({self.number})" if self.numbered else self.number
+        return number_label(self.number)
 
     def read(self) -> tuple[Relation, ...]:
         """The print after its readings."""

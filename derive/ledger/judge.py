@@ -53,9 +53,17 @@ def judge(paper: Paper, equation: Equation, relations: tuple[Relation, ...], sen
     if equation.defines:
         return _judge_definition(paper, equation, relations)
     verdict = judge_at(relations, lambda seed, scale: witness_point(paper, seed, scale, equation.small))
+    if verdict.status == "refuted" and not verdict.empty and not holds_errors(paper, equation, relations):
+        return Verdict("refuted", "the sides differ, and no error is in them")
     if not equation.introduces or verdict.status == "refuted":
         return verdict
     return Verdict("definition") if verdict.status == "exact" else Verdict("refuted", "its sides are not the same")
+
+
+def holds_errors(paper: Paper, equation: Equation, relations: Iterable[Relation]) -> bool:
+    """Whether a letter of the relations changes with the errors."""
+    full, half = (witness_point(paper, SEEDS[0], scale, equation.small).values for scale in SCALES[:2])
+    return any(callable(full[name]) or _differs(full[name], half[name]) for name in names(relations))
 
 
 def meant(equation: Equation, relations: Iterable[Relation], senses: Iterable[Sense]) -> tuple[Relation, ...]:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from boresight.derive.ledger.differences import Place
 from boresight.derive.ledger.equation import Quantity, Relation
+from boresight.derive.letters import NUMBER
 
 
 @dataclass(frozen=True)
@@ -58,7 +59,7 @@ Block = Prose | Formulas | Pair | Table
 NAME = re.compile(r"\[[^\]\s]+ x\]|(?:[^\W\d_]|∂)[\w'\u0300-\u036f]*(?:\([kn][-+\dα]*\)|\^[a-z]\b)?")
 
 
-REFERENCE = re.compile(r"(?<![\w)])\(\d+\)|\[\d+\]")  # (8), and the note [1]
+REFERENCE = re.compile(rf"(?<![\w)])\({NUMBER}\)|\[\d+\]")  # (8), and the note [1]
 
 
 def is_name(text: str) -> bool:

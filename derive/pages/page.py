@@ -8,9 +8,11 @@ from types import MappingProxyType
 from typing import Any
 
 from mpmath import nstr
+from sympy import Symbol
 
 from boresight.derive.ledger.differences import Place, differences, marks
-from boresight.derive.ledger.entries import LONG, Entry, apart, entry_of, findings, numbers_of
+from boresight.derive.ledger.dimensions import of_letter
+from boresight.derive.ledger.entries import LONG, Entry, apart, entry_of, findings, letter_units, numbers_of
 from boresight.derive.ledger.equation import Derivation, Equation, Line, Passage, Quantity, Relation
 from boresight.derive.ledger.evaluate import DIGITS
 from boresight.derive.ledger.lines import count_steps, judge_line
@@ -92,18 +94,34 @@ def forms(equation: Equation, entry: Entry, letters: tuple[Quantity, ...]) -> li
     """The print, and beside it what is derived where the two differ."""
     found = differences(equation.printed, equation.derived)
     printed, derived, page = equation.printed, equation.derived, equation.page_letters
+    as_spelled = spelled(printed, page)
     if not found:
         more = derived[len(printed) :]
         label = "printed and derived" if equation.latex else "derived"
         blocks: list[Block] = [Formulas(_forms(printed, page), label, _displays(equation))]
+        if as_spelled != printed:  # what is read into the letters is not of the print
+            left = Formulas(_forms(as_spelled, page), "printed", _displays(equation))
+            blocks = [Pair(left, Formulas(_forms(printed, page), "as read, and derived"))]
         return blocks + ([Formulas(_forms(more, letters), "derived with it")] if more else [])
     if entry.status == "erratum":  # what is only read otherwise is no slip: the note says it
         found = differences(equation.read(), derived)
     elif not equation.readings:
-        left = Formulas(_forms(printed, page), "printed", _displays(equation))
+        left = Formulas(_forms(as_spelled, page), "printed", _displays(equation))
         return [Pair(left, Formulas(_forms(derived, page), "derived"))]
-    left = Formulas(_forms(printed, page, marks(printed, found, "printed")), "printed")
+    left = Formulas(_forms(as_spelled, page, marks(printed, found, "printed")), "printed")
     return [Pair(left, Formulas(_forms(derived, page, marks(derived, found, "derived")), "derived"))]
+
+
+def spelled(relations: tuple[Relation, ...], letters: Iterable[Quantity]) -> tuple[Relation, ...]:
+    """Relations with the vector in the place of its cross-product matrix where the print writes no matrix."""
+    latex = {quantity.symbol: quantity.latex for quantity in letters}
+    bare = {
+        symbol: Symbol(symbol.name[1:-3], commutative=False)
+        for symbol, text in latex.items()
+        if re.fullmatch(r"\[.* x\]", symbol.name) and r"\times" not in text
+    }
+    used = [bare.keys() & {symbol for side in r.sides for symbol in side.free_symbols} for r in relations]
+    return tuple(r.replaced(bare) if some else r for r, some in zip(relations, used, strict=True))
 
 
 def _displays(equation: Equation) -> tuple[str, ...]:
@@ -172,7 +190,9 @@ def dropped(paper: Paper, equation: Equation) -> dict[int, str]:
         if step.claim is not None and step.claim.kind == "approximation":
             with digits(DIGITS):
                 size = judge_line(paper, equation, i).size
-            unit = equation.unit if isinstance(equation.unit, str) else "SI"  # rows of several units
+            unit = equation.unit
+            if not isinstance(unit, str) and step.relation is not None:  # rows of several units
+                unit = " and ".join(dict.fromkeys(letter_units(paper, step.relation.sides[0])))
             found[i] = f"{size} {unit}".removesuffix(" 1")
     return found
 
@@ -243,9 +263,14 @@ def notation(paper: Paper) -> Table:
         form = Form(Relation((quantity.symbol,)), letters)
         refers = quantity.meaning.startswith(("its ", "their ", "the same"))
         rows.setdefault(quantity.meaning + "\n" * len(rows) * refers, []).append(form)
-    return Table(
-        ("letter", "meaning", "unit"), tuple((tuple(forms), *_with_unit(text)) for text, forms in rows.items()), 1
-    )
+    mixed = {q.symbol.name: of_letter(paper.units, q) for q in letters if {q.symbol.name, q.kind} & paper.units.keys()}
+
+    def row(forms: list[Form], meaning: str) -> tuple[str | tuple[Form, ...], ...]:
+        text, unit = _with_unit(meaning)
+        own = {str(entry) for form in forms for entry in mixed.get(form.relation.sides[0].name, ()) if entry}
+        return tuple(forms), text, unit if not own else own.pop() if len(own) == 1 else "by entry"
+
+    return Table(("letter", "meaning", "unit"), tuple(row(forms, meaning) for meaning, forms in rows.items()), 1)
 
 
 def _with_unit(meaning: str) -> tuple[str, str]:

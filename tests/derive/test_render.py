@@ -75,6 +75,39 @@ def test_a_derived_form_that_is_the_print_is_not_repeated():
     assert "printed and derived" in text and text.count("Φ_{k-1}") == 1
 
 
+@pytest.mark.parametrize("form", ["text", "latex", "html"])
+@pytest.mark.parametrize("number", ["2", "3", "10", "11"])
+def test_printed_is_the_print_with_no_bracket_of_ours(number, form):
+    """Kim's print has a vector of rates beside a vector where its cross product is meant."""
+    page = render(paper("kim-2018"), number, form)
+    printed, derived = (
+        ("Printed", "(?:Derived|As read)") if form == "latex" else ("printed", "(?:as read, and )?derived")
+    )
+    start, end, cross = {
+        "text": (f"\n{printed}\n", f"\n{derived}\n", r"×\]"),
+        "latex": (printed, derived, r"\\times\]"),
+        "html": (f">{printed}<", f">{derived}<", r"×</mo><mo[^>]*>\]"),
+    }[form]
+    print_, ours = re.split(end, page.partition(start)[2], maxsplit=1)
+    assert print_.strip() and not re.search(cross, print_) and re.search(cross, ours)
+
+
+def test_each_size_and_each_letter_with_units_has_its_unit():
+    kim = paper("kim-2018")
+    text = " ".join(render(kim, "2").split())
+    assert "at most 0.00934 m/s^2 is dropped" in text and " SI " not in text
+    assert "at most 1.81e-11 (no unit), 4.73e-25 rad/m" in render(kim, "12").replace("\n  ", " ")
+    assert "1.9021  3.8042   1.9021   m" in render(paper("kang-2025"), "6")
+    units = {forms[0].relation.sides[0].name: unit for forms, _, unit in notation(kim).rows}
+    assert (units["F_k"], units["x_v"], units["δv"]) == ("by entry", "m/s", "m/s")
+
+
+def test_an_equation_without_errors_has_none_that_is_small():
+    text = " ".join(render(paper("kang-2025"), "6").split())
+    assert "Small" not in text and "halving" not in text.lower()
+    assert "The sides differ, and no error is in them." in text
+
+
 def test_what_was_judged_is_shown_where_the_print_is_read_otherwise():
     text = render(paper("kim-2018"), "2")
     assert "printed and derived" not in text and "›φ̇‹ =" in text and "›ψ̇‹ =" in text

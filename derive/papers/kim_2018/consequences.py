@@ -50,8 +50,8 @@ def findings() -> tuple[str, ...]:
         f"the position error, 1 arcmin per nautical mile, and psi does not see δω_in_n, {_level_rate()} deg/h per m/s.",
         "(17) and (23) are written for 24 states, nine more than (8): scale factors and misalignments of Table 1 "
         "would fill them.",
-        f"Table 1 beside the Earth's rate of {earth_rate:.4g} deg/h: a gyro of 1 deg/h finds north to "
-        f"{north:.2g} deg, 1 mg tilts the level by 1 mrad = 3.4 arcmin.",
+        f"Table 1 beside the Earth's rate of {earth_rate:.4g} deg/h: a gyro of 1 deg/h finds north at "
+        f"latitude {LATITUDE} deg to {north:.2g} deg, 1 mg tilts the level by 1 mrad = 3.4 arcmin.",
     )
 
 

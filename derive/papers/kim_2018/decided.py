@@ -53,7 +53,6 @@ DECIDED: dict[str, dict] = {
     "6": {"meanings": (D,)},
     "7": {"unit": ("rad/s", "rad/s", "m/s", *("m/s^2",) * 3, *("rad/s",) * 3, *("1",) * 6)},
     "9": {"unit": ("rad/s", "rad/s", "m/s"), "meanings": (_transport_rates(),)},
-    "12": {"unit": "SI"},
     "15": {"introduces": ("ν", "ν_z")},
     "27": {"meanings": (DELTA,)},
 }
