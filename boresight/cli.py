@@ -86,6 +86,19 @@ def counted(number: int, noun: str) -> str:
     return f"{number} {noun}{'s' * (number != 1)}"
 
 
+def paper_of(name: str) -> str:
+    """The name of a paper that there is, or of a folder that holds one."""
+    from boresight.derive.papers import FILES, is_folder
+
+    if is_folder(name):
+        return name
+    if Path(name).is_dir():
+        raise BoresightError(
+            f"{name} holds no {FILES[0]}; 'boresight new NAME --kind paper' begins a paper of your own"
+        )
+    return one_of(name, derived_names(), "paper")
+
+
 def one_of(name: str, known: list[str], what: str) -> str:
     if name not in known:
         raise BoresightError(f"no {what} {name!r}; there are {', '.join(known)}")
@@ -153,7 +166,11 @@ def models(
 def equations(
     paper: Annotated[
         str | None,
-        typer.Argument(metavar="PAPER", help="All if left out.", autocompletion=completed(derived_names)),
+        typer.Argument(
+            metavar="PAPER | FOLDER",
+            help="A paper, or a folder with one of your own; all papers if left out.",
+            autocompletion=completed(derived_names),
+        ),
     ] = None,
     number: Annotated[str | None, typer.Argument(metavar="NUMBER", help="Of one equation, for its evidence.")] = None,
     as_json: AsJson = False,
@@ -162,7 +179,7 @@ def equations(
     from boresight import report, terminal
     from boresight.kept_ledger import ledger
 
-    papers = [one_of(paper, derived_names(), "paper")] if paper else paper_names()
+    papers = [paper_of(paper)] if paper else paper_names()
     with terminal.progress() as progress:
         ledgers = {name: ledger(name, progress) for name in papers}
     rows = {name: kept["entries"] for name, kept in ledgers.items()}
@@ -185,8 +202,8 @@ def show(
     name: Annotated[
         str,
         typer.Argument(
-            metavar="MODEL | FILE.py:NAME | PAPER",
-            help="A model, one's own too, a paper, or delay-error: what an unknown delay does.",
+            metavar="MODEL | FILE.py:NAME | PAPER | FOLDER",
+            help="A model or a paper, of your own too, or delay-error: what an unknown delay does.",
             autocompletion=completed(model_names, derived_names),
         ),
     ],
@@ -214,22 +231,26 @@ def show(
     With MODEL NUMBER: that equation of a paper which the model is made from.
     """
     from boresight import terminal
+    from boresight.derive.papers import is_folder
 
-    if ":" not in name:
+    own = is_folder(name)
+    if ":" not in name and not own:
         from boresight.codegen.generate import COMPONENTS
 
         if name in COMPONENTS:
             raise BoresightError(f"{name} is C without a model; 'boresight show kim-2018 31' shows its equation")
+        if Path(name).is_dir() and name not in model_names():
+            paper_of(name)
         one_of(name, [*derived_names(), *model_names()], "paper or model")
     one_of(form, FORMATS, "format")
     if derived:
         one_of(derived, DERIVED, "what is derived")
-        if number is not None or name in derived_names():
+        if number is not None or name in derived_names() or own:
             raise BoresightError("--derived is for the page of a model; leave it out, or name a model alone")
     if form == "pdf" and out is None:
         raise BoresightError("a pdf needs a file to go to; add -o FILE.pdf")
     kind = "latex" if form == "pdf" else form
-    if name in derived_names():
+    if name in derived_names() or own:
         from boresight.kept_ledger import page
 
         text = page(name, number and number.strip("()"), kind, terminal.columns())

@@ -37,12 +37,26 @@ def compute(paper: str, progress: Progress = lambda done, total, text: None) -> 
 
 def ledger(paper: str, progress: Progress = lambda done, total, text: None) -> dict[str, Any]:
     """As `compute` gives it, from the cache folder if nothing that reaches it has changed."""
-    return kept(f"ledger/{paper}", dict, lambda: compute(paper, progress))
+    return kept(f"ledger/{name_of(paper)}", dict, lambda: compute(paper, progress), files_of(paper))
 
 
 def page(paper: str, number: str | None, form: str, width: int) -> str:
     """A paper, or one equation of it, in a format of boresight.derive.pages.render; kept likewise."""
-    return kept(f"pages/{paper}-{number or 'all'}-{form}-{width}", str, lambda: rendered(paper, number, form))
+    name = f"pages/{name_of(paper)}-{number or 'all'}-{form}-{width}"
+    return kept(name, str, lambda: rendered(paper, number, form), files_of(paper))
+
+
+def files_of(paper: str) -> tuple[Path, ...]:
+    """The files of a paper of one's own; of the papers that come with Boresight none, for they are sources."""
+    from boresight.derive.papers import FILES, is_folder
+
+    return tuple(Path(paper) / name for name in FILES) if is_folder(paper) else ()
+
+
+def name_of(paper: str) -> str:
+    """What is kept of a paper is called so: of one's own by what its folder is called from here, for a page says it."""
+    where = hashlib.sha256(f"{Path.cwd()} {paper}".encode()).hexdigest()[:16]
+    return f"own-{where}" if files_of(paper) else paper
 
 
 def rendered(paper: str, number: str | None, form: str) -> str:
@@ -86,9 +100,12 @@ def functions() -> dict[str, dict[str, tuple[str, ...]]]:
     return found
 
 
-def kept(name: str, kind: type[Made], make: Callable[[], Made]) -> Made:
-    """What `make` makes, a JSON value of a kind, from the cache folder if nothing that reaches it has changed."""
-    path, now = cache_folder() / f"{name}.json", key()
+def kept(name: str, kind: type[Made], make: Callable[[], Made], files: tuple[Path, ...] = ()) -> Made:
+    """What `make` makes, a JSON value of a kind, from the cache folder if nothing that reaches it has changed.
+
+    files: which it reads beside the sources.
+    """
+    path, now = cache_folder() / f"{name}.json", key(files=files)
     try:
         old = json.loads(path.read_text(encoding="utf-8"))
         if old["key"] == now and isinstance(old["made"], kind):
@@ -107,13 +124,14 @@ def kept(name: str, kind: type[Made], make: Callable[[], Made]) -> Made:
     return made
 
 
-def key(derive: Path = DERIVE) -> str:
-    """A hash of all that reaches a page: every source of derive, this file, what the C is, the libraries and Python."""
+def key(derive: Path = DERIVE, files: tuple[Path, ...] = ()) -> str:
+    """A hash of all that reaches a page: every source of derive, this file, what the C is, the libraries and Python,
+    and these files."""
     digest = hashlib.sha256(repr(sys.version_info[:2]).encode())
     for name in ("sympy", "mpmath", "python-flint", "jinja2"):
         digest.update(f"{name} {version(name)}\n".encode())
     sources = sorted(path for end in ("py", "j2") for path in derive.rglob(f"*.{end}"))
-    for path in (Path(__file__), *sources, *sorted(generated().glob("*/manifest.json"))):
-        content = path.read_bytes()
+    for path in (Path(__file__), *sources, *sorted(generated().glob("*/manifest.json")), *files):
+        content = path.read_bytes() if path.is_file() else b""
         digest.update(f"{path.name} {len(content)}\n".encode() + content)
     return digest.hexdigest()

@@ -121,7 +121,7 @@ def paper(name: str, entries: Sequence[dict[str, str]], kept: dict[str, Any]) ->
 
 def equation(entry: dict[str, str], conditions: Sequence[str]) -> Parts:
     """The evidence on one equation."""
-    kind = f"; kind {entry['kind']}, origin {entry['origin']}" if entry["kind"] else ""
+    kind = f"; kind {entry['kind']}" * bool(entry["kind"]) + f", origin {entry['origin']}" * bool(entry["origin"])
     parts: Parts = [
         f"{entry['paper']} {number_label(entry['number'])}: {entry['status']}{kind}",
         "",

@@ -233,6 +233,8 @@ def _spelled(paper: Paper, equation: Equation) -> list[tuple[str, object, tuple]
 
     Each with the letter that is meant, and the letters that are spelled alike.
     """
+    if paper.folder:  # where no two letters are spelled alike
+        return []
     letters = paper.letters_of(equation.number) if paper.letters_of else paper.quantities()
     own = {quantity.symbol: plain(quantity.latex) for quantity in paper.quantities()}
     used, text = names(equation.printed), "".join(map(plain, equation.latex))

@@ -25,11 +25,12 @@ from boresight.derive.ledger.decisions import decisions
 from boresight.derive.ledger.differences import differences
 from boresight.derive.ledger.differences import origin as origin_of
 from boresight.derive.ledger.dimensions import Terms, of_letter
-from boresight.derive.ledger.equation import Equation
+from boresight.derive.ledger.equation import Equation, Relation
 from boresight.derive.ledger.evaluate import DIGITS, Point, evaluate, residual
-from boresight.derive.ledger.judge import EXACT, SEEDS, judge, largest_residual, paper_points
+from boresight.derive.ledger.judge import EXACT, SEEDS, Verdict, judge, largest_residual, paper_points
 from boresight.derive.ledger.latex import latex_relations
 from boresight.derive.ledger.lines import check_derivation, count_steps
+from boresight.derive.ledger.mends import mends
 from boresight.derive.ledger.numbers import Matrix, digits, middle
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.units import ONE
@@ -110,6 +111,8 @@ def entry_of(paper: Paper, equation: Equation) -> Entry:
 def _entry(paper: Paper, equation: Equation) -> Entry:
     check_derivation(paper, equation)
     check_maps(paper, equation.number)
+    if paper.folder and not equation.derivation.steps:
+        return _underived(paper, equation)
     ours = judge(paper, equation, equation.derived)
     if ours.status == "refuted":
         raise BoresightError(
@@ -133,37 +136,97 @@ def _entry(paper: Paper, equation: Equation) -> Entry:
         else:
             why = f"{verdict.why[:1].upper()}{verdict.why[1:]}."
             found = why if verdict.empty or not equation.note else re.split(r"(?<=\.) ", notes[1])[0]
-    elif status == "definition" and equation.introduces:
-        what = ", ".join(symbol.name for symbol in equation.introduces)
-        evidence = f"both sides agree to 28 digits because the witness makes {what} so"
-        found = f"It gives {what} {'its' if len(equation.introduces) == 1 else 'their'} meaning."
-    elif status == "definition":
-        evidence = "holds in every equation that uses " + ", ".join(symbol.name for symbol in equation.defines)
-        found = f"It {evidence}."
-    elif status == "first-order":
-        size = _size(paper, equation)
-        evidence = f"remainder falls fourfold when the errors are halved; {size} at {paper.conditions.text}"
-        found = f"Its remainder is {size}."
     else:
-        evidence = f"both sides agree to 28 digits at {paper.witness.words}, {len(SEEDS)} points"
-        found = "Both sides agree to 28 digits."
+        evidence, found = _stands(paper, equation, status)
     own = paper.evidence(equation.number)
     evidence += f"; {own}" if own else ""
+    return _made(paper, equation, verdict, (status, kind, origin), (found, evidence, " ".join(notes)), equation.derived)
+
+
+def _stands(paper: Paper, equation: Equation, status: str) -> tuple[str, str]:
+    """The evidence for an equation that is no erratum, and what was found in a sentence."""
+    if status == "definition" and equation.introduces:
+        what = ", ".join(symbol.name for symbol in equation.introduces)
+        evidence = f"both sides agree to 28 digits because the witness makes {what} so"
+        return evidence, f"It gives {what} {'its' if len(equation.introduces) == 1 else 'their'} meaning."
+    if status == "definition":
+        evidence = "holds in every equation that uses " + ", ".join(symbol.name for symbol in equation.defines)
+        return evidence, f"It {evidence}."
+    if status == "first-order":
+        size = _size(paper, equation)
+        evidence = f"remainder falls fourfold when the errors are halved; {size} at {paper.conditions.text}"
+        return evidence, f"Its remainder is {size}."
+    evidence = f"both sides agree to 28 digits at {paper.witness.words}, {len(SEEDS)} points"
+    return evidence, "Both sides agree to 28 digits."
+
+
+def _made(
+    paper: Paper,
+    equation: Equation,
+    verdict: Verdict,
+    status: tuple[str, str, str],
+    text: tuple[str, str, str],
+    derived: tuple[Relation, ...],
+) -> Entry:
+    """status: with kind and origin; text: found, evidence, note."""
     by_hand = decisions(paper, equation, verdict)
     return Entry(
         paper=equation.paper,
         number=equation.number,
-        status=status,
-        kind=kind,
-        origin=origin,
+        status=status[0],
+        kind=status[1],
+        origin=status[2],
         printed=r" \\ ".join(equation.latex),
-        derived=latex_relations(equation.derived, equation.page_letters),
-        note=" ".join(notes),
-        evidence=evidence,
-        found=found,
+        derived=latex_relations(derived, equation.page_letters),
+        note=text[2],
+        evidence=text[1],
+        found=text[0],
         decisions=" ".join(by_hand.taken),
         depends=str(by_hand),
     )
+
+
+def _underived(paper: Paper, equation: Equation) -> Entry:
+    """The line of an equation of which nothing is derived: the witness alone says whether it is true, and what single
+    edits of a misprint are."""
+    verdict = judge(paper, equation, equation.read())
+    if verdict.status != "refuted":
+        evidence, found = _stands(paper, equation, verdict.status)
+        status = (verdict.status, "", "")
+        return _made(paper, equation, verdict, status, (found, evidence, equation.note), equation.derived)
+    ways = mends(paper, equation)
+    kinds = {slip.kind for slip in differences(equation.read(), ways[0].relations)} if ways else set()
+    kind = "unknown" if not ways else kinds.pop() if len(kinds) == 1 else "structure"
+    way = f"True with one edit: {ways[0].what}." if ways else "No single edit makes it true."
+    found = f"{verdict.why[:1].upper()}{verdict.why[1:]}. {way}"
+    evidence = f"{verdict.why}; {_true_and_printed(paper, equation)}"
+    status = ("erratum", kind, "")
+    return _made(paper, equation, verdict, status, (found, evidence, equation.note), ways[0].relations if ways else ())
+
+
+def _true_and_printed(paper: Paper, equation: Equation) -> str:
+    """The sides of a misprint at the stated point, as numbers."""
+    point, parts, row = Point(paper.witness.values(paper.point.at, paper.definitions)), [], 0
+    for relation in equation.read():
+        values = []
+        for side in relation.sides:
+            try:
+                value = evaluate(side, point)
+                values.append([middle(entry) for entry in (value if isinstance(value, Matrix) else [value])])
+            except (ValueError, KeyError, ZeroDivisionError):
+                values.append([])
+        count = len(values[0])
+        units = dict.fromkeys(units_of(paper, equation, relation.sides[0], count, row)) if count else {}
+        row += count
+        factor, unit = in_words(*units) if len(units) == 1 else (mp.mpf(1), "")
+        for side in values[1:]:
+            if len(side) != count:
+                parts.append("one side has no value")
+            elif (apart := max(abs(a - b) for a, b in zip(values[0], side, strict=True))) > EXACT:
+                both = (f"[{', '.join(mp.nstr(entry * factor, 5) for entry in one)}]" for one in (values[0], side))
+                numbers = "left {}, right {}".format(*both) if count <= LONG else f"sides differ by {_digits(apart)}"
+                parts.append(f"{numbers} {unit}".strip())
+    return f"at {paper.point.text}: " + "; ".join(parts or ["the sides agree there"])
 
 
 def _size(paper: Paper, equation: Equation) -> str:

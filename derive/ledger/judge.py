@@ -63,7 +63,7 @@ def judge(paper: Paper, equation: Equation, relations: tuple[Relation, ...], sen
 def holds_errors(paper: Paper, equation: Equation, relations: Iterable[Relation]) -> bool:
     """Whether a letter of the relations changes with the errors."""
     full, half = (witness_point(paper, SEEDS[0], scale, equation.small).values for scale in SCALES[:2])
-    return any(callable(full[name]) or _differs(full[name], half[name]) for name in names(relations))
+    return any(callable(full[name]) or differs(full[name], half[name]) for name in names(relations))
 
 
 def meant(equation: Equation, relations: Iterable[Relation], senses: Iterable[Sense]) -> tuple[Relation, ...]:
@@ -150,7 +150,7 @@ def _judge_definition(paper: Paper, equation: Equation, relations: tuple[Relatio
     try:
         given, usual = witness_point(paper, seed, FULL, (), changed), witness_point(paper, seed, FULL)
         moved = {
-            name for name, value in usual.values.items() if not callable(value) and _differs(value, given.values[name])
+            name for name, value in usual.values.items() if not callable(value) and differs(value, given.values[name])
         }
     except (ValueError, KeyError, ZeroDivisionError) as error:
         what = ", ".join(map(str, equation.defines))
@@ -192,7 +192,7 @@ def largest_residual(relations: Iterable[Relation], point: Point) -> mp.mpf:
     return largest(entry for relation in relations for entry in residual(relation.sides, point))
 
 
-def _differs(a, b) -> bool:
+def differs(a, b) -> bool:
     if a is b:
         return False
     difference = a - b

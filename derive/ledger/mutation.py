@@ -57,7 +57,8 @@ def mutants(relations: tuple[Relation, ...], quantities: Iterable[Quantity]) -> 
 
 def _side(side, alike) -> Iterator[tuple[str, object]]:
     if side != 0 and not isinstance(side, Add | MatAdd | MatrixBase):
-        yield f"-({_short(side)})", negative(side)
+        with suppress(ShapeError):  # a print whose shapes do not fit
+            yield f"-({_short(side)})", negative(side)
     yield from _inside(side, alike)
 
 
@@ -152,7 +153,7 @@ def survivors(paper: Paper, equation: Equation) -> tuple[int, list[Survivor]]:
         for what, mutant in mutants(form, equation.quantities):
             count += 1
             if judge(paper, equation, mutant).status == verdict.status:
-                free = _free_point(paper, equation)
+                free = free_values(paper, equation)
                 reason = _reason(form, mutant, free, lambda s: witness_point(paper, SEEDS[0], s, equation.small))
                 found.append(Survivor(equation.number, what, reason))
     return count, found
@@ -221,7 +222,7 @@ def _reason(form, mutant, free: Point, true: Callable[[float], Point]) -> str:
 
 
 @cache
-def _free_point(paper: Paper, equation: Equation) -> Point:
+def free_values(paper: Paper, equation: Equation) -> Point:
     """Values drawn for every letter by itself, as if no equation held; functions as the witness has them."""
     generator = Random(7)
     known = witness_point(paper, SEEDS[0], FULL).values

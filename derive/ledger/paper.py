@@ -54,7 +54,7 @@ class Paper:
     means them, where a spelling of the page is several; structure: what letters are by their nature, see
     ledger/free.py.  units: of letters with several, or of their kinds; see ledger/dimensions.py.  conventions: the
     paper's own axes and signs, a sentence each.  maps: to the models that make C from it; unflown: the equations of
-    which no function that flies computes a side, each with why.
+    which no function that flies computes a side, each with why.  folder: of a paper of one's own.
     """
 
     name: str
@@ -73,6 +73,7 @@ class Paper:
     conventions: tuple[str, ...] = ()
     maps: tuple["Map", ...] = ()
     unflown: Mapping[str, str] = field(default_factory=dict)
+    folder: str = ""
 
     @cached_property
     def equations(self) -> tuple[Equation, ...]:

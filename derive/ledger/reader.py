@@ -70,6 +70,14 @@ def read(
     return tuple(_Reader(text, table, flown).relation() for text in joined)
 
 
+class UnreadError(BoresightError):
+    """What is neither structure nor a letter of the table: `text`, as `plain` has it, from `at` on."""
+
+    def __init__(self, text: str, at: int):
+        super().__init__(f"cannot read {text[at : at + 40]!r} in {text[:60]!r}: add it to the table")
+        self.text, self.at = text, at
+
+
 def _rows(display: str) -> Iterator[str]:
     """The lines of a display: the rows of aligned, and what stands apart by a comma and a wide space."""
     inside = re.fullmatch(r"\s*\\begin\{aligned\}(.*)\\end\{aligned\}\s*", display, re.DOTALL)
@@ -127,9 +135,7 @@ class _Reader:
             self.refuse()
 
     def refuse(self) -> None:
-        raise BoresightError(
-            f"cannot read {self.text[self.at : self.at + 40]!r} in {self.text[:60]!r}: add it to the table"
-        )
+        raise UnreadError(self.text, self.at)
 
     def relation(self) -> Relation:
         sides = [self.sum()]

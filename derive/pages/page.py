@@ -16,6 +16,7 @@ from boresight.derive.ledger.entries import LONG, Entry, apart, entry_of, findin
 from boresight.derive.ledger.equation import Derivation, Equation, Line, Passage, Quantity, Relation
 from boresight.derive.ledger.evaluate import DIGITS
 from boresight.derive.ledger.lines import count_steps, judge_line
+from boresight.derive.ledger.mends import SHOWN, mends
 from boresight.derive.ledger.numbers import digits
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.pages.blocks import Block, Form, Formulas, Page, Pair, Prose, Section, Table
@@ -29,14 +30,19 @@ def paper_page(paper: Paper, functions: Functions) -> Page:
     entries = [entry_of(paper, equation) for equation in paper.equations]
     beside = tuple(Prose(finding) for finding in findings(paper))
     page = equations_page(paper.name, [(paper, e) for e in paper.equations], functions)
+    steps = str(count_steps(paper.equations))
+    if paper.folder:  # nothing stands on it that is not its own
+        bare = sum(not equation.derivation.steps for equation in paper.equations)
+        steps = f"{bare} without a derivation" if bare else steps
+    conventions = paper.conventions if paper.folder else (*CONVENTIONS, *paper.conventions)
     return replace(
         page,
-        lead=(f"{paper.reference}.", f"{counted(paper.equations)}: {counts(entries)}; {count_steps(paper.equations)}."),
+        lead=(f"{paper.reference}.", f"{counted(paper.equations)}: {counts(entries)}; {steps}."),
         front=(
-            Section("Conventions", (*map(Prose, (*CONVENTIONS, *paper.conventions)), *STATUSES)),
+            Section("Conventions", (*map(Prose, conventions), *STATUSES)),
             Section("Notation", (notation(paper),)),
         ),
-        back=(Section("Beside the equations", beside), *maps(paper), *page.back),
+        back=(*((Section("Beside the equations", beside),) if beside else ()), *maps(paper), *page.back),
     )
 
 
@@ -74,23 +80,24 @@ def equation_section(paper: Paper, equation: Equation, functions: Functions) -> 
     """What is judged, the print against what follows, the evidence, the steps; then who uses and who holds it."""
     entry, letters = entry_of(paper, equation), equation.alphabet
     blocks: list[Block] = [Prose(f"{entry.decisions} {entry.depends}".strip(), "Decided by hand")]
-    blocks += [*forms(equation, entry, letters), *evidence(paper, equation, entry)]
+    blocks += [*forms(paper, equation, entry, letters), *evidence(paper, equation, entry)]
     if entry.note:
         blocks.append(Prose(entry.note, "Note"))
     blocks += steps(equation.derivation, letters, paper.witness.parts, dropped(paper, equation))
     for model, names in functions.get(f"{equation.paper} ({equation.number})", {}).items():
         blocks.append(Prose(", ".join(names), f"In C of {model}", code=True))
     # a number in Greek letters is set by no typewriter face of LaTeX; then all of the paper is judged
-    held = f"boresight equations {paper.name}" + f" {quote(equation.number)}" * equation.number.isascii()
+    held = f"boresight equations {quote(paper.folder or paper.name)}"
+    held += f" {quote(equation.number)}" * equation.number.isascii()
     blocks.append(Prose(held, "Held by", code=True))
     first, last = equation.lines
     source = f"source line {first}" if first == last else f"source lines {first} to {last}"
-    source = source if first else "derived here"
+    source = f"printed.tex, line {first}" if paper.folder else source if first else "derived here"
     title = f"{equation.paper} {equation.label}"
     return Section(title, tuple(blocks), anchor(equation), status(entry), source)
 
 
-def forms(equation: Equation, entry: Entry, letters: tuple[Quantity, ...]) -> list[Block]:
+def forms(paper: Paper, equation: Equation, entry: Entry, letters: tuple[Quantity, ...]) -> list[Block]:
     """The print, and beside it what is derived where the two differ."""
     found = differences(equation.printed, equation.derived)
     printed, derived, page = equation.printed, equation.derived, equation.page_letters
@@ -98,6 +105,7 @@ def forms(equation: Equation, entry: Entry, letters: tuple[Quantity, ...]) -> li
     if not found:
         more = derived[len(printed) :]
         label = "printed and derived" if equation.latex else "derived"
+        label = "printed" if paper.folder and not equation.derivation.steps else label
         blocks: list[Block] = [Formulas(_forms(printed, page), label, _displays(equation))]
         if as_spelled != printed:  # what is read into the letters is not of the print
             left = Formulas(_forms(as_spelled, page), "printed", _displays(equation))
@@ -147,6 +155,8 @@ def evidence(paper: Paper, equation: Equation, entry: Entry) -> list[Block]:
     """What was found, the numbers of each slip, and what the paper's own consequences say, as sentences."""
     own = paper.evidence(equation.number)
     judged = entry.evidence.removesuffix(f"; {own}" if own else "")
+    if paper.folder and entry.status == "erratum" and not equation.derivation.steps:
+        return [Prose(sentences(judged), "As printed"), *proposals(paper, equation)]
     if entry.status != "erratum":
         return [Prose(sentences(judged), "Evidence"), *([Prose(sentences(own), "Sizes")] if own else [])]
     why = judged.partition(f"; at {paper.point.text}")[0]
@@ -155,6 +165,20 @@ def evidence(paper: Paper, equation: Equation, entry: Entry) -> list[Block]:
         _numbers(paper, equation),
     ]
     return blocks + ([Prose(sentences(own), "What it does")] if own else [])
+
+
+def proposals(paper: Paper, equation: Equation) -> list[Block]:
+    """The first single edits that make a misprint true, each where it differs marked."""
+    with digits(DIGITS):
+        ways = mends(paper, equation)
+    if not ways:
+        return [Prose("no single edit makes it true.", "Mends")]
+    blocks: list[Block] = []
+    for i, way in enumerate(ways[:SHOWN], 1):
+        found = differences(equation.printed, way.relations)
+        forms = _forms(way.relations, equation.page_letters, marks(way.relations, found, "derived"))
+        blocks += [Prose(f"{way.what}; then it is {way.status}.", f"Mend {i} of {len(ways)}"), Formulas(forms)]
+    return blocks
 
 
 def _numbers(paper: Paper, equation: Equation) -> Table:
@@ -282,7 +306,7 @@ UNIT = r"(1|m|rad|s|Hz)(/s|/s\^2)?"
 
 
 def status(entry: Entry) -> str:
-    return f"{entry.status}: {entry.kind}, {entry.origin}" if entry.kind else entry.status
+    return f"{entry.status}: {', '.join(filter(None, (entry.kind, entry.origin)))}" if entry.kind else entry.status
 
 
 def anchor(equation: Equation) -> str:

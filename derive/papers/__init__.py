@@ -1,6 +1,10 @@
-"""The papers and our own derivations, by the names that the ledger gives them; imported when asked for."""
+"""The papers and our own derivations, by the names that the ledger gives them; imported when asked for.
+
+A paper of one's own is a folder: `papers.own` reads it.
+"""
 
 from importlib import import_module
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from boresight import BoresightError
@@ -12,9 +16,26 @@ PAPERS = ("song-lee-2001", "kim-2018", "kang-2025")
 DERIVATIONS = ("delay-error", "mechanics")  # of nobody's print
 
 
+FILES = ("paper.toml", "printed.tex")  # of a paper of one's own
+OWN: dict[str, "Paper"] = {}  # those read from folders, by the name of an equation's paper
+
+
 def paper(name: str) -> "Paper":
-    """The paper or derivation of a name.  Raises BoresightError with the right names."""
-    if name not in (*PAPERS, *DERIVATIONS):
-        raise BoresightError(f"no paper {name!r}: the papers are {', '.join((*PAPERS, *DERIVATIONS))}")
-    found: Paper = import_module(f"{__name__}.{name.replace('-', '_')}.paper").PAPER
+    """The paper or derivation of a name, or of a folder.  Raises BoresightError with the right names."""
+    if name in (*PAPERS, *DERIVATIONS):
+        found: Paper = import_module(f"{__name__}.{name.replace('-', '_')}.paper").PAPER
+        return found
+    if name in OWN:
+        return OWN[name]
+    if not is_folder(name):
+        raise BoresightError(f"no paper {name!r}: the papers are {', '.join((*PAPERS, *DERIVATIONS))}, or a folder")
+    from boresight.derive.papers.own import own
+
+    found = own(Path(name))
+    OWN[found.name] = found
     return found
+
+
+def is_folder(name: str) -> bool:
+    """Whether it names a paper of one's own: a folder that holds paper.toml."""
+    return name not in (*PAPERS, *DERIVATIONS) and (Path(name) / FILES[0]).is_file()

@@ -10,7 +10,7 @@ from boresight.derive.ledger.entries import entry_of, ledger
 from boresight.derive.ledger.equation import Relation, negative, total
 from boresight.derive.ledger.evaluate import residual
 from boresight.derive.ledger.judge import judge, largest_residual, witness_point
-from boresight.derive.ledger.mutation import _free_point
+from boresight.derive.ledger.mutation import free_values
 from boresight.derive.ledger.numbers import largest
 from boresight.derive.papers import PAPERS, paper
 
@@ -98,7 +98,7 @@ def test_derived_form_is_the_print_where_the_print_holds(name):
         if entry.status == "erratum":
             continue
         for ours, theirs in zip(equation.derived, equation.read(), strict=False):
-            point = _free_point(one, equation)
+            point = free_values(one, equation)
             try:
                 pairs = list(zip(residual(ours.sides, point), residual(theirs.sides, point), strict=True))
             except ValueError:  # values drawn freely may not be below their limits

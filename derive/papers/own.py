@@ -1,0 +1,469 @@
+"""A paper of one's own: a folder of paper.toml, letters and conventions, and printed.tex, its equations verbatim."""
+
+import ast
+import re
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, fields, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any, NoReturn
+from unicodedata import normalize
+
+from boresight import BoresightError
+from boresight.derive.ledger.dimensions import misfits
+from boresight.derive.ledger.equation import Derivation, Equation, Quantity, Relation, letter
+from boresight.derive.ledger.evaluate import DIGITS, Point, evaluate
+from boresight.derive.ledger.judge import differs, names
+from boresight.derive.ledger.numbers import Matrix, digits
+from boresight.derive.ledger.paper import Paper, Stated, Witness
+from boresight.derive.ledger.reader import UnreadError, plain, read
+from boresight.derive.ledger.witness import draw, scaled
+from boresight.derive.papers import FILES
+from boresight.derive.papers.values import TIMES, ValueOfLetterError, Values, check, parsed
+from boresight.derive.papers.worlds import World, world
+from boresight.errors import did_you_mean
+
+TOML, PRINT = FILES
+KEYS = {
+    "": {"title", "authors", "conventions", "witness", "sizes", "letters", "equations"},
+    "letters": {"latex", "value", "meaning", "unit", "frame", "shape"},
+    "equations": {"note", "small", "planted"},
+}
+POINTS = 4  # of the stated sizes, from which a remainder's size is taken
+
+
+def own(folder: Path) -> Paper:
+    """The paper of a folder.  Raises BoresightError with file, line and column of what is wrong in it."""
+    return Folder(folder).paper()
+
+
+# ---- Files -----------------------------------------------------------------------------------------------------------
+
+
+def text_of(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8")
+    except OSError as error:
+        raise BoresightError(f"{path}: cannot be read ({error.strerror}); it is one of the paper's files") from None
+    except UnicodeDecodeError as error:
+        raise BoresightError(f"{path}: byte {error.start} is not UTF-8; save the file as UTF-8") from None
+
+
+def refuse(path: Path, text: str, at: int, what: str) -> NoReturn:
+    """At a character of the file's text, counted from 0."""
+    line, column = text.count("\n", 0, at) + 1, at - text.rfind("\n", 0, at)
+    raise BoresightError(f"{path}:{line}:{column}: {what}")
+
+
+@dataclass(frozen=True)
+class Display:
+    """One equation of printed.tex: its number, its LaTeX, and where in the file that begins and ends."""
+
+    number: str
+    latex: str
+    begins: int
+    lines: tuple[int, int]
+
+
+ENVIRONMENT = re.compile(
+    r"\\begin\{(?P<name>equation|align|gather|multline|displaymath|eqnarray)\*?\}(?P<body>.*?)\\end\{(?P=name)\*?\}"
+    r"|\\\[(?P<square>.*?)\\\]|\$\$(?P<dollars>.*?)\$\$",
+    re.DOTALL,
+)
+LABEL = re.compile(r"\\(?:tag|label)\{(?:eqn?:)?([^{}]*)\}")
+
+
+def displays(path: Path) -> Iterator[Display]:
+    """The displayed equations of a LaTeX file, each with its tag or its label.  Raises BoresightError."""
+    text = text_of(path)
+    bare = re.sub(r"(?<!\\)%.*", lambda comment: " " * len(comment[0]), text)
+    known: dict[str, int] = {}
+    for found in ENVIRONMENT.finditer(bare):
+        body = next(part for part in ("body", "square", "dollars") if found[part] is not None)
+        at, inside = found.start(body), found[body]
+        marks = {mark[0].startswith(r"\tag"): mark[1] for mark in LABEL.finditer(inside)}
+        number = marks.get(True, marks.get(False, "")).strip().strip("()")
+        line = text.count("\n", 0, found.start()) + 1
+        if not number:
+            refuse(path, text, found.start(), r"the equation has no number: add \tag{1}, as the paper numbers it")
+        if number in known:
+            refuse(path, text, found.start(), f"two equations are called {number}; line {known[number]} has the first")
+        known[number] = line
+        inside = re.sub(rf"{LABEL.pattern}|\\nonumber|\\notag", lambda mark: " " * len(mark[0]), inside)
+        inside = re.sub(r"(\\(?:begin|end)\{)(?:split|alignedat)\}", r"\1aligned}", inside)
+        lines = (line, text.count("\n", 0, found.end()) + 1)
+        inside = inside.rstrip().rstrip(".,;").rstrip()
+        if found["name"] in ("align", "eqnarray", "gather"):
+            inside = rf"\begin{{aligned}}{inside}\end{{aligned}}"
+        yield Display(number, inside.strip(), at, lines)
+    if not known:
+        refuse(path, text, 0, r"no equation is displayed; write \begin{equation} ... \tag{1} \end{equation}")
+
+
+# ---- The paper -------------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, eq=False)
+class Bound(Mapping):
+    """Values of a paper's letters: those bound to the world, and those that its equations define."""
+
+    given: Values
+    defined: Mapping[str, Any]
+    known: dict[str, Any] = field(default_factory=dict)
+
+    def __getitem__(self, name: str) -> Any:
+        if name in self.given.letters:
+            return self.given.letter(name)
+        if name not in self.known:
+            if name not in self.defined:
+                raise KeyError(f"nothing gives {name} a value")
+            with digits(2 * DIGITS):
+                self.known[name] = evaluate(self.defined[name], Point(self))
+        return self.known[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter({**self.given.letters, **self.defined})
+
+    def __len__(self) -> int:
+        return len({**self.given.letters, **self.defined})
+
+
+class Folder:
+    """What a folder says, read once."""
+
+    def __init__(self, folder: Path):
+        self.folder = folder
+        self.toml, self.print = folder / TOML, folder / PRINT
+        self.text = text_of(self.toml)
+        try:
+            self.data: dict[str, Any] = tomllib.loads(self.text)
+        except tomllib.TOMLDecodeError as error:
+            place = re.search(r" \(at line (\d+), column (\d+)\)", str(error))
+            where = f":{place[1]}:{place[2]}" if place else ""
+            raise BoresightError(f"{self.toml}{where}: {str(error).partition(' (at ')[0]}") from None
+        self.check_keys()
+
+    def refuse(self, what: str, *keys: str, column: int = 0) -> NoReturn:
+        """At the line of paper.toml where the innermost of these keys stands."""
+        begin = 0
+        for key in keys:
+            quoted = rf"(?:\"{re.escape(key)}\"|'{re.escape(key)}'|{re.escape(key)})"
+            found = re.compile(rf"^\s*\[[^\]\n]*?{quoted}\]|(?:^|[{{,])\s*{quoted}\s*=\s*(['\"]?)", re.MULTILINE)
+            if place := found.search(self.text, begin):
+                start = place.end() - len(place[0].lstrip(" \n\t{,"))
+                begin = place.end() if column or key != keys[-1] else start
+        refuse(self.toml, self.text, begin + column, what)
+
+    def check_keys(self) -> None:
+        for key in self.data:
+            self.known("", key, key)
+        for table in ("letters", "equations"):
+            entries = self.data.get(table, {})
+            if not isinstance(entries, dict):
+                self.refuse(f"{table} is no table", table)
+            for name, entry in entries.items():
+                if not isinstance(entry, dict):
+                    self.refuse(f"{name} is no table; write {{ latex = '...', value = \"...\" }}", table, name)
+                for key in entry:
+                    self.known(table, key, table, name, key)
+        for key in ("title", "witness"):
+            if not isinstance(self.data.get(key), str):
+                raise BoresightError(f'{self.toml}: {key} is missing; write {key} = "..." at the top')
+        if not self.data.get("letters"):
+            raise BoresightError(f"{self.toml}: no letter is declared; write a table [letters]")
+
+    def known(self, table: str, key: str, *path: str) -> None:
+        if key not in KEYS[table]:
+            self.refuse(f"no key {key!r} here{did_you_mean(key, KEYS[table])}; there are "
+                        f"{', '.join(sorted(KEYS[table]))}", *path)  # fmt: skip
+
+    @cached_property
+    def world(self) -> World:
+        try:
+            return world(self.data["witness"])
+        except BoresightError as error:
+            self.refuse(str(error), "witness")
+
+    @cached_property
+    def sizes(self) -> Any:
+        """The usual sizes of the world, those of the file in their place."""
+        known = {part.name for part in fields(self.world.usual)}
+        given = {}
+        for name, value in self.data.get("sizes", {}).items():
+            if name not in known:
+                self.refuse(f"{self.world.name} has no part {name!r}{did_you_mean(name, known)}", "sizes", name)
+            numbers = value if isinstance(value, list) else [value]
+            if len(numbers) not in (1, 3) or not all(isinstance(one, int | float) and one >= 0 for one in numbers):
+                self.refuse(f"{name} must be a size, or three: numbers that are not negative", "sizes", name)
+            given[name] = tuple(map(float, value)) if isinstance(value, list) else float(value)
+        return replace(self.world.usual, **given)
+
+    # ---- letters
+
+    @cached_property
+    def bound(self) -> dict[str, ast.expr]:
+        """By name the expressions of the letters that have a value, with those of their rates."""
+        found: dict[str, ast.expr] = {}
+        for name, entry in self.data["letters"].items():
+            if "value" in entry:
+                try:
+                    found[normalize("NFC", name)] = parsed(str(entry["value"]))
+                except ValueOfLetterError as error:
+                    self.refuse(str(error), "letters", name, "value", column=error.column)
+        for name in self.data["letters"]:
+            if normalize("NFC", name) in found:
+                try:
+                    check(normalize("NFC", name), found, self.world)
+                except ValueOfLetterError as error:
+                    self.refuse(str(error), "letters", name, "value", column=error.column)
+        if self.world.moves:
+            still = [n for n, tree in found.items() if not timed(tree, found)]
+            found |= {dotted(n): parsed_rate(n) for n in still if dotted(n) not in found}
+        return found
+
+    def quantity(self, name: str, entry: Mapping[str, Any], at: Values) -> Quantity:
+        """Raises BoresightError."""
+        symbol = normalize("NFC", name)
+        if not isinstance(entry.get("latex"), str) or not entry["latex"].strip():
+            self.refuse(f"{name} has no latex: write latex = '...', as the paper prints it", "letters", name)
+        named = self.world.names.get(str(entry.get("value", "")))
+        unit = str(entry.get("unit", named.unit if named else "1"))
+        words = str(entry.get("meaning", named.meaning if named else ""))
+        if "value" in entry:
+            shape = self.shape_of(symbol, name, at)
+            if "shape" in entry and shape != shaped(entry["shape"]):
+                self.refuse(f"{name} has the shape {list(shape)} by its value, not {entry['shape']}", "letters", name)
+        elif "shape" in entry:
+            shape = shaped(entry["shape"])
+        else:
+            self.refuse(f"{name} has neither a value nor a shape: write value = \"...\" by the names of "
+                        f"{self.world.name}, or shape = 3 of what an equation defines", "letters", name)  # fmt: skip
+        meaning = words + f", in {entry.get('frame')}" * ("frame" in entry)
+        several = "," in unit or " by " in unit or " times " in unit
+        made = letter(name, entry["latex"], f"{unit} {shape}", meaning + f", {unit}" * (not several), shape)
+        return made
+
+    def shape_of(self, symbol: str, name: str, at: Values) -> tuple[int, ...]:
+        try:
+            value = at.letter(symbol)
+        except (ValueError, TypeError, IndexError, ZeroDivisionError, KeyError) as error:
+            self.refuse(f"the value of {name} has no meaning: {error}", "letters", name, "value")
+        if not isinstance(value, Matrix):
+            return ()
+        return (value.rows, value.cols) if value.cols > 1 else (value.rows,)
+
+    @cached_property
+    def quantities(self) -> tuple[Quantity, ...]:
+        """The declared letters, and of those with a value their rates, in each spelling."""
+        with digits(DIGITS):
+            at = Values(lambda t: self.world.values(draw(self.world.base, 1, self.world.sizes), t), self.bound)
+            declared = [self.quantity(name, entry, at) for name, entry in self.data["letters"].items()]
+        alike: dict[str, str] = {}
+        for quantity in declared:
+            other = alike.setdefault(plain(quantity.latex), quantity.symbol.name)
+            if other != quantity.symbol.name:
+                self.refuse(f"{other} and {quantity.symbol.name} are both written {quantity.latex}; which is meant?",
+                            "letters", quantity.symbol.name)  # fmt: skip
+        rates = []
+        for quantity in declared:
+            name = dotted(quantity.symbol.name)
+            if name in self.bound and name not in {one.symbol.name for one in declared}:
+                unit = per_second(quantity.meaning.rpartition(", ")[2])
+                for latex in dotted_latex(quantity.latex):
+                    if plain(latex) not in alike:
+                        meaning = f"rate of {quantity.symbol.name}, {unit}"
+                        rates.append(letter(name, latex, f"{unit} {quantity.shape}", meaning, quantity.shape))
+        return (*declared, *rates)
+
+    # ---- equations
+
+    @cached_property
+    def prints(self) -> dict[str, tuple[Display, tuple[Relation, ...]]]:
+        found = {}
+        for display in displays(self.print):
+            try:
+                found[display.number] = display, read((display.latex,), self.quantities)
+            except UnreadError as error:
+                self.unread(display, error)
+            except BoresightError as error:
+                refuse(self.print, text_of(self.print), display.begins, str(error))
+        for number in self.data.get("equations", {}):
+            if number not in found:
+                near = did_you_mean(number, found)
+                self.refuse(f"{PRINT} has no equation {number!r}{near}; it has {', '.join(found)}", "equations", number)
+        return found
+
+    def unread(self, display: Display, error: UnreadError) -> NoReturn:
+        """At the same token of the file, which has spaces beside what the reader had."""
+        tokens = re.compile(r"\\[A-Za-z]+|\\.|\S")
+        token = tokens.match(error.text, error.at)
+        text = text_of(self.print)
+        if token is None:
+            refuse(self.print, text, display.begins, f"({display.number}) ends before a formula is whole")
+        before = sum(one[0] == token[0] for one in tokens.finditer(error.text, 0, error.at))
+        end = text.index("\n", display.begins + len(display.latex)) if "\n" in text[display.begins :] else len(text)
+        same = [one.start() for one in tokens.finditer(text, display.begins, end) if one[0] == token[0]]
+        at = same[min(before, len(same) - 1)] if same else display.begins
+        what = f"cannot read {error.text[error.at : error.at + 20]!r} in ({display.number})"
+        refuse(self.print, text, at, f"{what}: no letter of {TOML} is written so, and it is no sign that is read")
+
+    @cached_property
+    def defined(self) -> dict[str, str]:
+        """By name the number of the equation that defines a letter: the first in which it stands alone on the left."""
+        found: dict[str, str] = {}
+        for number, (_, relations) in self.prints.items():
+            for relation in relations:
+                name = getattr(relation.sides[0], "name", "")
+                if name and name not in self.bound:
+                    found.setdefault(name, number)
+        for number, (_, relations) in self.prints.items():
+            for name in sorted(names(relations)):
+                if name not in self.bound and name not in found:
+                    self.refuse(f"{name} of ({number}) has no value: write value = \"...\", or print the equation that "
+                                f"defines it", "letters", name)  # fmt: skip
+        return found
+
+    def equations(self, name: str) -> tuple[Equation, ...]:
+        found = []
+        for number, (display, relations) in self.prints.items():
+            more = self.data.get("equations", {}).get(number, {})
+            for part in more.get("small", ()):
+                if part not in self.world.errors:
+                    near = did_you_mean(part, self.world.errors)
+                    self.refuse(f"{self.world.name} has no error {part!r}{near}", "equations", number, "small")
+            spelled = plain(display.latex)
+            here = [one for one in self.used if plain(one.latex) in spelled]
+            planted = f"Planted: {more['planted']}." if "planted" in more else ""
+            found.append(
+                Equation(
+                    paper=name,
+                    number=number,
+                    latex=(display.latex,),
+                    lines=display.lines,
+                    printed=relations,
+                    derived=relations,
+                    derivation=Derivation(()),
+                    defines=tuple(
+                        symbol
+                        for relation in relations
+                        if self.defined.get(getattr(symbol := relation.sides[0], "name", "")) == number
+                    ),
+                    small=tuple(more.get("small", ())),
+                    note=" ".join(filter(None, (planted, more.get("note", "")))),
+                    quantities=(*self.used, *here),
+                )
+            )
+        return tuple(found)
+
+    @cached_property
+    def used(self) -> tuple[Quantity, ...]:
+        """The declared letters, and the rates that stand in the print."""
+        every = {name for _, relations in self.prints.values() for name in names(relations)}
+        declared = len(self.data["letters"])
+        return (*self.quantities[:declared], *(one for one in self.quantities[declared:] if one.symbol.name in every))
+
+    @cached_property
+    def felt(self) -> tuple[str, ...]:
+        """The errors of the world with which a letter of the print changes."""
+        every = {name for _, relations in self.prints.values() for name in names(relations)} & self.bound.keys()
+
+        def at(sizes: Any) -> Values:
+            base = draw(self.world.base, 1, sizes)
+            return Values(lambda t: self.world.values(base, t), self.bound)
+
+        with digits(DIGITS):
+            whole = at(self.world.sizes)
+
+            def changes(part: str) -> bool:
+                half = at(scaled(self.world.sizes, 0.5, (part,)))
+                return any(differs(whole.letter(name), half.letter(name)) for name in every)
+
+            return tuple(part for part in self.world.errors if changes(part))
+
+    # ---- all of it
+
+    def paper(self) -> Paper:
+        name = self.folder.resolve().name
+        owned = self.world
+        self.defined  # noqa: B018  refuses here what has no value
+
+        def values(base: Any, definitions: Mapping[str, tuple[Relation, ...]]) -> Bound:
+            sides = {
+                relation.sides[0].name: relation.sides[1]
+                for relations in definitions.values()
+                for relation in relations
+                if getattr(relation.sides[0], "name", "") in self.defined
+            }
+            return Bound(Values(lambda t: owned.values(base, t), self.bound), sides)
+
+        def odd_units() -> tuple[str, ...]:
+            return tuple(f"The units of ({number}) do not fit: {why}." for number, _, why in misfits(made)[1])
+
+        errors = self.felt
+        sizes = (f"{owned.parts[one]} {said(getattr(self.sizes, one))} {owned.units[one]}" for one in errors)
+        text = ", ".join(sizes) or f"a random point of {owned.name}"
+        given = self.data["letters"]
+        made = Paper(
+            name=name,
+            reference=self.data["title"] + f", {self.data.get('authors')}" * ("authors" in self.data),
+            make_equations=lambda: self.equations(name),
+            quantities=lambda: self.used,
+            witness=Witness(owned.base, values, owned.sizes, errors, owned.words, owned.parts),
+            conditions=Stated(self.sizes, text, POINTS),
+            point=Stated(draw(owned.base, POINTS, self.sizes), f"a point with {text}" if errors else text),
+            evidence=lambda number: "",
+            findings=odd_units,
+            units={
+                symbol: unit
+                for symbol, unit in ((n, str(given[n].get("unit", ""))) for n in given)
+                if "," in unit or " by " in unit or " times " in unit
+            },
+            conventions=tuple(self.data.get("conventions", ())),
+            folder=str(self.folder),
+        )
+        return made
+
+
+def shaped(shape: Any) -> tuple[int, ...]:
+    sizes = tuple(shape) if isinstance(shape, list) else (shape,)
+    return () if sizes in ((1,), (1, 1)) else sizes[:1] if sizes[1:] == (1,) else sizes
+
+
+def said(size: Any) -> str:
+    return " ".join(f"{one:g}" for one in size) if isinstance(size, tuple) else f"{size:g}"
+
+
+def timed(tree: ast.expr, letters: Mapping[str, ast.expr]) -> bool:
+    """Whether an expression, or one that it names, is of another time."""
+    named = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+    return bool(named & set(TIMES)) or any(
+        timed(letters[name], {k: v for k, v in letters.items() if k != name}) for name in named & letters.keys()
+    )
+
+
+def parsed_rate(name: str) -> ast.expr:
+    return ast.Call(ast.Name("rate"), [ast.Name(name)], [])
+
+
+def dotted(name: str) -> str:
+    """The name of its rate: a dot over the last letter before the scripts."""
+    stem, under, scripts = name.partition("_")
+    return normalize("NFC", f"{stem}\u0307{under}{scripts}")
+
+
+def dotted_latex(latex: str) -> tuple[str, ...]:
+    """How a rate may be printed; the last is written where the print is not at hand."""
+    scripts = re.search(r"(?<!\\)[_^]", latex)
+    at = scripts.start() if scripts else len(latex)
+    stem, rest = latex[:at].strip(), latex[at:]
+    found = [rf"\dot{{{latex}}}", rf"\dot{{{stem}}}{rest}"]
+    if error := re.fullmatch(r"(\\[Dd]elta)(?![A-Za-z])\s*(.+)", stem):
+        found += [rf"\dot{{{error[1]}}} {error[2]}{rest}", rf"{error[1]} \dot{{{error[2]}}}{rest}"]
+    return tuple(dict.fromkeys(found))
+
+
+def per_second(unit: str) -> str:
+    if power := re.fullmatch(r"(.*/s)(?:\^(\d))?", unit):
+        return f"{power[1]}^{int(power[2] or 1) + 1}"
+    return f"{unit}/s"
