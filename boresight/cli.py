@@ -41,9 +41,9 @@ def model_names() -> list[str]:
 
 
 def new_kinds() -> list[str]:
-    from boresight.codegen.new import KINDS
+    from boresight.codegen.new import KINDS, PAPER
 
-    return list(KINDS)
+    return [*KINDS, PAPER]
 
 
 def paper_names() -> list[str]:
@@ -115,21 +115,25 @@ def root(version: Annotated[bool, typer.Option("--version", help="Print the vers
 
 @app.command()
 def new(
-    name: Annotated[str, typer.Argument(help="Lower-case words joined by '-'; NAME.py and fly_NAME.py are written.")],
+    name: Annotated[str, typer.Argument(help="Lower-case words joined by '-'; NAME.py and fly_NAME.py, or a folder NAME.")],
     kind: Annotated[
         str,
         typer.Option(
             help="total-state, flown by f: a pendulum; error-state, with feedback: height and speed aided by a "
-            "barometer; ins: GNSS/INS with lever arm and delay, 15 states.",
+            "barometer; ins: GNSS/INS with lever arm and delay, 15 states; paper: a folder with two equations.",
             autocompletion=completed(new_kinds),
         ),
     ] = "total-state",
     out: Annotated[Path, typer.Option("-o", "--out", help="Folder to write to.")] = Path(),
 ) -> None:
-    """Begin a model of your own, and the script that flies it."""
+    """Begin a model of your own, and the script that flies it; or a paper of your own, and what it prints."""
     from boresight.codegen import new as begin
 
     model, script = begin.new(name, kind, out)
+    if kind == begin.PAPER:
+        print(f"{model}, {script}")
+        print(f"try 'boresight equations {model.parent}', 'boresight show {model.parent}'; docs/your-paper.md is a guide")
+        return
     constant = model.stem.upper()
     print(f"{model}, {script}")
     print(f"try 'boresight generate {model}:{constant}', 'boresight verify {model}:{constant}', 'python {script}'")

@@ -7,22 +7,26 @@ from pathlib import Path
 
 from boresight import BoresightError
 from boresight.codegen.stamp import PACKAGE
+from boresight.derive.papers import DERIVATIONS, FILES, PAPERS
 from boresight.runtime.manifest import built_in
 
 # The example that each kind begins as.
 KINDS = {"total-state": "pendulum", "error-state": "vertical", "ins": "gnss-ins"}
+PAPER = "paper"  # the kind that is a folder: the letters and the equations of a paper
 NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 
 
 def new(name: str, kind: str, folder: Path) -> list[Path]:
-    """Write NAME.py and fly_NAME.py into the folder; both paths.
+    """Write NAME.py and fly_NAME.py into the folder, or of a paper the files of the folder NAME; their paths.
 
     Raises BoresightError on a name that cannot be one, on files that exist, on a folder that cannot be written to.
     """
-    if kind not in KINDS:
-        raise BoresightError(f"there is no kind {kind!r}; choose {', '.join(KINDS)}")
+    if kind not in (*KINDS, PAPER):
+        raise BoresightError(f"there is no kind {kind!r}; choose {', '.join((*KINDS, PAPER))}")
     if not NAME.fullmatch(name):
         raise BoresightError(f"{name!r} cannot name a model; join lower-case words by '-', as in my-filter")
+    if kind == PAPER:
+        return new_paper(name, folder)
     if name in built_in():
         raise BoresightError(f"{name} is a built-in model; choose another name")
     snake = name.replace("-", "_")
@@ -35,13 +39,25 @@ def new(name: str, kind: str, folder: Path) -> list[Path]:
         )
         for prefix in ("", "fly_")
     }
+    return written(folder, texts)
+
+
+def new_paper(name: str, folder: Path) -> list[Path]:
+    """The files of a paper to begin with: two equations, one of them with a slip that is named as planted."""
+    if name in (*PAPERS, *DERIVATIONS):
+        raise BoresightError(f"{name} is a paper that comes with Boresight; choose another name")
+    first = PACKAGE / "examples" / "papers" / "first"
+    return written(folder / name, {folder / name / file: (first / file).read_text("utf-8") for file in FILES})
+
+
+def written(folder: Path, texts: dict[Path, str]) -> list[Path]:
     for path in texts:
         if path.exists():
             raise BoresightError(f"{path} exists; choose another name, or another folder with -o")
     try:
         folder.mkdir(parents=True, exist_ok=True)
         for path, text in texts.items():
-            path.write_text(text)
+            path.write_text(text, "utf-8")
     except OSError as error:
         raise BoresightError(f"cannot write to {folder} ({error.strerror}); choose another folder with -o") from None
     return list(texts)

@@ -166,6 +166,8 @@ class Terms:
             return Grid(tuple((alike(a, b),) for a, b in pairs))
         if name == "norm":
             return scalar(reduce(alike, parts[0]))
+        if name == "conj":
+            return parts[0]
         if name == "row":
             return Grid((tuple(entry for part in parts for entry in part),))
         if name == "samples":

@@ -123,6 +123,7 @@ OPERATORS: dict[str, Callable] = {
     "cross": lambda a, b: skew(a) * b,
     "entry": lambda M, i, j: M[int(i) - 1, int(j) - 1],
     "norm": numbers.norm,
+    "conj": lambda q: vector(q[0], -q[1], -q[2], -q[3]),
     "exp": lambda A: A.exp() if isinstance(A, Matrix) else arb(A).exp(),
 }
 
@@ -212,7 +213,11 @@ def power(base, exponent):
         return arb(base) ** arb(fmpq(int(exponent.p), int(exponent.q)))
     # Multiplied out: FLINT's own power of a ball at zero knows nothing.
     result = reduce(multiplied, [base] * abs(int(exponent)))
-    return result if exponent > 0 else result.inv() if isinstance(result, Matrix) else 1 / result
+    if exponent > 0 or not isinstance(result, Matrix):
+        return result if exponent > 0 else 1 / result
+    if _shape(result) == (4, 1):  # a quaternion
+        return OPERATORS["conj"](result) / sum(entry * entry for entry in result)
+    return result.inv()
 
 
 def residual(sides, point: Point) -> list:

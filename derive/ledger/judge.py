@@ -140,7 +140,9 @@ def _changes(relation: Relation, at: Sequence[Point]) -> list[bool]:
     values: list[Any] = [evaluate(relation.sides[-1], point) for point in at]
     columns = getattr(values[0], "cols", 1)
     entries = [[middle(entry) for entry in (v if isinstance(v, Matrix) else [v])] for v in values]
-    found = [abs(b - c) > abs(a - b) * SLACK / 4 for a, b, c in zip(*entries, strict=True)]
+    found = [
+        abs(b - c) > abs(a - b) * SLACK / 4 or abs(c) > abs(b) * SLACK / 2 for a, b, c in zip(*entries, strict=True)
+    ]
     return [any(found[i : i + columns]) for i in range(0, len(found), columns)]
 
 

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Collection, Iterable
-from unicodedata import lookup, normalize
+from unicodedata import decomposition, lookup, normalize
 from unicodedata import name as name_of
 
 from boresight.derive.ledger.equation import Quantity, Relation
@@ -161,5 +161,14 @@ def _character(character: str) -> str:
         if greek[1] == "CAPITAL" and word not in CAPITALS:  # it looks like a Latin one, and LaTeX has no name for it
             return {"eta": "H", "rho": "P", "chi": "X"}.get(word, word[0].upper())
         return "o" if word == "omicron" else "\\" + (word.capitalize() if greek[1] == "CAPITAL" else word) + " "
+    if script := script_latex(character):
+        return script
     sign = (SIGNS | LETTERS).get(character)
     return sign + " " if sign else character
+
+
+def script_latex(character: str) -> str:
+    """LaTeX of a sign that stands above or below by itself, as ⁺ and ₀, or nothing."""
+    where, _, plain = decomposition(character).partition("> ")
+    sign = {"<super": "^", "<sub": "_"}.get(where)
+    return f"{sign}{{{chr(int(plain, 16)).replace('−', '-')}}}" if sign and " " not in plain else ""

@@ -30,7 +30,7 @@ from boresight.derive.ledger.equation import (
 )
 from boresight.derive.ledger.evaluate import DIGITS, Point, residual
 from boresight.derive.ledger.judge import EXACT, judge, names
-from boresight.derive.ledger.mutation import free_values, mutants
+from boresight.derive.ledger.mutation import commutes, free_values, mutants, short
 from boresight.derive.ledger.numbers import digits, middle
 from boresight.derive.ledger.paper import Paper
 
@@ -70,8 +70,16 @@ def mends(paper: Paper, equation: Equation) -> tuple[Mend, ...]:
 
 def _in_words(what: str) -> str:
     """Without the names of functions: skew(a)*b is [a x] b."""
-    what = re.sub(r"\bskew\((\w+)\)", r"[\1 x]", what)
-    what = re.sub(r"\btranspose\(([^()]*)\)", r"\1^T", what)
+    for name, left, right in (("skew", "[", " x]"), ("transpose", "(", ")^T")):
+        while (at := what.find(f"{name}(")) >= 0:
+            begin = end = at + len(name) + 1
+            depth = 1
+            while depth and end < len(what):
+                depth += (what[end] == "(") - (what[end] == ")")
+                end += 1
+            inside = what[begin : end - 1] if not depth else what[begin:]
+            simple = left == "(" and re.fullmatch(r"[\w\u0300-\u036f]+", inside)
+            what = what[:at] + (f"{inside}^T" if simple else f"{left}{inside}{right}") + what[end:]
     return re.sub(r"^-\((.*)\)$", r"the other sign of \1", what).replace("*", " ")
 
 
@@ -94,7 +102,8 @@ def _rank(what: str, used: set[str]) -> tuple:
         return LIKELY.index("letter"), -_likeness(before, after) - 0.1 * (after in used), what
     word = "order" if what.endswith("other order") else "transpose" if "transpose" in what else what
     place = next((i for i, start in enumerate(LIKELY) if word.startswith(start)), len(LIKELY))
-    return place, 0.0, what
+    factor = re.match(r"with factor ([^ ^]+)", what)
+    return place, float(factor is not None and factor[1] not in used), what
 
 
 def _likeness(a: str, b: str) -> float:
@@ -147,7 +156,8 @@ def _letters_everywhere(relations: tuple[Relation, ...], quantities: Iterable[Qu
 
 
 def _groupings(relations: tuple[Relation, ...], quantities: Iterable[Quantity]) -> Iterator[tuple[str, tuple]]:
-    """A pair of brackets around a sum, so that a number divides all of it; bars around a vector; a term of a letter."""
+    """A pair of brackets around a sum, so that a number divides all of it; a sum transposed; bars around a vector; one
+    term more of a letter."""
     scalars = [q.symbol for q in quantities if not q.function and not q.shape]
 
     def change(node) -> Iterator[tuple[str, Any]]:
@@ -158,6 +168,11 @@ def _groupings(relations: tuple[Relation, ...], quantities: Iterable[Quantity]) 
                     rest = product(*(f for f in term.args if f not in numbers))
                     inside = total(*node.args[:i], rest, *node.args[i + 1 :])
                     yield "brackets around the sum", product(*numbers, inside)
+        if isinstance(node, Mul | MatMul):
+            for i, factor in enumerate(node.args):
+                if isinstance(factor, Add | MatAdd) and not factor.is_commutative:
+                    turned = transpose(factor, evaluate=False)
+                    yield f"{short(factor)} -> transpose", product(*node.args[:i], turned, *node.args[i + 1 :])
         if isinstance(node, StrictLessThan):
             yield f"bars around {node.lhs}", StrictLessThan(NORM(node.lhs), node.rhs, evaluate=False)
         if isinstance(node, Add) and node.is_commutative:
@@ -188,11 +203,12 @@ def _additions(relations: tuple[Relation, ...], quantities: Iterable[Quantity]) 
             return
         for text, scalar in factors:
             with suppress(ShapeError, TypeError):
-                yield f"with factor {text}", product(scalar, *parts)
+                yield f"with factor {text} before {short(node)}", product(scalar, *parts)
         for text, matrix in () if node.is_commutative else matrices:
-            for at in range(len(parts) + 1):
+            for at in (i for i in range(len(parts) + 1) if i == len(parts) or not commutes(parts[i])):
+                place = f"before {short(parts[at])}" if at < len(parts) else f"after {short(parts[-1])}"
                 with suppress(ShapeError, TypeError):
-                    yield f"with factor {text}", product(*parts[:at], matrix, *parts[at:])
+                    yield f"with factor {text} {place}", product(*parts[:at], matrix, *parts[at:])
 
     yield from _places(relations, change)
 

@@ -58,7 +58,7 @@ def mutants(relations: tuple[Relation, ...], quantities: Iterable[Quantity]) -> 
 def _side(side, alike) -> Iterator[tuple[str, object]]:
     if side != 0 and not isinstance(side, Add | MatAdd | MatrixBase):
         with suppress(ShapeError):  # a print whose shapes do not fit
-            yield f"-({_short(side)})", negative(side)
+            yield f"-({short(side)})", negative(side)
     yield from _inside(side, alike)
 
 
@@ -86,34 +86,34 @@ def _here(expression, alike) -> Iterator[tuple[str, object]]:
         for i, entry in enumerate(arguments):
             place = f"entry {i // expression.cols + 1},{i % expression.cols + 1}"
             if entry != 0:
-                yield from with_argument(f"{place}: {_short(entry)} -> its negative", i, -entry)
+                yield from with_argument(f"{place}: {short(entry)} -> its negative", i, -entry)
             if entry in (0, 1, -1):
                 yield from with_argument(f"{place}: {entry} -> {1 - abs(entry)}", i, 1 - abs(entry))
         if expression.rows == expression.cols > 1:
             yield "matrix -> its transpose", expression.T
     elif isinstance(expression, Add | MatAdd):
         for i, term in enumerate(arguments):
-            yield from with_argument(f"sign of {_short(term)}", i, negative(term))
-            yield from with_argument(f"without {_short(term)}", i)
+            yield from with_argument(f"sign of {short(term)}", i, negative(term))
+            yield from with_argument(f"without {short(term)}", i)
     elif isinstance(expression, Mul | MatMul):
         for i, factor in enumerate(arguments):
             if factor != S.NegativeOne and not isinstance(factor, MatrixBase):
-                yield from with_argument(f"without factor {_short(factor)}", i)
+                yield from with_argument(f"without factor {short(factor)}", i)
         for i in range(len(arguments) - 1):
             a, b = arguments[i : i + 2]
-            if not (_commutes(a) or _commutes(b)):
+            if not (commutes(a) or commutes(b)):
                 swapped = (*arguments[:i], b, a, *arguments[i + 2 :])
-                yield from _written(f"{_short(a)} and {_short(b)} in the other order", expression, swapped)
+                yield from _written(f"{short(a)} and {short(b)} in the other order", expression, swapped)
     elif isinstance(expression, Pow):
         base, exponent = arguments
-        yield f"{_short(expression)} -> {_short(base)}", base
+        yield f"{short(expression)} -> {short(base)}", base
         if exponent == 2:
-            yield f"{_short(expression)} -> cube", base**3
+            yield f"{short(expression)} -> cube", base**3
     elif expression.func == transpose:
-        yield f"{_short(expression)} -> not transposed", arguments[0]
+        yield f"{short(expression)} -> not transposed", arguments[0]
     elif expression.func in OTHER_FUNCTIONS:
         for other in OTHER_FUNCTIONS[expression.func]:
-            yield f"{_short(expression)} -> {other.__name__}", other(*arguments)
+            yield f"{short(expression)} -> {other.__name__}", other(*arguments)
 
 
 def _written(what, expression, arguments) -> Iterator[tuple[str, object]]:
@@ -122,11 +122,11 @@ def _written(what, expression, arguments) -> Iterator[tuple[str, object]]:
         yield what, rebuild(expression, arguments)
 
 
-def _commutes(factor) -> bool:
+def commutes(factor) -> bool:
     return not isinstance(factor, MatrixBase) and bool(factor.is_commutative)
 
 
-def _short(expression) -> str:
+def short(expression) -> str:
     text = " ".join(str(expression).replace("Matrix", "").split())
     return text if len(text) <= 40 else text[:37] + "..."
 

@@ -1,32 +1,86 @@
 """From the LaTeX of a printed equation to relations, symbol by symbol: nobody types a printed form a second time.
 
-It knows fractions, roots, sines, cosines, tangents, bmatrix (of blocks too), vectors in brackets, transposes, inverses,
-norms, sums over a set of samples, an entry (i,j) of a product, sums and products; every letter must stand in the
-paper's table of quantities.  What it does not know it refuses by name.  In derivations it also knows [a \\times],
-a \\times b, \\exp(A), \\vee(A), \\mathrm{E}[A], and \\flown{name}: the matrix of a function that flies.
+It knows fractions, roots, elementary functions and their inverses, matrices (of blocks too, and diag), vectors in
+brackets, transposes, inverses, conjugates, norms, cross-product matrices, products of quaternions, sums over a set of
+samples, an entry (i,j) of a product, sums and products; every letter must stand in the paper's table of quantities.
+What it does not know it refuses by name, and what can be read in two ways it asks for.  In derivations it also knows
+\\vee(A), \\mathrm{E}[A], and \\flown{name}: the matrix of a function that flies.
 """
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cache
 from types import MappingProxyType
 
-from sympy import Function, Integer, Mul, S, StrictLessThan, cos, sin, sqrt, tan
+from sympy import (
+    Function,
+    Integer,
+    Mul,
+    Rational,
+    S,
+    StrictLessThan,
+    Symbol,
+    acos,
+    asin,
+    atan,
+    atan2,
+    cos,
+    cosh,
+    exp,
+    log,
+    sin,
+    sinh,
+    sqrt,
+    tan,
+    tanh,
+)
 from sympy.functions.elementary.complexes import transpose
 from sympy.matrices.exceptions import ShapeError
 
 from boresight import BoresightError
-from boresight.derive.ledger.equation import Quantity, Relation, as_written, column, matrix, negative, product, total
+from boresight.derive.ledger.equation import (
+    Quantity,
+    Relation,
+    as_written,
+    column,
+    is_explicit,
+    matrix,
+    negative,
+    product,
+    total,
+)
 
-FUNCTIONS = {r"\sin": sin, r"\cos": cos, r"\tan": tan}
+FUNCTIONS = {
+    r"\sinh": sinh,
+    r"\cosh": cosh,
+    r"\tanh": tanh,
+    r"\arcsin": asin,
+    r"\arccos": acos,
+    r"\arctan": atan,
+    r"\sin": sin,
+    r"\cos": cos,
+    r"\tan": tan,
+    r"\sec": lambda x: 1 / cos(x),
+    r"\csc": lambda x: 1 / sin(x),
+    r"\cot": lambda x: 1 / tan(x),
+    r"\ln": log,
+}
+INVERSE = {sin: asin, cos: acos, tan: atan}
 SKEW, CROSS = Function("skew", commutative=False), Function("cross", commutative=False)
 OPERATORS = {
     r"\exp": Function("exp", commutative=False),
     r"\vee": Function("vee", commutative=False),
     r"\mathrm{E}": Function("E", commutative=False),
 }
+NORM, CONJUGATE = Function("norm"), Function("conj", commutative=False)
+PRODUCTS = (r"\otimes", r"\odot", r"\circ")  # of quaternions
 SUM_LATEX, SUM, SUM_OVER = r"\sum_{k\in\Omega_n}", Function("Σ"), "Ω_n"
 ENTRY = re.compile(r"\((\d),(\d)\)")
+NUMBER = re.compile(r"\d+(?:\.\d+)?")
+BLOCK = re.compile(
+    r"(?P<what>\\mathbf\{[0I]\}|\\mathbf[0I]|\\boldsymbol\{[0I]\}|[0I])"
+    r"_(?:\{(?P<rows>\d+)(?:\\times(?P<columns>\d+))?\})"
+)
 ENDS = (
     "=",
     "<",
@@ -42,9 +96,28 @@ ENDS = (
     r"\|",
     r"\leq",
     r"\times]",
+    r"\times)",
     ",",
     ";",
 )  # of a product
+
+# What only sets a formula, and the one spelling that is read in the place of others.
+SETTING = (
+    (r"\\left(?![a-z])|\\right(?![a-z])|\\therefore|\\(?:big|Big|bigg|Bigg)[lrm]?(?![a-zA-Z])|\\[,;:!]|~", ""),
+    (r"(?<=\))_\{\d \\times \d\}", ""),
+    (r"\\(?:triangleq|coloneqq|doteq|approx|simeq|equiv)(?![a-z])|:=|\\overset\{[^{}]*\}\{=\}", "="),
+    (r"\\(?:top|intercal)(?![a-z])|\\(?:mathrm|mathsf|text|mathit)\s*(?:\{\s*T\s*\}|T(?![a-z]))", "T"),
+    (r"\^\s*\{\s*T\s*\}", "^T"),
+    (r"\\[td]frac(?![a-z])", r"\\frac"),
+    (r"\\(begin|end)\{(?:pmatrix|matrix|smallmatrix)\}", r"\\\1{bmatrix}"),
+    (r"\\begin\{array\}\s*\{[lcr|@{}\s]*?\}", r"\\begin{bmatrix}"),
+    (r"\\end\{array\}", r"\\end{bmatrix}"),
+    (r"\\[lr]floor(?![a-z])", lambda found: "[" if found[0] == r"\lfloor" else "]"),
+    (r"\\(?:lVert|rVert|Vert)(?![a-z])", r"\\|"),
+    (r"\\(?:lvert|rvert|vert)(?![a-z])", "|"),
+    (r"\\(?:operatorname|mathrm|text)\s*\{(diag|atan2|atan|asin|acos|exp|ln)\}", r"\\\1"),
+    (r"\\varepsilon", r"\\epsilon"),
+)
 
 
 def read(
@@ -73,9 +146,9 @@ def read(
 class UnreadError(BoresightError):
     """What is neither structure nor a letter of the table: `text`, as `plain` has it, from `at` on."""
 
-    def __init__(self, text: str, at: int):
-        super().__init__(f"cannot read {text[at : at + 40]!r} in {text[:60]!r}: add it to the table")
-        self.text, self.at = text, at
+    def __init__(self, text: str, at: int, why: str = ""):
+        super().__init__(f"cannot read {text[at : at + 40]!r} in {text[:60]!r}: {why or 'add it to the table'}")
+        self.text, self.at, self.why = text, at, why
 
 
 def _rows(display: str) -> Iterator[str]:
@@ -98,10 +171,10 @@ def _rows(display: str) -> Iterator[str]:
 @cache
 def plain(latex: str) -> str:
     """LaTeX without what only sets it: spaces, the sizes of brackets and matrices, the two shapes of epsilon."""
-    latex = re.sub(r"(\[[^\[\]]*;[^\[\]]*\])", r"\1^T", latex)  # [a; b; c] as in MATLAB: a column
+    latex = re.sub(r"(\[[^\[\]]*(?<!\\);[^\[\]]*\])", r"\1^T", latex)  # [a; b; c] as in MATLAB: a column
     latex = re.sub(r"(?<!\\)\\ |\\quad", ";", latex)  # [a \ b \ c]^T: the spaces separate
-    latex = re.sub(r"\\left|\\right|\\cdot|\\therefore|(?<=\))_\{\d \\times \d\}", "", latex)
-    latex = latex.replace(r"\equiv", "=").replace(r"\varepsilon", r"\epsilon")
+    for pattern, spelling in SETTING:
+        latex = re.sub(pattern, spelling, latex)
     return re.sub(r"\s+", "", latex).replace("&=", "=").rstrip(",")
 
 
@@ -120,7 +193,9 @@ class _Reader:
         self.text, self.table, self.flown, self.at = text, table, flown, 0
         # The longest letter first: \hat{\phi}_b before \hat{\phi}.
         self.letters = sorted(table, key=len, reverse=True)
+        self.shapes = {quantity.symbol: quantity.shape for quantity in table.values()}
         self.layout: dict = {}
+        self.bars = 0  # that are open
 
     def ahead(self, *tokens: str) -> bool:
         return self.text.startswith(tokens, self.at)
@@ -134,8 +209,8 @@ class _Reader:
         if not self.take(token):
             self.refuse()
 
-    def refuse(self) -> None:
-        raise UnreadError(self.text, self.at)
+    def refuse(self, why: str = "") -> None:
+        raise UnreadError(self.text, self.at, why)
 
     def relation(self) -> Relation:
         sides = [self.sum()]
@@ -158,10 +233,22 @@ class _Reader:
 
     def product(self):
         factors = [self.factor()]
-        while self.at < len(self.text) and not self.ahead(*ENDS):
+        while self.at < len(self.text) and not self.ahead(*ENDS) and not (self.bars and self.ahead("|")):
             entry = ENTRY.match(self.text, self.at)
             if self.take("/"):
                 factors[-1] = self.divided(factors[-1], self.factor())
+            elif self.ahead(r"\cdot") and not self.ahead(r"\cdots"):
+                self.take(r"\cdot")
+                factors.append(self.factor())
+                if all(len(self.shape(one) or ()) == 1 and self.shape(one) != (4,) for one in factors[-2:]):
+                    factors[-2] = transpose(factors[-2])
+            elif self.ahead(*PRODUCTS):
+                start = self.at
+                any(map(self.take, PRODUCTS))
+                factors.append(self.factor())
+                if any(self.shape(one) not in (None, (4,)) for one in factors[-2:]):
+                    self.at = start
+                    self.refuse("this product is read of two quaternions alone")
             elif self.take(r"\times"):
                 factors = [CROSS(product(*factors), self.factor())]
             elif entry:
@@ -176,6 +263,14 @@ class _Reader:
         if len(factors) > 1:
             self.keep(whole, [group for factor in factors for group in self.groups(factor)])
         return whole
+
+    def shape(self, factor) -> tuple[int, ...] | None:
+        """Of a letter, or of its conjugate or inverse; None of what is none."""
+        while not isinstance(factor, Symbol):
+            if not (factor.is_Pow or factor.func == CONJUGATE):
+                return None
+            factor = factor.args[0]
+        return self.shapes.get(factor)
 
     def groups(self, expression) -> tuple:
         return self.layout.get(expression, ((expression,),))
@@ -202,11 +297,19 @@ class _Reader:
                 return self.power(self.table[name].symbol)
         for name, function in FUNCTIONS.items():
             if self.take(name):
-                return function(self.factor())
+                return self.elementary(function)
+        if self.take(r"\atan2"):
+            return atan2(*self.list("(", ")", ","))
+        if self.take(r"\diag"):
+            return self.diagonal()
         if self.take(r"\frac"):
-            return self.divided(self.group("{", "}"), self.group("{", "}"))
+            return self.divided(self.argument(), self.argument())
         if self.take(r"\sqrt"):
-            return sqrt(self.group("{", "}"))
+            root = self.group("[", "]") if self.ahead("[") else Integer(2)
+            return sqrt(self.group("{", "}")) if root == 2 else self.group("{", "}") ** (1 / root)
+        if self.take("e^{") or self.take("\\mathrm{e}^{"):
+            self.at -= 1
+            return self.exponential(self.group("{", "}"))
         if self.take(r"\begin{bmatrix}"):
             return self.bmatrix()
         if self.take(r"\flown{"):
@@ -215,17 +318,32 @@ class _Reader:
                 raise BoresightError(f"nothing that flies is called {name!r}: there are {', '.join(self.flown)}")
             self.at += len(name) + 1
             return self.flown[name]
+        if self.ahead(r"\exp("):
+            self.take(r"\exp")
+            return self.exponential(self.group("(", ")"))
         for name, function in OPERATORS.items():
             if self.take(name):
                 return function(self.group("[", "]") if self.ahead("[") else self.group("(", ")"))
         if self.take(SUM_LATEX):
             return SUM(self.product())
         if self.ahead(r"\|"):
-            return self.power(Function("norm")(self.group(r"\|", r"\|")))
+            return self.power(NORM(self.group(r"\|", r"\|")))
+        if self.take("|"):
+            self.bars += 1
+            inside = self.sum()
+            self.need("|")
+            self.bars -= 1
+            return self.power(NORM(inside))
         if self.take(r"\{"):
             return self.samples()
-        if self.ahead("("):
-            return self.power(self.group("(", ")"))
+        if self.take("("):
+            inside = self.sum()
+            if self.take(r"\times)"):
+                return self.power(SKEW(inside))
+            self.need(")")
+            return self.power(inside)
+        if self.ahead("{"):
+            return self.power(self.group("{", "}"))
         if self.ahead("["):
             start = self.at
             self.need("[")
@@ -234,19 +352,75 @@ class _Reader:
                 return self.power(SKEW(inside))
             self.at = start
             items = self.list("[", "]", ";")
+            if len(items) == 1 and (self.take(r"_\times") or self.take(r"_{\times}")):
+                return self.power(SKEW(items[0]))
             return column(*items) if self.take("^T") else items[0] if len(items) == 1 else matrix([items])
-        number = re.compile(r"\d+").match(self.text, self.at)
+        if block := BLOCK.match(self.text, self.at):
+            return self.block(block)
+        number = NUMBER.match(self.text, self.at)
         if number:
             self.at = number.end()
-            return Integer(number.group())
+            return self.power(Rational(number.group())) if self.ahead("^{") else Rational(number.group())
         return self.refuse()
+
+    def elementary(self, function: Callable):
+        """What follows a sine and its like: \\sin^2 x, \\tan^{-1} x, \\sin x, \\sin(x)."""
+        if self.take("^{-1}"):
+            if function not in INVERSE:
+                self.refuse("write the inverse function by its name")
+            return INVERSE[function](self.factor())
+        exponent = self.argument() if self.take("^") else None
+        bracket = self.ahead("(")
+        start = self.at
+        argument = self.group("(", ")") if bracket else self.factor()
+        if bracket and self.ahead("^"):
+            self.at = start
+            self.refuse(r"write \sin^2(x), or \sin((x)^2): this can be either")
+        return function(argument) if exponent is None else function(argument) ** exponent
+
+    def exponential(self, inside):
+        return exp(inside) if inside.is_commutative and not is_explicit(inside) else OPERATORS[r"\exp"](inside)
+
+    def argument(self):
+        """What stands in braces, or one digit, or one letter: \\frac12."""
+        if self.ahead("{"):
+            return self.group("{", "}")
+        if self.text[self.at : self.at + 1].isdigit():
+            self.at += 1
+            return Integer(self.text[self.at - 1])
+        for name in self.letters:
+            if self.take(name):
+                return self.table[name].symbol
+        return self.refuse()
+
+    def diagonal(self):
+        """diag(a, b, c): a matrix, or of matrices one of blocks."""
+        items = self.list("(", ")", ",") if self.ahead("(") else self.list("[", "]", ",")
+        if len(items) == 1:
+            self.refuse("write the entries of the diagonal, apart by commas")
+        return matrix([[item if i == j else 0 for j in range(len(items))] for i, item in enumerate(items)])
+
+    def block(self, found: re.Match):
+        """The letter of a block of zeros, or of an identity, that says its size and is not in the table."""
+        self.at = found.end()
+        what = "I" if "I" in found["what"] else "0"
+        return Symbol(f"{what}_{found['rows']}x{found['columns'] or found['rows']}", commutative=False)
 
     def power(self, base):
         if self.take("^T"):
             return transpose(base, evaluate=False)  # of a sum it stays the transpose of the sum
         if self.take("^{-1}"):
             return base**-1
-        return base ** self.factor() if self.take("^") else base
+        if self.take(r"^\wedge") or self.take(r"^{\wedge}"):
+            return SKEW(base)
+        if self.take("^*") or self.take("^{*}"):
+            return CONJUGATE(base)
+        if not self.take("^"):
+            return base
+        exponent = self.group("{", "}") if self.ahead("{") else self.factor()
+        if not exponent.is_number and not base.is_commutative:
+            self.refuse("no letter of the table has this above it, and it is no power")
+        return base**exponent
 
     def group(self, left: str, right: str):
         self.need(left)

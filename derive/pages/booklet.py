@@ -10,7 +10,7 @@ from types import MappingProxyType
 
 from boresight import BoresightError
 from boresight.derive.ledger.equation import Quantity, Relation
-from boresight.derive.ledger.latex import LETTERS, SIGNS, latex_name, latex_relation
+from boresight.derive.ledger.latex import LETTERS, SIGNS, latex_name, latex_relation, script_latex
 from boresight.derive.pages.blocks import (
     NAME,
     REFERENCE,
@@ -171,7 +171,8 @@ def _plain(text: str) -> str:
     text = re.sub(r"([&%$#{}_])", r"\\\1", text).replace("--", "-{}-")
     text = re.sub("[<>]", r"$\g<0>$", text)
     text = re.sub(f"[{''.join(TEXT_SIGNS)}]", lambda found: f"${TEXT_SIGNS[found[0]]}$", text)
-    return re.sub(r"\^(-?\d+|T\b)?", lambda found: rf"$^{{{found[1]}}}$" if found[1] else r"\^{}", text)
+    text = "".join(f"${script}$" if (script := script_latex(c)) else c for c in text)
+    return re.sub(r"\^(-?\d+|T\b)?(?!\{)", lambda found: rf"$^{{{found[1]}}}$" if found[1] else r"\^{}", text)
 
 
 def pdf_from_latex(document: str) -> bytes:

@@ -142,6 +142,7 @@ class Folder:
             place = re.search(r" \(at line (\d+), column (\d+)\)", str(error))
             where = f":{place[1]}:{place[2]}" if place else ""
             raise BoresightError(f"{self.toml}{where}: {str(error).partition(' (at ')[0]}") from None
+        self.units: dict[str, str] = {}  # by letter
         self.check_keys()
 
     def refuse(self, what: str, *keys: str, column: int = 0) -> NoReturn:
@@ -240,9 +241,8 @@ class Folder:
             self.refuse(f"{name} has neither a value nor a shape: write value = \"...\" by the names of "
                         f"{self.world.name}, or shape = 3 of what an equation defines", "letters", name)  # fmt: skip
         meaning = words + f", in {entry.get('frame')}" * ("frame" in entry)
-        several = "," in unit or " by " in unit or " times " in unit
-        made = letter(name, entry["latex"], f"{unit} {shape}", meaning + f", {unit}" * (not several), shape)
-        return made
+        self.units[symbol] = unit
+        return letter(name, entry["latex"], f"{unit} {shape}", meaning + f", {unit}" * (not several(unit)), shape)
 
     def shape_of(self, symbol: str, name: str, at: Values) -> tuple[int, ...]:
         try:
@@ -269,10 +269,10 @@ class Folder:
         for quantity in declared:
             name = dotted(quantity.symbol.name)
             if name in self.bound and name not in {one.symbol.name for one in declared}:
-                unit = per_second(quantity.meaning.rpartition(", ")[2])
+                unit = self.units[name] = per_second(self.units[quantity.symbol.name])
                 for latex in dotted_latex(quantity.latex):
                     if plain(latex) not in alike:
-                        meaning = f"rate of {quantity.symbol.name}, {unit}"
+                        meaning = f"rate of {quantity.symbol.name}" + f", {unit}" * (not several(unit))
                         rates.append(letter(name, latex, f"{unit} {quantity.shape}", meaning, quantity.shape))
         return (*declared, *rates)
 
@@ -280,14 +280,18 @@ class Folder:
 
     @cached_property
     def prints(self) -> dict[str, tuple[Display, tuple[Relation, ...]]]:
-        found = {}
+        found, letters = {}, self.quantities
         for display in displays(self.print):
             try:
-                found[display.number] = display, read((display.latex,), self.quantities)
+                found[display.number] = display, read((display.latex,), letters)
             except UnreadError as error:
                 self.unread(display, error)
             except BoresightError as error:
                 refuse(self.print, text_of(self.print), display.begins, str(error))
+        for name in {name for _, relations in found.values() for name in names(relations)}:
+            if block := BLOCK.fullmatch(name):
+                rows, columns = int(block["rows"]), int(block["columns"])
+                self.bound[name] = parsed(f"eye({rows})" if block["what"] == "I" else f"zeros({rows}, {columns})")
         for number in self.data.get("equations", {}):
             if number not in found:
                 near = did_you_mean(number, found)
@@ -361,7 +365,12 @@ class Folder:
         """The declared letters, and the rates that stand in the print."""
         every = {name for _, relations in self.prints.values() for name in names(relations)}
         declared = len(self.data["letters"])
-        return (*self.quantities[:declared], *(one for one in self.quantities[declared:] if one.symbol.name in every))
+        blocks = [block for name in sorted(every) if (block := BLOCK.fullmatch(name))]
+        return (
+            *self.quantities[:declared],
+            *(one for one in self.quantities[declared:] if one.symbol.name in every),
+            *(block_letter(*block.groups()) for block in blocks if block[0] not in self.data["letters"]),
+        )
 
     @cached_property
     def felt(self) -> tuple[str, ...]:
@@ -402,8 +411,7 @@ class Folder:
 
         errors = self.felt
         sizes = (f"{owned.parts[one]} {said(getattr(self.sizes, one))} {owned.units[one]}" for one in errors)
-        text = ", ".join(sizes) or f"a random point of {owned.name}"
-        given = self.data["letters"]
+        text = ", ".join(sizes) or owned.words
         made = Paper(
             name=name,
             reference=self.data["title"] + f", {self.data.get('authors')}" * ("authors" in self.data),
@@ -414,15 +422,21 @@ class Folder:
             point=Stated(draw(owned.base, POINTS, self.sizes), f"a point with {text}" if errors else text),
             evidence=lambda number: "",
             findings=odd_units,
-            units={
-                symbol: unit
-                for symbol, unit in ((n, str(given[n].get("unit", ""))) for n in given)
-                if "," in unit or " by " in unit or " times " in unit
-            },
+            units={name: unit for name, unit in self.units.items() if several(unit)},
             conventions=tuple(self.data.get("conventions", ())),
             folder=str(self.folder),
         )
         return made
+
+
+BLOCK = re.compile(r"(?P<what>[0I])_(?P<rows>\d+)x(?P<columns>\d+)")
+
+
+def block_letter(what: str, rows: str, columns: str) -> Quantity:
+    """A block of zeros, or an identity, as the reader calls it."""
+    meaning = "zeros" if what == "0" else "identity"
+    latex = rf"{what}_{{{rows} \times {columns}}}"
+    return letter(f"{what}_{rows}x{columns}", latex, "block", meaning, (int(rows), int(columns)))
 
 
 def shaped(shape: Any) -> tuple[int, ...]:
@@ -463,7 +477,16 @@ def dotted_latex(latex: str) -> tuple[str, ...]:
     return tuple(dict.fromkeys(found))
 
 
+def several(unit: str) -> bool:
+    """Whether a unit is a list of them, or those of a matrix by its rows and columns."""
+    return "," in unit or " by " in unit or " times " in unit
+
+
 def per_second(unit: str) -> str:
+    if several(unit):
+        rows, word, columns = re.split("( by | times |$)", unit, maxsplit=1)
+        counted = (re.fullmatch(r"(\d+ )?(.*)", part) for part in rows.split(", "))
+        return ", ".join((one[1] or "") + per_second(one[2]) for one in counted if one) + word + columns
     if power := re.fullmatch(r"(.*/s)(?:\^(\d))?", unit):
         return f"{power[1]}^{int(power[2] or 1) + 1}"
     return f"{unit}/s"

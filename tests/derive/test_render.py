@@ -323,7 +323,18 @@ def written_letters():
         letter for name in (*PAPERS, *DERIVATIONS) for letter in (*paper(name).quantities(), *paper(name).letters())
     ]
     strange = [f"x_{c}" for c in "αβγδεζηθικλμνξοπρςστυφχψωΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΣΤΥΦΧΨΩℓ∂∇ϕ"]
-    names = [*(letter.symbol.name for letter in letters), *strange, "ä_φ̂", "C_β2ξ", "[ω̃_α x]", "dγ/dΛ", "v_s(k+α)^ν"]
+    names = [
+        *(letter.symbol.name for letter in letters),
+        *strange,
+        "ä_φ̂",
+        "C_β2ξ",
+        "[ω̃_α x]",
+        "dγ/dΛ",
+        "v_s(k+α)^ν",
+        "x⁺",
+        "P_k⁻",
+        "q₀",
+    ]
     formulas = [latex_relation(Relation((Symbol(name),)), ()) for name in names]
     typed = Quantity(Symbol("typed"), r"\hat{φ}_{α}^Ω", "", "")
     return [*formulas, *(letter.latex for letter in letters), latex_relation(Relation((typed.symbol,)), (typed,))]

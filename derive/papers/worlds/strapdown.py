@@ -126,7 +126,7 @@ def names(axes: str, both: Mapping[str, Name], once: Mapping[str, Name]) -> dict
     for name, one in {**BOTH, **both}.items():
         name, meaning = name.format(n=axes), one.meaning.format(n=axes)
         found |= {name: Name(one.unit, meaning), f"{name}_hat": Name(one.unit, f"computed: {meaning}")}
-    return found | {name: Name(one.unit, one.meaning.format(n=axes)) for name, one in once.items()}
+    return found | {name: Name(one.unit, one.meaning.format(n=axes)) for name, one in {**ONCE, **once}.items()}
 
 
 @dataclass(frozen=True)
