@@ -93,9 +93,7 @@ def paper_of(name: str) -> str:
     if is_folder(name):
         return name
     if Path(name).is_dir():
-        raise BoresightError(
-            f"{name} holds no {FILES[0]}; 'boresight new NAME --kind paper' begins a paper of your own"
-        )
+        raise BoresightError(f"{name} holds no {FILES[0]}; 'boresight new NAME --kind paper' begins a paper")
     return one_of(name, derived_names(), "paper")
 
 
@@ -115,7 +113,9 @@ def root(version: Annotated[bool, typer.Option("--version", help="Print the vers
 
 @app.command()
 def new(
-    name: Annotated[str, typer.Argument(help="Lower-case words joined by '-'; NAME.py and fly_NAME.py, or a folder NAME.")],
+    name: Annotated[
+        str, typer.Argument(help="Lower-case words joined by '-'; NAME.py and fly_NAME.py, or a folder NAME.")
+    ],
     kind: Annotated[
         str,
         typer.Option(
@@ -132,7 +132,9 @@ def new(
     model, script = begin.new(name, kind, out)
     if kind == begin.PAPER:
         print(f"{model}, {script}")
-        print(f"try 'boresight equations {model.parent}', 'boresight show {model.parent}'; docs/your-paper.md is a guide")
+        print(
+            f"try 'boresight equations {model.parent}', 'boresight show {model.parent}'; docs/your-paper.md is a guide"
+        )
         return
     constant = model.stem.upper()
     print(f"{model}, {script}")

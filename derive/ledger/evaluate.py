@@ -97,19 +97,27 @@ def _evaluate(expression, point: Point) -> Value:
         return _expected(expression.args[0], point)
     arguments = [evaluate(argument, point) for argument in expression.args]
     if isinstance(expression, AppliedUndef):
-        name = expression.func.__name__
-        return (OPERATORS[name] if name in OPERATORS else point.values[name])(*arguments)
+        return _applied(expression.func.__name__, arguments, point)
     if isinstance(expression, Add | MatAdd):
         return reduce(_sum, arguments)
     if isinstance(expression, Mul | MatMul):
         return reduce(multiplied, arguments)
     if isinstance(expression, transpose):
-        return arguments[0].T
+        return arguments[0].T if isinstance(arguments[0], Matrix) else arguments[0]
     if isinstance(expression, Pow):
         return power(arguments[0], expression.exp)
     if isinstance(expression, StrictLessThan):
         return _bounded(*arguments)
     return _ELEMENTARY[expression.func](*arguments)
+
+
+def _applied(name: str, arguments: list, point: Point) -> Value:
+    if name not in OPERATORS:
+        return point.values[name](*arguments)
+    try:
+        return OPERATORS[name](*arguments)
+    except (TypeError, AttributeError, IndexError):  # of a scalar where a vector is wanted, or of another shape
+        raise ValueError(f"{name} of shape {' and '.join(str(_shape(a)) for a in arguments)}") from None
 
 
 def _vee(M: Matrix) -> Matrix:

@@ -12,6 +12,7 @@ from functools import cache
 from itertools import pairwise
 from typing import Any
 
+import mpmath as mp
 from sympy import Add, Integer, MatAdd, MatMul, Mul, Rational, StrictLessThan, Symbol
 from sympy.functions.elementary.complexes import transpose
 from sympy.matrices import MatrixBase
@@ -59,7 +60,7 @@ def mends(paper: Paper, equation: Equation) -> tuple[Mend, ...]:
         free = free_values(paper, equation)
         found: list[Mend] = []
         for what, relations in tried:
-            if _says_nothing(relations, free) or any(_same(relations, mend.relations, free) for mend in found):
+            if _says_nothing(relations, free) or any(same(relations, mend.relations, free) for mend in found):
                 continue
             with suppress(ValueError, KeyError, ZeroDivisionError):
                 verdict = judge(paper, equation, relations)
@@ -100,7 +101,8 @@ def _rank(what: str, used: set[str]) -> tuple:
         if after.startswith("transpose"):
             return LIKELY.index("transpose"), 0.0, what
         return LIKELY.index("letter"), -_likeness(before, after) - 0.1 * (after in used), what
-    word = "order" if what.endswith("other order") else "transpose" if "transpose" in what else what
+    turned = what.endswith(("-> transpose", "its transpose", "not transposed"))
+    word = "order" if what.endswith("other order") else "transpose" if turned else what
     place = next((i for i, start in enumerate(LIKELY) if word.startswith(start)), len(LIKELY))
     factor = re.match(r"with factor ([^ ^]+)", what)
     return place, float(factor is not None and factor[1] not in used), what
@@ -230,11 +232,12 @@ def _says_nothing(relations: tuple[Relation, ...], free: Point) -> bool:
     return any(entries is not None and all(abs(entry) < EXACT for entry in entries) for entries in found)
 
 
-def _same(a: tuple[Relation, ...], b: tuple[Relation, ...], free: Point) -> bool:
+def same(a: tuple[Relation, ...], b: tuple[Relation, ...], free: Point) -> bool:
     """Whether two forms differ by a factor at most: the same equation, written otherwise."""
     first, second = _differences(a, free), _differences(b, free)
     if first is None or second is None or len(first) != len(second):
         return False
     most = max(range(len(first)), key=lambda i: abs(first[i]))
-    ratio = second[most] / first[most] if first[most] else 0
-    return ratio != 0 and all(abs(y - ratio * x) < EXACT for x, y in zip(first, second, strict=True))
+    with mp.workdps(DIGITS):
+        ratio = second[most] / first[most] if first[most] else 0
+        return ratio != 0 and all(abs(y - ratio * x) < EXACT for x, y in zip(first, second, strict=True))

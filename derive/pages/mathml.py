@@ -1,6 +1,7 @@
 """MathML of relations: their LaTeX, piece by piece, with products and applications of functions made explicit."""
 
 import re
+import unicodedata
 from collections.abc import Collection, Iterable
 from html import escape
 
@@ -18,6 +19,8 @@ OPERATORS = {
     r"\langle": "⟨", r"\rangle": "⟩", **{latex: sign for sign, latex in SIGNS.items()},
 }  # fmt: skip
 LETTERS = {latex: letter for letter, latex in NAMED_LETTERS.items()} | {r"\varepsilon": "ε"}
+BOLD = (r"\mathbf", r"\boldsymbol", r"\bm", r"\pmb", r"\vec")
+UPRIGHT = (r"\mathrm", r"\mathit", r"\mathsf", r"\text", r"\operatorname")
 NAMED = {"\\" + word for word in ELEMENTARY.values()}
 assert set(MARKS.values()) <= set(ACCENTS)
 
@@ -39,6 +42,15 @@ def _grouped(items: list[str]) -> str:
 
 def _operator(text: str, more: str = "") -> str:
     return f"<mo{more}>{escape(text)}</mo>"
+
+
+def bold(character: str) -> str:
+    """The bold letter of Unicode: browsers make no other bold in a formula."""
+    kind = "DIGIT" if character.isdigit() else "CAPITAL" if character.isupper() else "SMALL"
+    try:
+        return unicodedata.lookup(f"MATHEMATICAL BOLD {kind} {unicodedata.name(character).split()[-1]}")
+    except (KeyError, ValueError):
+        return character
 
 
 class _Translator:
@@ -96,7 +108,7 @@ class _Translator:
 
     def is_glyph(self, token: str) -> bool:
         word = token[1:]
-        return token.isalpha() or token in (r"\mathrm", *LETTERS) or word in ACCENTS or bool(greek(word))
+        return token.isalpha() or token in (*UPRIGHT, *BOLD, *LETTERS) or word in ACCENTS or bool(greek(word))
 
     def scripts(self, first: str, base: str) -> str:
         found = {first: self.group()}
@@ -125,7 +137,9 @@ class _Translator:
             return [f"<mfrac>{self.group()}{self.group()}</mfrac>"]
         if token == r"\sqrt":
             return [f"<msqrt>{self.group()}</msqrt>"]
-        if token == r"\mathrm":
+        if token in BOLD:
+            return [re.sub("(<m[in]>)(.)(</m[in]>)", lambda found: found[1] + bold(found[2]) + found[3], self.group())]
+        if token in UPRIGHT:
             return [f'<mi mathvariant="normal">{self.plain()}</mi>']
         if token == r"\left":
             left, inside, right = self.take(), self.row(r"\right"), self.take()

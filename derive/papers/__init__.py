@@ -17,7 +17,7 @@ DERIVATIONS = ("delay-error", "mechanics")  # of nobody's print
 
 
 FILES = ("paper.toml", "printed.tex")  # of a paper of one's own
-OWN: dict[str, "Paper"] = {}  # those read from folders, by the name of an equation's paper
+OWN: dict[str, "Paper"] = {}  # those that were read from folders, by name
 
 
 def paper(name: str) -> "Paper":
@@ -25,9 +25,9 @@ def paper(name: str) -> "Paper":
     if name in (*PAPERS, *DERIVATIONS):
         found: Paper = import_module(f"{__name__}.{name.replace('-', '_')}.paper").PAPER
         return found
-    if name in OWN:
-        return OWN[name]
     if not is_folder(name):
+        if name in OWN:
+            return OWN[name]
         raise BoresightError(f"no paper {name!r}: the papers are {', '.join((*PAPERS, *DERIVATIONS))}, or a folder")
     from boresight.derive.papers.own import own
 

@@ -63,6 +63,7 @@ class Display:
     number: str
     latex: str
     begins: int
+    ends: int
     lines: tuple[int, int]
 
 
@@ -96,7 +97,7 @@ def displays(path: Path) -> Iterator[Display]:
         inside = inside.rstrip().rstrip(".,;").rstrip()
         if found["name"] in ("align", "eqnarray", "gather"):
             inside = rf"\begin{{aligned}}{inside}\end{{aligned}}"
-        yield Display(number, inside.strip(), at, lines)
+        yield Display(number, inside.strip(), at, found.end(body), lines)
     if not known:
         refuse(path, text, 0, r"no equation is displayed; write \begin{equation} ... \tag{1} \end{equation}")
 
@@ -145,16 +146,16 @@ class Folder:
         self.units: dict[str, str] = {}  # by letter
         self.check_keys()
 
-    def refuse(self, what: str, *keys: str, column: int = 0) -> NoReturn:
-        """At the line of paper.toml where the innermost of these keys stands."""
+    def refuse(self, what: str, *keys: str, column: int | None = None) -> NoReturn:
+        """Where the innermost of these keys stands in paper.toml, or at a column of its value."""
         begin = 0
         for key in keys:
             quoted = rf"(?:\"{re.escape(key)}\"|'{re.escape(key)}'|{re.escape(key)})"
             found = re.compile(rf"^\s*\[[^\]\n]*?{quoted}\]|(?:^|[{{,])\s*{quoted}\s*=\s*(['\"]?)", re.MULTILINE)
             if place := found.search(self.text, begin):
                 start = place.end() - len(place[0].lstrip(" \n\t{,"))
-                begin = place.end() if column or key != keys[-1] else start
-        refuse(self.toml, self.text, begin + column, what)
+                begin = start if column is None and key == keys[-1] else place.end()
+        refuse(self.toml, self.text, begin + (column or 0), what)
 
     def check_keys(self) -> None:
         for key in self.data:
@@ -299,18 +300,18 @@ class Folder:
         return found
 
     def unread(self, display: Display, error: UnreadError) -> NoReturn:
-        """At the same token of the file, which has spaces beside what the reader had."""
-        tokens = re.compile(r"\\[A-Za-z]+|\\.|\S")
-        token = tokens.match(error.text, error.at)
+        """At the place of the file up to which the reader has read: its text has no spaces."""
         text = text_of(self.print)
-        if token is None:
-            refuse(self.print, text, display.begins, f"({display.number}) ends before a formula is whole")
-        before = sum(one[0] == token[0] for one in tokens.finditer(error.text, 0, error.at))
-        end = text.index("\n", display.begins + len(display.latex)) if "\n" in text[display.begins :] else len(text)
-        same = [one.start() for one in tokens.finditer(text, display.begins, end) if one[0] == token[0]]
-        at = same[min(before, len(same) - 1)] if same else display.begins
+        body, read_so_far = text[display.begins : display.ends], error.text[: error.at]
+        places = (
+            i
+            for start in (0, *(row.end() for row in re.finditer(r"\\\\", body)))
+            for i in range(start, len(body))
+            if not body[i].isspace() and plain(body[start:i]).replace("&", "") == read_so_far
+        )
         what = f"cannot read {error.text[error.at : error.at + 20]!r} in ({display.number})"
-        refuse(self.print, text, at, f"{what}: no letter of {TOML} is written so, and it is no sign that is read")
+        why = error.why or f"no letter of {TOML} is written so, and it is no sign that is read"
+        refuse(self.print, text, display.begins + next(places, 0), f"{what}: {why}")
 
     @cached_property
     def defined(self) -> dict[str, str]:

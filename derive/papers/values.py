@@ -162,7 +162,7 @@ def parsed(text: str) -> ast.expr:
     try:
         tree = ast.parse(text, mode="eval").body
     except SyntaxError as error:
-        raise ValueOfLetterError(f"{text!r} cannot be read: {error.msg}", (error.offset or 1) - 1) from None
+        raise ValueOfLetterError(f"{text!r} cannot be read: {error.msg}", 0) from None
     for node in ast.walk(tree):
         column = getattr(node, "col_offset", 0)
         if isinstance(node, ast.Constant) and not isinstance(node.value, int | float):
@@ -204,7 +204,7 @@ def _check(
                 raise refuse(f"{node.id} is defined by itself")
             _check(letters[node.id], node.id, letters, world, (*path, node.id), time)
         elif node.id not in world.names:
-            near = did_you_mean(node.id, (*world.names, *letters))
+            near = did_you_mean(node.id, {*world.names, *letters} - {own})
             raise refuse(f"{world.name} has no {node.id!r}{near}; docs/your-paper.md lists its names")
         elif time not in ("", "rate") and node.id not in world.exact:
             raise refuse(f"{node.id} is exact at its own time only, and not in {time}()")

@@ -1,0 +1,430 @@
+"""A paper of one's own: a folder of letters, bound to a world by name, and of equations as printed."""
+
+import json
+import re
+import shutil
+import tomllib
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+from tools import needs
+
+from boresight import BoresightError, cli, kept_ledger
+from boresight.derive.ledger.dimensions import listed
+from boresight.derive.ledger.entries import entry_of, ledger, unheld
+from boresight.derive.ledger.equation import Relation, negative
+from boresight.derive.ledger.judge import judge
+from boresight.derive.ledger.mends import mends, same
+from boresight.derive.ledger.mutation import free_values
+from boresight.derive.ledger.mutation import mutants as all_mutants
+from boresight.derive.ledger.numbers import digits
+from boresight.derive.ledger.reader import read
+from boresight.derive.ledger.witness import draw
+from boresight.derive.pages import notebook
+from boresight.derive.pages.booklet import pdf_from_latex
+from boresight.derive.pages.page import notation
+from boresight.derive.pages.render import render
+from boresight.derive.papers import PAPERS, paper
+from boresight.derive.papers.own import own
+from boresight.derive.papers.worlds import WORLDS
+
+pytestmark = pytest.mark.usefixtures("many_digits")
+
+FOLDER = ROOT / "examples" / "papers"
+EXAMPLES = sorted(path.name for path in FOLDER.iterdir() if path.is_dir())
+# What the planted slips are instead of.
+RIGHT = {
+    ("first", "2"): r"\delta\dot{\theta} = -[\omega \times] \delta\theta - \delta b - n_g",
+    ("quaternion-error-state", "6b"): r"\delta\dot{v} = -\hat{R} [a_m - \hat{a}_b]_\times \delta\theta "
+    r"- \hat{R} \delta a_b - \hat{R} a_n",
+    ("quaternion-error-state", "6c"): r"\delta\dot{\theta} = -[\omega_m - \hat{\omega}_b]_\times \delta\theta "
+    r"- \delta\omega_b - \omega_n",
+    ("gnss-ins-ecef", "2.6"): r"\delta\dot{v}^e = G^e \delta r^e - 2 [\omega_{ie}^e \times] \delta v^e "
+    r"+ [f^e \times] \psi^e + C_b^e (\delta b_a + n_a)",
+    ("gnss-ins-ecef", "2.13"): r"z_r = \delta r^e + [(C_b^e l^b) \times] \psi^e - n_r",
+    ("square-root-update", "A.4"): r"k = \alpha S^- \varphi",
+    ("square-root-update", "A.8"): r"P^+ = (I - k h) P^- (I - k h)^T + k r k^T",
+}
+FIRST_ORDER = {
+    "first": "",
+    "quaternion-error-state": "5a 5b 7 8a 8b",
+    "gnss-ins-ecef": "2.4 2.7 2.12 2.15",
+    "square-root-update": "",
+}
+
+
+def planted(name):
+    data = tomllib.loads((FOLDER / name / "paper.toml").read_text())
+    return {number for number, more in data.get("equations", {}).items() if "planted" in more}
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_of_each_example_the_planted_slips_are_errata_and_nothing_else(name):
+    entries = {entry.number: entry for entry in ledger(own(FOLDER / name))}
+    assert {number for number, entry in entries.items() if entry.status == "erratum"} == planted(name)
+    assert len(planted(name)) == (1 if name == "first" else 2)
+    assert {n for n, entry in entries.items() if entry.status == "first-order"} == set(FIRST_ORDER[name].split())
+    assert all("Planted: " in entries[number].note for number in planted(name))
+
+
+@pytest.mark.parametrize("name, number", RIGHT)
+def test_the_right_form_of_a_planted_slip_is_true_and_among_the_first_three_mends(name, number):
+    one = own(FOLDER / name)
+    equation = one.equation(number)
+    right = read((RIGHT[name, number],), equation.quantities)
+    assert judge(one, equation, right).status in ("exact", "first-order")
+    forms = [mend.relations for mend in mends(one, equation)[:3]]
+    assert any(judge_same(one, equation, form, right) for form in forms)
+    assert set(RIGHT) == {(name, number) for name in EXAMPLES for number in planted(name)}
+
+
+def judge_same(one, equation, form, right):
+    """Whether two forms have the same right side to first order: each set equal to the other stands."""
+    sides = tuple(Relation((a.sides[1], b.sides[1])) for a, b in zip(form, right, strict=True))
+    return form == right or judge(one, equation, sides).status in ("exact", "first-order")
+
+
+@pytest.mark.parametrize("name", ["quaternion-error-state", "gnss-ins-ecef"])
+def test_another_sign_of_any_term_of_what_is_true_is_refuted(name):
+    one = own(FOLDER / name)
+    true = [e for e in one.equations if entry_of(one, e).status in ("exact", "first-order")]
+    count = 0
+    for equation in true:
+        for what, changed in all_mutants(equation.printed, equation.quantities):
+            if what.startswith("sign of"):
+                count += 1
+                assert judge(one, equation, changed).status == "refuted", (equation.number, what)
+    assert count >= 15
+
+
+# ---- Mends of the errata of the papers -------------------------------------------------------------------------------
+
+# Errata that differ from what is derived in more than one place, or by what is no single edit.
+SEVERAL = {"song-lee-2001": "10", "kim-2018": "5 6 9 23 29", "kang-2025": "3 5"}
+
+
+@pytest.mark.parametrize("name", PAPERS)
+def test_where_one_edit_mends_a_misprint_the_derived_form_is_among_the_first_three(name):
+    one = paper(name)
+    errata = [e for e in one.equations if judge(one, e, e.read()).status == "refuted"]
+    assert len(errata) > 3
+    for equation in errata:
+        first = [mend.relations for mend in mends(one, equation)[:3]]
+        free = free_values(one, equation)
+        found = any(form == equation.derived or same(form, equation.derived, free) for form in first)
+        assert found != (equation.number in SEVERAL[name].split()), equation.number
+
+
+def test_a_true_equation_of_another_sign_is_mended_by_that_sign():
+    one = own(FOLDER / "quaternion-error-state")
+    equation = one.equation("8b")
+    left, right = equation.printed[0].sides
+    wrong = (Relation((left, negative(right))),)
+    ways = mends(one, replace(equation, printed=wrong, derived=wrong))
+    assert ways[0].what.startswith("the other sign of") and len(ways) == 1
+
+
+# ---- The commands ----------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """A copy of the first example, as the current folder's `mine`; nothing is kept of another test."""
+    monkeypatch.setenv("BORESIGHT_CACHE", str(tmp_path / "cache"))
+    monkeypatch.chdir(tmp_path)
+    shutil.copytree(FOLDER / "first", tmp_path / "mine")
+    return tmp_path / "mine"
+
+
+def run(capsys, *words):
+    with pytest.raises(SystemExit) as ended:
+        cli.main(list(words))
+    return ended.value.code or 0, *capsys.readouterr()
+
+
+def renumbered(folder, number):
+    toml = folder / "paper.toml"
+    toml.write_text(toml.read_text().replace('[equations."2"]', f'[equations."{number}"]'))
+    tex = folder / "printed.tex"
+    tex.write_text(tex.read_text().replace(r"\tag{2}", rf"\tag{{{number}}}"))
+
+
+@pytest.mark.parametrize("number", ["2.14", "A.3", "12a", "3-7", "7'"])
+def test_numbers_are_as_books_have_them(folder, capsys, number):
+    renumbered(folder, number)
+    for words in ((number,), (f"({number})",)):
+        status, out, _ = run(capsys, "equations", "mine", *words)
+        assert status == 0 and out.startswith(f"mine ({number}): erratum; kind sign\n")
+    status, out, _ = run(capsys, "show", "mine", number)
+    assert status == 0 and out.startswith(f"mine ({number})  erratum: sign  [printed.tex, line 7]")
+    _, out, _ = run(capsys, "equations", "mine")
+    assert "mine: 2 equations, 1 exact, 1 erratum" in out and "without a number" not in out
+    status, _, err = run(capsys, "equations", "mine", "99")
+    assert status == 1 and err == f"boresight: no equation '99'; there are 1, {number}\n"
+
+
+def test_a_number_by_label_is_one_too(folder):
+    tex = folder / "printed.tex"
+    tex.write_text(tex.read_text().replace(r"\tag{2}", r"\label{eq:2}"))
+    assert [e.number for e in own(folder).equations] == ["1", "2"]
+
+
+def test_a_folder_without_a_paper_says_how_one_begins(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "empty").mkdir()
+    for command in ("equations", "show"):
+        status, _, err = run(capsys, command, "empty")
+        assert status == 1
+        assert err == "boresight: empty holds no paper.toml; 'boresight new NAME --kind paper' begins a paper\n"
+
+
+def test_equations_say_what_is_true_what_not_with_numbers_and_how_it_is_mended(folder, capsys):
+    _, out, _ = run(capsys, "equations", "mine", "2")
+    flat = " ".join(out.split())
+    assert "True with one edit: sign of [ω x] θ." in flat
+    assert re.search(r"left \[[-\d., ]+\], right \[[-\d., ]+\] deg/h", flat)
+    assert "a point with the attitude error 0.001 rad" in flat
+    assert "Note Planted: the first term has the other sign." in flat
+    _, out, _ = run(capsys, "equations", "mine", "--json")
+    first, second = json.loads(out)
+    assert (first["status"], second["status"], second["origin"]) == ("exact", "erratum", "")
+
+
+def test_a_ledger_is_kept_until_a_file_of_the_folder_changes(folder, capsys, monkeypatch):
+    seen, compute = [], kept_ledger.compute
+    monkeypatch.setattr(kept_ledger, "compute", lambda name, *more: seen.append(name) or compute(name, *more))
+    for _ in range(2):
+        run(capsys, "equations", "mine")
+    assert seen == ["mine"]
+    tex = folder / "printed.tex"
+    tex.write_text(tex.read_text().replace("= [", "= -["))
+    _, out, _ = run(capsys, "equations", "mine")
+    assert seen == ["mine"] * 2 and "1 exact, 1 first-order" in out
+
+
+# ---- Pages -----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("form", ["text", "latex", "html"])
+def test_a_page_has_nothing_that_is_not_of_the_paper(form):
+    one = own(FOLDER / "first")
+    page = " ".join(re.sub(r"<[^>]*>", " ", render(one, None, form)).split())
+    for ours in ("tests/", "computed - true", "Units are SI", "papers write it", "Origin", "In C of"):
+        assert ours not in page
+    assert "Attitude error of a strapdown navigator, as commonly written." in page
+    assert "2 equations: 1 exact, 1 erratum; 2 without a derivation." in page
+    assert ("An error is true - computed." in page) == (form != "text")
+    assert "Mend 1 of 1" in page and "boresight equations" in page
+
+
+def test_the_notation_has_each_letter_with_its_frame_and_its_unit():
+    rows = {forms[0].relation.sides[0].name: (text, unit) for forms, text, unit in notation(own(FOLDER / "first")).rows}
+    assert rows["θ"] == ("attitude error, in b", "rad")
+    assert rows["θ̇"] == ("rate of θ", "rad/s")
+    assert rows["w"] == ("rate of change of the gyro bias, in b", "rad/s^2")
+
+
+def test_a_notebook_shows_an_equation_of_ones_own():
+    one = paper(str(FOLDER / "first"))
+    assert "<math" in notebook.html(one.equation("2"))
+
+
+@needs("pdflatex")
+def test_a_paper_of_ones_own_compiles():
+    assert pdf_from_latex(render(own(FOLDER / "square-root-update"), None, "latex")).startswith(b"%PDF")
+
+
+# ---- Other worlds ----------------------------------------------------------------------------------------------------
+
+
+def written(tmp_path, witness, letters, equations, more=""):
+    """A paper of letters and of equations by number."""
+    rows = "\n".join(f"{json.dumps(name, ensure_ascii=False)} = {entry}" for name, entry in letters.items())
+    (tmp_path / "paper.toml").write_text(f'title = "A"\nwitness = "{witness}"\n[letters]\n{rows}\n{more}')
+    shown = (rf"\[ {latex} \tag{{{number}}} \]" for number, latex in equations.items())
+    (tmp_path / "printed.tex").write_text("\n".join(shown))
+    return own(tmp_path)
+
+
+def statuses(one):
+    return {entry.number: entry.status for entry in ledger(one)}
+
+
+LEVEL = {
+    "v": r"{ latex = 'v', value = 'v_n' }",
+    "C": r"{ latex = 'C', value = 'C_b2n' }",
+    "f": r"{ latex = 'f', value = 'f_b' }",
+    "ω": r"{ latex = '\omega_{ib}', value = 'omega_ib_b' }",
+    "ω_ie": r"{ latex = '\omega_{ie}', value = 'omega_ie_n' }",
+    "ω_en": r"{ latex = '\omega_{en}', value = 'omega_en_n' }",
+    "g": r"{ latex = 'g', value = 'gravity_n' }",
+    "δv": r"{ latex = '\delta v', value = 'v_n_hat - v_n', unit = 'm/s' }",
+    "δω_ie": r"{ latex = '\delta\omega_{ie}', value = 'omega_ie_n_hat - omega_ie_n', unit = 'rad/s' }",
+    "δω_en": r"{ latex = '\delta\omega_{en}', value = 'omega_en_n_hat - omega_en_n', unit = 'rad/s' }",
+    "δg": r"{ latex = '\delta g', value = 'gravity_n_hat - gravity_n', unit = 'm/s^2' }",
+    "δf": r"{ latex = '\delta f', value = 'f_b_hat - f_b', unit = 'm/s^2' }",
+    "δω": r"{ latex = '\delta\omega_{ib}', value = 'omega_ib_b_hat - omega_ib_b', unit = 'rad/s' }",
+    "φ": r"{ latex = '\phi', value = 'phi' }",
+    "ψ": r"{ latex = '\psi', value = 'psi' }",
+    "φ̇": r"{ latex = '\dot{\phi}', value = 'rate(phi)', unit = 'rad/s' }",
+    "L": r"{ latex = 'L', value = 'lat' }",
+    "h": r"{ latex = 'h', value = 'height' }",
+    "v_N": r"{ latex = 'v_N', value = 'v_n[NORTH]', unit = 'm/s' }",
+    "M": r"{ latex = 'R_M', value = 'R_M' }",
+}
+LEVEL_PRINT = {
+    "1": r"\dot{v} = C f + g - (2 [\omega_{ie} \times] + [\omega_{en} \times]) v",
+    "2": r"\dot{C} = C [\omega_{ib} \times] - [(\omega_{ie} + \omega_{en}) \times] C",
+    "3": r"\dot{L} = \frac{v_N}{R_M + h}",
+    "4": r"\delta\dot{v} = [(C f) \times] \phi - [(2 \omega_{ie} + \omega_{en}) \times] \delta v "
+    r"- [(2 \delta\omega_{ie} + \delta\omega_{en}) \times] v + \delta g + C \delta f",
+    "5": r"\dot{\phi} = -[(\omega_{ie} + \omega_{en}) \times] \phi + \delta\omega_{ie} + \delta\omega_{en} "
+    r"- C \delta\omega_{ib}",
+    "6": r"\dot{\psi} = -[(\omega_{ie} + \omega_{en}) \times] \psi - C \delta\omega_{ib}",
+    "7": r"\dot{\phi} = -[(\omega_{ie} + \omega_{en}) \times] \phi - \delta\omega_{ie} - \delta\omega_{en} "
+    r"- C \delta\omega_{ib}",
+    "8": r"\dot{\psi} = -[(\omega_{ie} + \omega_{en}) \times] \psi + C \delta\omega_{ib}",
+}
+
+
+@pytest.mark.parametrize("level, north", [("ned", 0), ("enu", 1)])
+def test_strapdown_in_a_level_has_newtons_law_and_both_error_models(tmp_path, level, north):
+    letters = {name: entry.replace("NORTH", str(north)) for name, entry in LEVEL.items()}
+    found = statuses(written(tmp_path, f"strapdown-{level}", letters, LEVEL_PRINT))
+    assert found == dict.fromkeys("123", "exact") | dict.fromkeys("456", "first-order") | dict.fromkeys("78", "erratum")
+
+
+def test_a_lever_arm_and_a_delay_are_exact_or_of_first_order_in_the_delay(tmp_path):
+    letters = {
+        "v_1": "{ latex = 'v_1', value = 'v_n' }",
+        "v_2": "{ latex = 'v_2', value = 'v_2_n' }",
+        "a_1": "{ latex = 'a_1', value = 'a_n' }",
+        "a_2": "{ latex = 'a_2', value = 'a_2_n' }",
+        "C": "{ latex = 'C', value = 'C_b2n' }",
+        "ω": r"{ latex = '\omega', value = 'omega_b' }",
+        "l": "{ latex = 'l', value = 'lever_b' }",
+        "τ": r"{ latex = '\tau', value = 'delay' }",
+        "v_τ": r"{ latex = 'v_\tau', value = 'old(v_n)', unit = 'm/s' }",
+    }
+    prints = {
+        "1": r"v_2 = v_1 + C [\omega \times] l",
+        "2": r"a_2 = a_1 + C \left( [\dot{\omega} \times] + [\omega \times]^2 \right) l",
+        "3": r"v_\tau = v_1 - \tau a_1",
+        "4": r"v_\tau = v_1 + \tau a_1",
+    }
+    found = statuses(written(tmp_path, "motion", letters, prints))
+    assert found == {"1": "exact", "2": "exact", "3": "first-order", "4": "erratum"}
+
+
+def test_a_kalman_step_has_josephs_form_for_any_gain_and_factors(tmp_path):
+    names = ["P", "H", "R", "S", "K", "P_plus", "K_any", "P_any", "I", "Phi", "Q", "P_next"]
+    names += ["U", "D", "L", "U_plus", "D_plus"]
+    b = {name: rf"\mathbf{{{name.replace('_', '-')}}}" for name in names}
+    letters = {name: f"{{ latex = '{b[name]}', value = '{name}' }}" for name in names}
+    left = f"({b['I']} - {b['K_any']} {b['H']})"
+    prints = {
+        "1": f"{b['S']} = {b['H']} {b['P']} {b['H']}^T + {b['R']}",
+        "2": f"{b['K']} = {b['P']} {b['H']}^\\top {b['S']}^{{-1}}",
+        "3": f"{b['P_plus']} = ({b['I']} - {b['K']} {b['H']}) {b['P']}",
+        "4": f"{b['P_any']} = {left} {b['P']}",
+        "5": f"{b['P_any']} = {left} {b['P']} {left}^{{\\mathrm T}} + {b['K_any']} {b['R']} {b['K_any']}^T",
+        "6": f"{b['P_next']} = {b['Phi']} {b['P']} {b['Phi']}^T + {b['Q']}",
+        "7": f"{b['P']} = {b['U']} {b['D']} {b['U']}^T = {b['L']} {b['L']}^T",
+        "8": f"{b['P_plus']} = {b['U_plus']} {b['D_plus']} {b['U_plus']}^T",
+    }
+    one = written(tmp_path, "kalman", letters, prints)
+    assert statuses(one) == dict.fromkeys("1235678", "exact") | {"4": "erratum"}
+    assert "<math" in render(one, None, "html")
+
+
+def test_a_step_is_taken_and_any_unit_is_said(tmp_path):
+    letters = {
+        "p": "{ latex = 'p', value = 'p_n' }",
+        "p⁺": "{ latex = 'p^+', value = 'after(p_n)', unit = 'm' }",
+        "v": "{ latex = 'v', value = 'v_n' }",
+        "m": "{ latex = 'm', value = 'p_n[0]*p_n[1]', unit = 'm^2' }",
+        "m⁺": "{ latex = 'm^+', value = 'after(p_n[0]*p_n[1])', unit = 'm^2' }",
+        "T": "{ latex = 'T', value = 'step' }",
+    }
+    one = written(tmp_path, "motion", letters, {"1": "p^+ = p + T v", "2": r"m^+ = m + T \dot{m}", "3": "p = T v"})
+    first, second, third = ledger(one)
+    assert re.fullmatch(r"Its remainder is at most \S+ m\.", first.found)
+    assert re.fullmatch(r"Its remainder is at most \S+ m\^2\.", second.found)
+    assert third.status == "erratum" and re.search(r"right \[.*\] m$", third.evidence)
+
+
+def test_what_depends_on_a_decision_says_on_which(tmp_path):
+    """x is the velocity error and as much of it as the step is long: x = δv if the step is small too."""
+    letters = {
+        "δv": r"{ latex = '\delta v', value = 'v_n - v_hat', unit = 'm/s' }",
+        "T": "{ latex = 'T', value = 'step' }",
+        "x": r"{ latex = 'x', value = '(v_n - v_hat) + step*(v_n - v_hat)', unit = 'm/s' }",
+    }
+    (entry,) = ledger(written(tmp_path, "motion", letters, {"1": r"x = \delta v"}))
+    assert entry.status == "first-order" and "Small: all errors" in entry.decisions
+    more = '[equations."1"]\nsmall = ["velocity_error"]\n'
+    (entry,) = ledger(written(tmp_path, "motion", letters, {"1": r"x = \delta v"}, more))
+    assert entry.status == "erratum" and "first-order, if the step is small too" in entry.depends
+
+
+def test_units_that_do_not_fit_are_named(tmp_path):
+    letters = {
+        "p": "{ latex = 'p', value = 'p_n' }",
+        "v": "{ latex = 'v', value = 'v_n' }",
+    }
+    one = written(tmp_path, "motion", letters, {"1": "p = v"})
+    assert one.findings() == ("The units of (1) do not fit: m and m/s.",)
+    assert unheld(one)[0] == "Without a derivation, judged by the witness alone: (1)."
+
+
+@pytest.mark.parametrize("name", WORLDS)
+def test_every_name_of_a_world_has_a_value_and_a_unit(name):
+    world = WORLDS[name]
+    with digits(60):
+        values = world.values(draw(world.base, 3, world.sizes))
+        for one, described in world.names.items():
+            assert values[one] is not None and listed(described.unit) and described.meaning
+    assert world.exact <= world.names.keys() and set(world.errors) <= set(world.base.__dataclass_fields__)
+
+
+# ---- What is wrong in a file -----------------------------------------------------------------------------------------
+
+VALUE = '"theta_local"'
+BOUND = 'value = "theta_local", '
+WRONG = [  # file, what stands there, what is written in its place, line and column, what is said
+    ("paper.toml", 'title = "', "title = ", "4:9", "Invalid value"),
+    ("paper.toml", "witness =", "wittness =", "6:1", "no key 'wittness' here (did you mean 'witness'?)"),
+    ("paper.toml", '"motion"', '"moton"', "6:1", "no witness 'moton' (did you mean 'motion'?)"),
+    ("paper.toml", VALUE, '"theta_locl"', "15:42", "motion has no 'theta_locl' (did you mean 'theta_local'?)"),
+    ("paper.toml", VALUE, '"2 * rat(p_n)"', "15:46", "no function is called 'rat'"),
+    ("paper.toml", VALUE, '"p_n +"', "15:42", "'p_n +' cannot be read: invalid syntax"),
+    ("paper.toml", VALUE, '"p_n + delay"', "15:33", "the value of θ has no meaning: terms of two shapes"),
+    ("paper.toml", VALUE, '"rate(rate(p_n))"', "15:47", "rate() within rate() is not to be had"),
+    ("paper.toml", VALUE, '"old(v_hat)"', "15:46", "v_hat is exact at its own time only, and not in old()"),
+    ("paper.toml", VALUE, '"θ + 1"', "15:42", "motion has no 'θ'"),
+    ("paper.toml", BOUND, "", "15:1", "θ has neither a value nor a shape: write value"),
+    ("paper.toml", 'value = "omega_hat"', "shape = 3", "16:1", "ω of (2) has no value: write value"),
+    ("paper.toml", r"latex = '\omega'", r"latex = '\delta\theta'", "16:1", "θ and ω are both written"),
+    ("paper.toml", 'frame = "b"', 'farme = "b"', "15:56", "no key 'farme' here (did you mean 'frame'?)"),
+    ("paper.toml", '[equations."2"]', '[equations."3"]', "21:1", "printed.tex has no equation '3'; it has 1, 2"),
+    ("paper.toml", "planted =", 'small = ["step2"]\nplanted =', "22:1", "motion has no error 'step2' (did you mean"),
+    ("paper.toml", "[letters]", "[sizes]\nattitude = -1\n[letters]", "15:1", "attitude must be a size"),
+    ("printed.tex", r"n_g \tag{2}", r"n_x \tag{2}", "8:64", "cannot read 'n_x' in (2): no letter of paper.toml"),
+    ("printed.tex", "- n_g", r"- \cdots", "8:64", r"cannot read '\\cdots' in (2)"),
+    ("printed.tex", r"\tag{2}", "", "7:1", r"the equation has no number: add \tag{1}"),
+    ("printed.tex", r"\tag{2}", r"\tag{1}", "7:1", "two equations are called 1; line 3 has the first"),
+    ("printed.tex", r"\begin{equation}", "", "1:1", "no equation is displayed; write"),
+]
+
+
+@pytest.mark.parametrize("file, old, new, place, says", WRONG)
+def test_what_is_wrong_is_said_with_file_line_and_column(folder, file, old, new, place, says):
+    path = folder / file
+    text = path.read_text()
+    assert old in text
+    path.write_text(text.replace(old, new, 1 if file == "paper.toml" else -1))
+    with pytest.raises(BoresightError) as refused:
+        ledger(own(Path("mine")))
+    assert str(refused.value).startswith(f"mine/{file}:{place}: {says}") and "\n" not in str(refused.value)
