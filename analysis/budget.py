@@ -11,12 +11,11 @@ Phi_f, H_f and K are the filter's.  Where the filter believes the truth, d alone
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 
+from boresight.analysis.budget_result import ADDED, Budget
 from boresight.analysis.linear import (
     PROCESS,
     Flown,
@@ -34,8 +33,7 @@ from boresight.errors import BoresightError, did_you_mean
 from boresight.runtime.array import Array
 from boresight.runtime.filter.filter import lowered, without
 
-KEPT = 4096  # times that are kept at most; beyond it every second one is dropped
-ADDED = "added on purpose"
+KEPT = 1024  # times that are kept at most; beyond it every second one is dropped
 
 
 class Shares:
@@ -57,9 +55,9 @@ class Shares:
         self.C[part, self.place[name], part] += S
         self.C[part, 0, part] += S
 
-    def process(self, Q: Array, places: Sequence[int]) -> None:
-        """Q (1 + G, n, n): of all, and of those in `places`."""
-        self.C[: self.n, places, : self.n] += np.swapaxes(Q, 0, 1)
+    def process(self, Q: Array) -> None:
+        """Q (1 + G, n, n): of all, and of the first G sources."""
+        self.C[: self.n, : len(Q), : self.n] += Q.swapaxes(0, 1)
 
     def rounded(self) -> None:
         self.C = (self.C + self.C.transpose(2, 1, 0)) / 2
@@ -67,45 +65,6 @@ class Shares:
     def variances(self) -> Array:
         """(1 + S, n)"""
         return np.einsum("isi->si", self.C[: self.n, :, : self.n]).copy()
-
-
-@dataclass(frozen=True)
-class Budget:
-    """What `budget` found.  T times, S sources, n states; SI and rad, as the model.
-
-    variances: (T, S, n) of the true error by source.  whole: (T, n) of all together, propagated by itself.
-    known, offsets: the known constants that the filter ignores, and what each makes, (T, O, n).  offset: (T, n), the
-    mean of the error, of these and of inputs that are believed wrongly.
-    design: (T, S, n) of the filter's own P by what it believes; P_variances: (T, n), the diagonal of its P.
-    P, C: (n, n) at the end, the filter's and the true one; by_source: (S, n, n), of C.
-    """
-
-    model: str
-    states: tuple[str, ...]
-    units: tuple[str, ...]
-    sources: tuple[str, ...]
-    times: Array
-    variances: Array
-    whole: Array
-    known: tuple[str, ...]
-    offsets: Array
-    offset: Array
-    design: Array
-    P_variances: Array
-    P: Array
-    C: Array
-    by_source: Array
-    scaled: Callable[[Mapping[str, Array]], Array] = field(repr=False)
-
-    @cached_property
-    def sigma(self) -> Array:
-        """(T, n) one sigma of the true error about its mean."""
-        return np.sqrt(self.whole)
-
-    @cached_property
-    def rms(self) -> Array:
-        """(T, n) of the true error, mean and spread."""
-        return np.sqrt(self.whole + self.offset**2)
 
 
 def budget(
@@ -228,9 +187,9 @@ class History:
         self.rows: list[tuple[Any, ...]] = []
         self.every, self.count = 1, 0
 
-    def keep(self, row: tuple[Any, ...], last: bool = False) -> None:
+    def keep(self, row: Callable[[], tuple[Any, ...]], last: bool = False) -> None:
         if last or self.count % self.every == 0:
-            self.rows.append(row)
+            self.rows.append(row())
         self.count += 1
         if len(self.rows) > KEPT:
             self.rows, self.every = self.rows[::2], 2 * self.every
@@ -267,7 +226,7 @@ class Linear:
         parts = dict.fromkeys(name for one in both for name in one.parts)
         truth.parts = believer.parts = [*(name for name in parts if name != PROCESS), PROCESS]
         self.measured = list(dict.fromkeys(name for one in both for name in one.measurements))
-        self.slots = [*(f"start {name}" for name in self.starts), *truth.parts,
+        self.slots = [*truth.parts, *(f"start {name}" for name in self.starts),
                       *(f"{name} noise" for name in self.measured), ADDED]  # fmt: skip
         if len(set(self.slots)) < len(self.slots):
             twice = next(name for name in self.slots if self.slots.count(name) > 1)
@@ -325,7 +284,6 @@ class Linear:
         design = self.shares(self.believer, n) if self.wide or self.dropped is not None else true
         self.leave_out(design)
         mean, columns = np.zeros(true.N), dict[str, Array]()
-        places = [0, *(true.place[name] for name in self.truth.parts)]
         history, time, begun = History(), 0.0, False
 
         def row() -> tuple[Any, ...]:
@@ -349,13 +307,13 @@ class Linear:
         for one, other in pairs(self.truth, self.believer):
             if isinstance(one, Prediction):
                 if one.dt > 0 or not begun:
-                    history.keep(row())
+                    history.keep(row)
                 A, shift = self.transition(one, other)
                 true.through(A)
-                true.process(one.Q, places)
+                true.process(one.Q)
                 if design is not true:
                     design.through(other.Phi)
-                    design.process(other.Q, places)
+                    design.process(other.Q)
                     self.leave_out(design)
                 P = below(self.carried(other.Phi @ P @ other.Phi.T + other.Q[0]))
                 mean = A @ mean + shift
@@ -382,7 +340,7 @@ class Linear:
                 added(np.diag(other.variance))
                 P = below(P + np.diag(other.variance))
             begun = True
-        history.keep(row(), last=True)
+        history.keep(row, last=True)
         self.apart = design is not true  # the filter's P is not the true covariance
         return self.found(history, P, true, design, columns)
 
@@ -475,9 +433,10 @@ class Linear:
         sources = [*self.slots, *self.spread]
         if len(set(sources)) < len(sources):
             raise BoresightError(f"budget: two sources are named {sources[-1]!r}; rename one of the start")
-        by = np.concatenate([slots[:, 1:], unknown], axis=1)
+        by = np.maximum(np.concatenate([slots[:, 1:], unknown], axis=1), 0.0)  # below it is rounding
         thought = np.concatenate([believed[:, 1:], np.zeros_like(unknown)], axis=1)
-        there = [s for s in range(len(sources)) if by[:, s].any() or thought[:, s].any()]
+        order = sorted(range(len(sources)), key=lambda s: not sources[s].startswith("start "))
+        there = [s for s in order if by[:, s].any() or thought[:, s].any()]
         parts = self.of_sizes(columns, self.spread)
         squares = [part @ part.T for part in parts]
         each = np.concatenate([np.swapaxes(true.C[:n, 1:, :n], 0, 1), np.reshape(squares, (-1, n, n))])

@@ -33,6 +33,7 @@ SIZES: dict[str, Any] = {
 }  # fmt: skip
 MATCHED = (("velocity",), ("dcm", "euler_exact"), ("zupt",), ("azimuth",))  # of each the first that a model has
 FOLLOWING = ("phi", "psi", "eps", "dv_n")  # blocks that a slave takes over from its master
+CALIBRATION = ("d_gyro_scale", "d_accel_scale", "d_gyro_axes", "d_accel_axes")  # considered, as `carried` has it
 LEVER_B = (3.0, 1.0, -1.0)  # m
 LATITUDE = 36 * DEG
 
@@ -62,6 +63,15 @@ def nominal(model: Any, name: str, seconds: float, step_hz: float = 10.0, update
     slave = hull.carried(master, np.array(LEVER_B), np.array([1.0, 0, 0, 0]))
     inputs = motions.inputs_along(master, slave, [LATITUDE, 0.0, 0.0], LEVER_B, frame_of(model))
     return Nominal(name, times, inputs, round(step_hz / update_hz))
+
+
+def named_or_recorded(model: Any, motion: str, seconds: float, step_hz: float, update_hz: float) -> Nominal:
+    """A motion by its name, or of the recording at this path.  Raises BoresightError on a model that no name fits."""
+    if not model.measurements and "Phi" not in model.units:
+        raise BoresightError(f"{model.name} has no Phi; an error budget is of a filter")
+    if Path(motion).suffix:
+        return recorded(model, motion, seconds, step_hz, update_hz)
+    return nominal(model, motion, seconds, step_hz, update_hz)
 
 
 def check_rates(seconds: float, step_hz: float, update_hz: float) -> None:

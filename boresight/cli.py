@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import Annotated, Any
 
 from boresight import __version__
-from boresight.errors import BoresightError, need
+from boresight.errors import BoresightError
+from boresight.errors import need as require
 
 try:
     import typer
@@ -600,7 +601,7 @@ def fly(one: Any, scenario: Any, out: Path | None, svg: bool, as_json: bool, see
     from boresight.studies import study as s
 
     if out is not None:
-        need("replay")  # for the figures; said before the flight and not after it
+        require("replay")  # for the figures; said before the flight and not after it
         make(out)
     with terminal.working() as progress:
         if seeds is not None:
@@ -623,6 +624,172 @@ def fly(one: Any, scenario: Any, out: Path | None, svg: bool, as_json: bool, see
     else:
         terminal.page_text(text + "\n")
     raise typer.Exit(0 if good else 1)
+
+
+def motion_names() -> list[str]:
+    from boresight.runtime.simulation.motions import MOTIONS
+
+    return list(MOTIONS)
+
+
+@app.command()
+def budget(
+    target: Annotated[
+        str,
+        typer.Argument(metavar="MODEL | FILE.py:NAME", show_default=False, autocompletion=completed(model_names)),
+    ],
+    motion: Annotated[
+        str,
+        typer.Option(
+            metavar="NAME | RECORDING.toml | FILE.py:NAME",
+            help='As "s turn" or "sea 4"; a recording; or a function of your own that is called with the model and '
+            "returns P0 and steps, of a total state x as well.",
+            autocompletion=completed(motion_names),
+        ),
+    ] = "s turn",
+    seconds: Annotated[float, typer.Option(help="How long.")] = 60.0,
+    step_hz: Annotated[float, typer.Option(help="Predictions per second.")] = 10.0,
+    update_hz: Annotated[float, typer.Option(help="Measurements per second.")] = 1.0,
+    grade: Annotated[
+        str | None,
+        typer.Option(help="Sizes of scale factors, axes and instability: mems, industrial, tactical, navigation."),
+    ] = None,
+    set_: Annotated[
+        list[str] | None,
+        typer.Option("--set", help='A size, as "gyro_noise 0.1 deg/sqrt(h)", "dcm 0.2 mrad" or "dmu 1, 1, 3 deg".'),
+    ] = None,
+    believe: Annotated[
+        list[str] | None,
+        typer.Option(help="What the filter believes instead, in the same words; or FILE.py:NAME, as of --motion."),
+    ] = None,
+    consider: Annotated[
+        list[str] | None, typer.Option(help="States, or a block of them, that no measurement corrects.")
+    ] = None,
+    estimate: Annotated[
+        bool, typer.Option("--estimate", help="Of a grade: estimate scale factors and axes, which else are considered.")
+    ] = False,
+    omit: Annotated[list[str] | None, typer.Option(help="States, or a block, that the filter does not carry.")] = None,
+    uncertain: Annotated[
+        list[str] | None,
+        typer.Option(help='One sigma of a constant that is not estimated, as "lever_b 1 cm" or "dcm 0.1 mrad".'),
+    ] = None,
+    offset: Annotated[
+        list[str] | None, typer.Option(help="The same of a constant whose size is known, and which the filter ignores.")
+    ] = None,
+    need: Annotated[
+        str | None, typer.Option(help='As "heading 0.3 mrad": which source must get better, and how much.')
+    ] = None,
+    against: Annotated[
+        Path | None, typer.Option(help="Another design: a file of what --json printed of it.", show_default=False)
+    ] = None,
+    at: Annotated[list[float] | None, typer.Option(help="A time to print, s; the end if none.")] = None,
+    state: Annotated[list[str] | None, typer.Option(help="A state to print and to draw; all if none.")] = None,
+    folder: Annotated[Path | None, typer.Option("--generated", help="Generated folder of a model of your own.")] = None,
+    out: Out = None,
+    svg: Svg = False,
+    as_json: AsJson = False,
+) -> None:
+    """Split a filter's error by source, along a nominal motion.
+
+    To first order, without a random number: the true sigma of each state that each noise, each part of the start and
+    each constant makes, beside the sigma that the filter believes.  With -o also budget.csv, budget.json and a figure.
+    Exits 1 where a --need is not met.
+    """
+    from boresight import terminal
+    from boresight.analysis import nominal
+    from boresight.analysis.budget import budget as split
+    from boresight.analysis.figures import Sheets
+    from boresight.runtime.library import load
+
+    if out is not None:
+        require("replay")
+        make(out)
+    if ":" in target:
+        from boresight.codegen.generate import generated_folder
+
+        library = load(generated_folder(target, folder))
+    else:
+        from boresight.runtime.transfer.sensors import MODEL
+
+        name = one_of(target, model_names(), "model")
+        library = load(MODEL if grade is not None and name.startswith("velocity-attitude") else name)
+    how: dict[str, Any] = {
+        name: nominal.sizes(words or (), library) for name, words in (("uncertain", uncertain), ("offsets", offset))
+    } | {"considered": [*(consider or ()), *(nominal.CALIBRATION if grade and not estimate else ())], "omitted": omit}
+    own = ".py:" in motion
+    if own and (set_ or grade or any(".py:" not in word for word in believe or ())):
+        raise BoresightError(f"sizes are what {motion} returns; change them there, and let --believe name a function")
+    if own:
+        start, steps, how["x"] = own_flight(motion, library)
+        if believe:
+            how["believed"] = own_flight(believe[0], library)[:2]
+    else:
+        given = nominal.settings(library, grade) | nominal.sizes(set_ or (), library)
+        along = nominal.named_or_recorded(library, motion, seconds, step_hz, update_hz)
+        start, steps = nominal.flight(library, along, given)
+        if believe:
+            how["believed"] = nominal.flight(library, along, given | nominal.sizes(believe, library))
+    found = split(library, start, steps, **how)
+    needed = None
+    if need is not None:
+        wanted, _, size = need.strip().partition(" ")
+        unit = found.units[found.state(wanted)]
+        needed = found.need(wanted, float(nominal.amount(size, unit, need)[0]))
+    title = f"{library.name}, {motion}, {found.times[-1]:g} s"
+    document = found.document(at or ()) | {"motion": motion, "need": needed}
+    text = found.report(at or (), state or (), title)
+    if needed is not None:
+        text += "\n" + found.need_report(needed)
+    if against is not None:
+        chosen = needed["state"] if needed else state[0] if state else None
+        text += "\n" + found.beside(other_design(against), str(against), chosen)
+    if out is not None:
+        sheets = Sheets(out, f"boresight {__version__}, {title}", svg)
+        drawn = state or ([needed["state"]] if needed else [])
+        found.draw(sheets, drawn, needed["limit"] if needed and drawn[:1] == [needed["state"]] else None)
+        sheets.text("budget.csv", found.csv(at or ()))
+        sheets.text("budget.json", json.dumps(document, indent=2, allow_nan=False) + "\n")
+        text += "".join(f"wrote {path}\n" for path in sheets.written)
+    if as_json:
+        print_json(document)
+    else:
+        terminal.page_text(text)
+    raise typer.Exit(1 if needed is not None and not needed["met"] else 0)
+
+
+def own_flight(target: str, library: Any) -> tuple[Any, Any, Any]:
+    """P0, steps and x, or None, of a function FILE.py:NAME that is called with the model."""
+    from boresight.codegen import user_file
+    from boresight.codegen.generate import source_of
+
+    path = source_of(target)
+    assert path is not None
+    function = getattr(user_file.run(path), target.rsplit(":", 1)[1], None)
+    if not callable(function):
+        raise BoresightError(f"{target} is no function; name one that is called with the model and returns P0, steps")
+    try:
+        made = function(library)
+    except BoresightError:
+        raise
+    except Exception as error:
+        user_file.explain(error, path)
+    if not isinstance(made, tuple) or len(made) not in (2, 3):
+        raise BoresightError(f"{target} returned {type(made).__name__}; it must return P0, steps, or P0, steps, x")
+    return made if len(made) == 3 else (*made, None)
+
+
+def other_design(path: Path) -> Any:
+    """What `budget --json` printed of another design."""
+    try:
+        document = json.loads(path.read_text(encoding="utf-8"))
+        if not {"states", "sources", "whole_sigma", "sigma", "mean", "times_s"} <= document.keys():
+            raise ValueError("it is no error budget")
+    except (OSError, ValueError, AttributeError) as error:
+        reason = error.strerror if isinstance(error, OSError) else error
+        raise BoresightError(
+            f"{path} cannot be compared ({reason}); write it with 'boresight budget ... --json'"
+        ) from None
+    return document
 
 
 @app.command()
@@ -660,7 +827,7 @@ def many(
 
     for extra, asked in (("parquet", out), ("cluster", dask)):
         if asked:
-            need(extra)  # before the C of the model is compiled
+            require(extra)  # before the C of the model is compiled
     flown = sea.experiment(sea.Sea(motion, grade))
     goal = None if within is None else r.Goal("heading_mil", within)
     with terminal.progress() as progress:
