@@ -18,7 +18,7 @@ from boresight.runtime.units import UNITS
 ADDED = "added on purpose"
 SHOWN = {"rad": ("mrad", "rad"), "rad/s": ("deg/h", "deg/s"), "m/s^2": ("mg", "m/s^2"), "s": ("ms", "s"),
          "1": ("ppm", "1")}  # fmt: skip
-LARGEST = 1e4  # beyond it the next unit is taken
+LARGEST = 1e3  # beyond it the next unit is taken
 ACROSS = 3  # states beside each other
 COLOURS = (BLUE, ORANGE, GREEN, "#8fbfe0", "#f2bd8c", "#a9cfae")
 TIMES = 61  # in a file, at most

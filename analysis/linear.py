@@ -377,12 +377,14 @@ def gain(P: Array, H: Array, R: Array, kept: Array | None) -> tuple[Array, Array
 def pairs(truth: Flown, believer: Flown) -> Iterator[tuple[Any, Any]]:
     """The steps of truth and filter as matrices, both at the nominal motion of the truth."""
     x, steps, others = truth.x, iter(truth.steps), iter(believer.steps)
+    places = list(getattr(truth.model, "wraps", ()))
     while chunk := list(islice(steps, TOGETHER)):
         nominal = []
         for step in chunk:
             nominal.append(x)
             if truth.total and isinstance(step, Mapping) and "Phi" not in step:
                 x = truth.call("next", step, x)
+                x[places] = wrapped(x[places])
         made = truth.matrices(chunk, nominal)
         second = made if believer is truth else believer.matrices(list(islice(others, TOGETHER)), nominal)
         for one, other in zip(made, second, strict=True):

@@ -51,6 +51,7 @@ def test_help_names_every_command(run):
         "generate",
         "verify",
         "study",
+        "budget",
         "many",
         "replay",
         "noise",

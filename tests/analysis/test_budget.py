@@ -4,12 +4,15 @@ import csv
 import json
 import re
 import runpy
+import shlex
 import time
-from contextlib import contextmanager
+from contextlib import chdir, contextmanager
+from pathlib import Path
 
 import numpy as np
 import pytest
 from conftest import ROOT
+from test_docs import FENCED, shown
 
 from boresight import BoresightError, Filter, budget, cli, generate, load
 from boresight.analysis import nominal
@@ -322,6 +325,34 @@ def test_the_rendezvous_that_is_published(tmp_path, monkeypatch, quickly):
     assert np.abs(true[0].sum(1) - true[1]).max() < RIGHT * true[1].max()
 
 
+def test_a_total_state_is_linearised_along_its_own_motion_and_wraps(tmp_path, monkeypatch, quickly):
+    """A pendulum that goes over the top: the filter that flies the same is `Filter` at its true state."""
+    monkeypatch.setenv("BORESIGHT_CACHE", str(tmp_path / "cache"))
+    library = load(generate(f"{ROOT / 'examples' / 'pendulum.py'}:PENDULUM", tmp_path / "pendulum").folder)
+    step = {"rod": np.array([1.0, 0.2]), "dt": 0.02, "torque": 0.05}
+    begin, P0 = np.array([2.0, 6.0]), np.diag([0.1, 0.3]) ** 2
+    steps = ([step] * 5 + [("encoder", 4e-4, {})]) * 20
+    found = budget(library, P0, steps, x=begin)
+    loop = Filter(library, {}, P0, begin)
+    for one in steps:
+        if isinstance(one, dict):
+            loop.predict(**one)
+        else:
+            loop.update("encoder", 4e-4, z=loop.x[:1])
+    assert abs(loop.x[0]) < np.pi and apart(found.P, loop.P) < 1e-12
+    # a longer rod than the filter believes: the mean is the difference of two motions, until squares count
+    longer = {**step, "rod": np.array([1.0 + 1e-6, 0.2])}
+    off = budget(library, P0, [longer] * 20, believed=(P0, [step] * 20), x=begin).offset[-1]
+    ends = []
+    for one in (step, longer):
+        x = begin
+        for _ in range(20):
+            x = library.next(x=x, **{name: one[name] for name in library.next.fields if name != "x"})
+            x[0] = (x[0] + np.pi) % (2 * np.pi) - np.pi
+        ends.append(x)
+    assert off == pytest.approx(ends[0] - ends[1], rel=1e-3)
+
+
 # ---------------------------------------------------------------- text, files and what is needed
 
 
@@ -555,3 +586,31 @@ def test_a_flight_of_ones_own_is_a_function(run, tmp_path):
 def test_a_wrong_word_is_one_line(run, words, line):
     status, out, err = run(*SHORT, *words)
     assert status == 1 and not out and line in err and len(err.splitlines()) == 1, err
+
+
+# ---------------------------------------------------------------- the page
+
+
+def test_what_the_page_shows_is_what_is_printed(run, tmp_path, monkeypatch, quickly):
+    page = (ROOT / "docs" / "error-budget.md").read_text()
+    (tmp_path / "pendulum.py").write_text((ROOT / "examples" / "pendulum.py").read_text())
+    seen = 0
+    with chdir(tmp_path):
+        for language, file, block in FENCED.findall(page):
+            if file:
+                Path(file).write_text(block)
+            for command in re.split(r"^\$ ", block, flags=re.MULTILINE)[1:] if language == "console" else ():
+                line, expected = command.split("\n", 1)
+                words, _, kept = (part.strip() for part in line.partition(" > "))
+                _, name, *rest = shlex.split(words)
+                if name == "generate":
+                    generate(rest[0])
+                    continue
+                status, out, err = run(*rest)
+                assert not err and status == ("--need" in rest), line
+                if kept:
+                    Path(kept).write_text(out)
+                else:
+                    assert shown(expected.strip(), out.strip()), (line, out)
+                    seen += 1
+    assert seen == 6
