@@ -1009,6 +1009,86 @@ def replay(
 
 
 @app.command()
+def observe(
+    target: Annotated[
+        str,
+        typer.Argument(metavar="MODEL | FILE.py:NAME", show_default=False, autocompletion=completed(model_names)),
+    ],
+    motion: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME | RECORDING.toml | FILE.py:NAME",
+            help='As "s turn" or "sea 4"; a recording; or a function of your own that is called with the model and '
+            "returns P0 and steps, of a total state x as well.  May be repeated.",
+            autocompletion=completed(motion_names),
+        ),
+    ] = None,
+    seconds: Annotated[float, typer.Option(help="How long.")] = 60.0,
+    step_hz: Annotated[float, typer.Option(help="Predictions per second.")] = 10.0,
+    update_hz: Annotated[float, typer.Option(help="Measurements per second.")] = 1.0,
+    grade: Annotated[
+        str | None,
+        typer.Option(help="Sizes of scale factors, axes and instability: mems, industrial, tactical, navigation."),
+    ] = None,
+    set_: Annotated[
+        list[str] | None,
+        typer.Option("--set", help='A size, as "gyro_noise 0.1 deg/sqrt(h)", "dcm 0.2 mrad" or "dmu 1, 1, 3 deg".'),
+    ] = None,
+    folder: Annotated[Path | None, typer.Option("--generated", help="Generated folder of a model of your own.")] = None,
+    out: Out = None,
+    svg: Svg = False,
+    as_json: AsJson = False,
+) -> None:
+    """Show which motion informs which state, and how soon.
+
+    Sigma of each state at the end over sigma at the start, by the covariance along the true motion, motions beside each
+    other (still, straight, steady turn and s turn if none is named); the direction of which most is left, in words.
+    With -o also observe.json and a figure.
+    """
+    from boresight import terminal
+    from boresight.analysis import nominal, observability
+    from boresight.analysis.figures import Sheets
+    from boresight.runtime.library import load
+
+    if out is not None:
+        require("replay")  # for the figure; said before the flight and not after it
+        make(out)
+    if ":" in target:
+        from boresight.codegen.generate import generated_folder
+
+        library = load(generated_folder(target, folder))
+    else:
+        from boresight.runtime.transfer.sensors import MODEL
+
+        name = one_of(target, model_names(), "model")
+        library = load(MODEL if grade is not None and name.startswith("velocity-attitude") else name)
+    found = {}
+    with terminal.working() as working:
+        for name in motion or ["still", "straight", "steady turn", "s turn"]:
+            working(name)
+            if ".py:" in name:
+                if set_ or grade:
+                    raise BoresightError(f"sizes are what {name} returns; change them there")
+                start, steps, x = own_flight(name, library)
+            else:
+                along = nominal.named_or_recorded(library, name, seconds, step_hz, update_hz)
+                sizes = nominal.settings(library, grade) | nominal.sizes(set_ or (), library)
+                (start, steps), x = nominal.flight(library, along, sizes), None
+            found[name] = observability.observe(library, start, steps, x=x)
+    text = observability.report(found)
+    document = {"model": library.name, "motions": {name: one.document() for name, one in found.items()}}
+    if out is not None:
+        sheets = Sheets(out, f"boresight {__version__}, {library.name}", svg)
+        observability.draw(found, sheets)
+        sheets.text("observe.json", json.dumps(document, indent=2, allow_nan=False) + "\n")
+        text += "".join(f"wrote {path}\n" for path in sheets.written)
+    if as_json:
+        print_json(document)
+    else:
+        terminal.page_text(text)
+
+
+@app.command()
 def noise(
     log: Annotated[
         str | None,
@@ -1064,7 +1144,7 @@ def noise(
     from boresight.runtime.recording.read import read_at_rest
 
     if out is not None:
-        need("replay")  # for the figure; said before the fit and not after it
+        require("replay")  # for the figure; said before the fit and not after it
         make(out)
     with terminal.working() as progress:
         progress("reading")

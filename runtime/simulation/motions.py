@@ -82,6 +82,7 @@ MOTIONS: dict[str, Callable[[Array], hull.Pose]] = {
     "still": underway,
     "straight": lambda time: underway(time, 0.5, 100.0),
     "s turn": s_turn,
+    "steady turn": lambda time: underway(time, 3 * DEG * time, 100.0, np.arctan(300 * DEG / STANDARD_GRAVITY)),
     "figure of eight": lambda time: underway(time, np.pi * (1 - np.cos(2 * np.pi * time / 120)), 5.0),
     "yaw 3 deg": lambda time: swinging(time, yaw=3.0),
     "roll 3 deg": lambda time: swinging(time, roll=3.0),
