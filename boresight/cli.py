@@ -89,7 +89,8 @@ def counted(number: int, noun: str) -> str:
 
 def paper_of(name: str) -> str:
     """The name of a paper that there is, or of a folder that holds one."""
-    from boresight.derive.papers import FILES, is_folder
+    from boresight.derive.papers import is_folder
+    from boresight.derive.papers.files import FILES
 
     if is_folder(name):
         return name
@@ -133,9 +134,7 @@ def new(
     model, script = begin.new(name, kind, out)
     if kind == begin.PAPER:
         print(f"{model}, {script}")
-        print(
-            f"try 'boresight equations {model.parent}', 'boresight show {model.parent}'; docs/your-paper.md is a guide"
-        )
+        print(f"try 'boresight equations {model.parent}', 'boresight show {model.parent}'; see docs/your-paper.md")
         return
     constant = model.stem.upper()
     print(f"{model}, {script}")

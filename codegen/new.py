@@ -7,7 +7,8 @@ from pathlib import Path
 
 from boresight import BoresightError
 from boresight.codegen.stamp import PACKAGE
-from boresight.derive.papers import DERIVATIONS, FILES, PAPERS
+from boresight.derive.papers import DERIVATIONS, PAPERS
+from boresight.derive.papers.files import FILES
 from boresight.runtime.manifest import built_in
 
 # The example that each kind begins as.

@@ -22,7 +22,11 @@ from boresight import cli
 from boresight.runtime.store import BLOCK
 
 pytestmark = pytest.mark.usefixtures("quickly")
-PAGES = [ROOT / "docs" / "tutorial.md", *sorted((ROOT / "docs" / "how-to").glob("*.md"))]
+PAGES = [
+    ROOT / "docs" / "tutorial.md",
+    ROOT / "docs" / "your-paper.md",
+    *sorted((ROOT / "docs" / "how-to").glob("*.md")),
+]
 FENCED = re.compile(r"^```(\w+)(?: (\S+))?\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 

@@ -5,6 +5,7 @@ Every kind was verified, flown and exported by `make evidence`, which tests/evid
 
 import re
 import runpy
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -59,6 +60,19 @@ def test_every_kind_is_an_example_under_another_name(tmp_path, kind):
     model = load_model(f"{tmp_path / 'my_own.py'}:MY_OWN")
     assert (model.name, model.c_prefix) == ("my-own", "mo")
     assert model.kind == ("total-state" if kind == "total-state" else "error-state")
+
+
+def test_a_paper_to_begin_with_runs_at_once_and_its_planted_slip_is_named(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    boresight("new", "my-paper", "--kind", "paper")
+    boresight("equations", "my-paper")
+    out = capsys.readouterr().out
+    assert "my-paper: 2 equations, 1 exact, 1 erratum" in out and "True with one edit: sign of" in out
+    boresight("equations", "my-paper", "2")
+    assert "Planted: the first term has the other sign." in capsys.readouterr().out
+    for name, says in (("my-paper", "my-paper/paper.toml exists"), ("kim-2018", "kim-2018 is a paper that comes with")):
+        with pytest.raises(BoresightError, match=says):
+            new(name, "paper", Path())
 
 
 @pytest.mark.parametrize(

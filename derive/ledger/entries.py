@@ -194,14 +194,16 @@ def _underived(paper: Paper, equation: Equation) -> Entry:
         evidence, found = _stands(paper, equation, verdict.status)
         status = (verdict.status, "", "")
         return _made(paper, equation, verdict, status, (found, evidence, equation.note), equation.derived)
-    ways = mends(paper, equation)
-    kinds = {slip.kind for slip in differences(equation.read(), ways[0].relations)} if ways else set()
-    kind = "unknown" if not ways else kinds.pop() if len(kinds) == 1 else "structure"
-    way = f"True with one edit: {ways[0].what}." if ways else "No single edit makes it true."
-    found = f"{verdict.why[:1].upper()}{verdict.why[1:]}. {way}"
+    edits = mends(paper, equation)
+    kinds = {slip.kind for slip in differences(equation.read(), edits[0].relations)} if edits else set()
+    kind = "unknown" if not edits else kinds.pop() if len(kinds) == 1 else "structure"
+    edit = f"True with one edit: {edits[0].what}." if edits else "No single edit makes it true."
+    found = f"{verdict.why[:1].upper()}{verdict.why[1:]}. {edit}"
     evidence = f"{verdict.why}; {_true_and_printed(paper, equation)}"
     status = ("erratum", kind, "")
-    return _made(paper, equation, verdict, status, (found, evidence, equation.note), ways[0].relations if ways else ())
+    return _made(
+        paper, equation, verdict, status, (found, evidence, equation.note), edits[0].relations if edits else ()
+    )
 
 
 def _true_and_printed(paper: Paper, equation: Equation) -> str:

@@ -170,14 +170,14 @@ def evidence(paper: Paper, equation: Equation, entry: Entry) -> list[Block]:
 def proposals(paper: Paper, equation: Equation) -> list[Block]:
     """The first single edits that make a misprint true, each where it differs marked."""
     with digits(DIGITS):
-        ways = mends(paper, equation)
-    if not ways:
+        edits = mends(paper, equation)
+    if not edits:
         return [Prose("no single edit makes it true.", "Mends")]
     blocks: list[Block] = []
-    for i, way in enumerate(ways[:SHOWN], 1):
-        found = differences(equation.printed, way.relations)
-        forms = _forms(way.relations, equation.page_letters, marks(way.relations, found, "derived"))
-        blocks += [Prose(f"{way.what}; then it is {way.status}.", f"Mend {i} of {len(ways)}"), Formulas(forms)]
+    for i, edit in enumerate(edits[:SHOWN], 1):
+        found = differences(equation.printed, edit.relations)
+        forms = _forms(edit.relations, equation.page_letters, marks(edit.relations, found, "derived"))
+        blocks += [Prose(f"{edit.what}; then it is {edit.status}.", f"Mend {i} of {len(edits)}"), Formulas(forms)]
     return blocks
 
 

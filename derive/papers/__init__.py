@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from boresight import BoresightError
+from boresight.derive.papers.files import holds_paper
 
 if TYPE_CHECKING:
     from boresight.derive.ledger.paper import Paper
@@ -16,7 +17,6 @@ PAPERS = ("song-lee-2001", "kim-2018", "kang-2025")
 DERIVATIONS = ("delay-error", "mechanics")  # of nobody's print
 
 
-FILES = ("paper.toml", "printed.tex")  # of a paper of one's own
 OWN: dict[str, "Paper"] = {}  # those that were read from folders, by name
 
 
@@ -38,4 +38,4 @@ def paper(name: str) -> "Paper":
 
 def is_folder(name: str) -> bool:
     """Whether it names a paper of one's own: a folder that holds paper.toml."""
-    return name not in (*PAPERS, *DERIVATIONS) and (Path(name) / FILES[0]).is_file()
+    return name not in (*PAPERS, *DERIVATIONS) and holds_paper(name)

@@ -19,9 +19,9 @@ from boresight.derive.ledger.numbers import Matrix, digits
 from boresight.derive.ledger.paper import Paper, Stated, Witness
 from boresight.derive.ledger.reader import UnreadError, plain, read
 from boresight.derive.ledger.witness import draw, scaled
-from boresight.derive.papers import FILES
+from boresight.derive.papers.files import FILES
+from boresight.derive.papers.scenarios import Scenario, scenario
 from boresight.derive.papers.values import TIMES, ValueOfLetterError, Values, check, parsed
-from boresight.derive.papers.worlds import World, world
 from boresight.errors import did_you_mean
 
 TOML, PRINT = FILES
@@ -107,7 +107,7 @@ def displays(path: Path) -> Iterator[Display]:
 
 @dataclass(frozen=True, eq=False)
 class Bound(Mapping):
-    """Values of a paper's letters: those bound to the world, and those that its equations define."""
+    """Values of a paper's letters: those bound to the scenario, and those that its equations define."""
 
     given: Values
     defined: Mapping[str, Any]
@@ -181,25 +181,25 @@ class Folder:
                         f"{', '.join(sorted(KEYS[table]))}", *path)  # fmt: skip
 
     @cached_property
-    def world(self) -> World:
+    def scenario(self) -> Scenario:
         try:
-            return world(self.data["witness"])
+            return scenario(self.data["witness"])
         except BoresightError as error:
             self.refuse(str(error), "witness")
 
     @cached_property
     def sizes(self) -> Any:
-        """The usual sizes of the world, those of the file in their place."""
-        known = {part.name for part in fields(self.world.usual)}
+        """The usual sizes of the scenario, those of the file in their place."""
+        known = {part.name for part in fields(self.scenario.usual)}
         given = {}
         for name, value in self.data.get("sizes", {}).items():
             if name not in known:
-                self.refuse(f"{self.world.name} has no part {name!r}{did_you_mean(name, known)}", "sizes", name)
+                self.refuse(f"{self.scenario.name} has no part {name!r}{did_you_mean(name, known)}", "sizes", name)
             numbers = value if isinstance(value, list) else [value]
             if len(numbers) not in (1, 3) or not all(isinstance(one, int | float) and one >= 0 for one in numbers):
                 self.refuse(f"{name} must be a size, or three: numbers that are not negative", "sizes", name)
             given[name] = tuple(map(float, value)) if isinstance(value, list) else float(value)
-        return replace(self.world.usual, **given)
+        return replace(self.scenario.usual, **given)
 
     # ---- letters
 
@@ -216,10 +216,10 @@ class Folder:
         for name in self.data["letters"]:
             if normalize("NFC", name) in found:
                 try:
-                    check(normalize("NFC", name), found, self.world)
+                    check(normalize("NFC", name), found, self.scenario)
                 except ValueOfLetterError as error:
                     self.refuse(str(error), "letters", name, "value", column=error.column)
-        if self.world.moves:
+        if self.scenario.moves:
             still = [n for n, tree in found.items() if not timed(tree, found)]
             found |= {dotted(n): parsed_rate(n) for n in still if dotted(n) not in found}
         return found
@@ -229,7 +229,7 @@ class Folder:
         symbol = normalize("NFC", name)
         if not isinstance(entry.get("latex"), str) or not entry["latex"].strip():
             self.refuse(f"{name} has no latex: write latex = '...', as the paper prints it", "letters", name)
-        named = self.world.names.get(str(entry.get("value", "")))
+        named = self.scenario.names.get(str(entry.get("value", "")))
         unit = str(entry.get("unit", named.unit if named else "1"))
         words = str(entry.get("meaning", named.meaning if named else ""))
         if "value" in entry:
@@ -240,7 +240,7 @@ class Folder:
             shape = shaped(entry["shape"])
         else:
             self.refuse(f"{name} has neither a value nor a shape: write value = \"...\" by the names of "
-                        f"{self.world.name}, or shape = 3 of what an equation defines", "letters", name)  # fmt: skip
+                        f"{self.scenario.name}, or shape = 3 of what an equation defines", "letters", name)  # fmt: skip
         meaning = words + f", in {entry.get('frame')}" * ("frame" in entry)
         self.units[symbol] = unit
         return letter(name, entry["latex"], f"{unit} {shape}", meaning + f", {unit}" * (not several(unit)), shape)
@@ -258,7 +258,7 @@ class Folder:
     def quantities(self) -> tuple[Quantity, ...]:
         """The declared letters, and of those with a value their rates, in each spelling."""
         with digits(DIGITS):
-            at = Values(lambda t: self.world.values(draw(self.world.base, 1, self.world.sizes), t), self.bound)
+            at = Values(lambda t: self.scenario.values(draw(self.scenario.base, 1, self.scenario.sizes), t), self.bound)
             declared = [self.quantity(name, entry, at) for name, entry in self.data["letters"].items()]
         alike: dict[str, str] = {}
         for quantity in declared:
@@ -334,9 +334,9 @@ class Folder:
         for number, (display, relations) in self.prints.items():
             more = self.data.get("equations", {}).get(number, {})
             for part in more.get("small", ()):
-                if part not in self.world.errors:
-                    near = did_you_mean(part, self.world.errors)
-                    self.refuse(f"{self.world.name} has no error {part!r}{near}", "equations", number, "small")
+                if part not in self.scenario.errors:
+                    near = did_you_mean(part, self.scenario.errors)
+                    self.refuse(f"{self.scenario.name} has no error {part!r}{near}", "equations", number, "small")
             spelled = plain(display.latex)
             here = [one for one in self.used if plain(one.latex) in spelled]
             planted = f"Planted: {more['planted']}." if "planted" in more else ""
@@ -375,27 +375,27 @@ class Folder:
 
     @cached_property
     def felt(self) -> tuple[str, ...]:
-        """The errors of the world with which a letter of the print changes."""
+        """The errors of the scenario with which a letter of the print changes."""
         every = {name for _, relations in self.prints.values() for name in names(relations)} & self.bound.keys()
 
         def at(sizes: Any) -> Values:
-            base = draw(self.world.base, 1, sizes)
-            return Values(lambda t: self.world.values(base, t), self.bound)
+            base = draw(self.scenario.base, 1, sizes)
+            return Values(lambda t: self.scenario.values(base, t), self.bound)
 
         with digits(DIGITS):
-            whole = at(self.world.sizes)
+            whole = at(self.scenario.sizes)
 
             def changes(part: str) -> bool:
-                half = at(scaled(self.world.sizes, 0.5, (part,)))
+                half = at(scaled(self.scenario.sizes, 0.5, (part,)))
                 return any(differs(whole.letter(name), half.letter(name)) for name in every)
 
-            return tuple(part for part in self.world.errors if changes(part))
+            return tuple(part for part in self.scenario.errors if changes(part))
 
     # ---- all of it
 
     def paper(self) -> Paper:
         name = self.folder.resolve().name
-        owned = self.world
+        owned = self.scenario
         self.defined  # noqa: B018  refuses here what has no value
 
         def values(base: Any, definitions: Mapping[str, tuple[Relation, ...]]) -> Bound:
@@ -411,7 +411,7 @@ class Folder:
             return tuple(f"The units of ({number}) do not fit: {why}." for number, _, why in misfits(made)[1])
 
         errors = self.felt
-        sizes = (f"{owned.parts[one]} {said(getattr(self.sizes, one))} {owned.units[one]}" for one in errors)
+        sizes = (f"{owned.parts[one]} {size_text(getattr(self.sizes, one), owned.units[one])}" for one in errors)
         text = ", ".join(sizes) or owned.words
         made = Paper(
             name=name,
@@ -445,8 +445,12 @@ def shaped(shape: Any) -> tuple[int, ...]:
     return () if sizes in ((1,), (1, 1)) else sizes[:1] if sizes[1:] == (1,) else sizes
 
 
-def said(size: Any) -> str:
-    return " ".join(f"{one:g}" for one in size) if isinstance(size, tuple) else f"{size:g}"
+def size_text(size: Any, unit: str) -> str:
+    """1e-06 rad, 1e-06 rad, 5 m."""
+    if not isinstance(size, tuple):
+        return f"{size:g} {unit}"
+    units = unit.split(", ") if "," in unit else [unit] * 3
+    return ", ".join(f"{one:g} {own}" for one, own in zip(size, units, strict=True))
 
 
 def timed(tree: ast.expr, letters: Mapping[str, ast.expr]) -> bool:

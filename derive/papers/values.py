@@ -1,4 +1,4 @@
-"""Values of letters, written by the names of a world: `-theta_local`, `rate(v_n - v_hat)`, `K*H`, `P[0, 1]`.
+"""Values of letters, written by the names of a scenario: `-theta_local`, `rate(v_n - v_hat)`, `K*H`, `P[0, 1]`.
 
 Python's signs for arithmetic, and functions of numbers and matrices; * of two quaternions is Hamilton's product.
 """
@@ -14,7 +14,7 @@ from boresight.derive.ledger import ellipsoid, numbers
 from boresight.derive.ledger import witness as kinds
 from boresight.derive.ledger.evaluate import assembled, multiplied
 from boresight.derive.ledger.numbers import Matrix, digits, exact, eye, zeros
-from boresight.derive.papers.worlds.world import World
+from boresight.derive.papers.scenarios.scenario import Scenario
 from boresight.errors import did_you_mean
 
 
@@ -78,22 +78,22 @@ TIMES = {
 
 @dataclass(eq=False)
 class Values:
-    """Values at one time, of letters and of what the world has.
+    """Values at one time, of letters and of what the scenario has.
 
-    world: by time (s).  letters: by name the value's expression.
+    scenario: by time (s).  letters: by name the value's expression.
     """
 
-    world: Callable[[Any], Mapping[str, Any]]
+    scenario: Callable[[Any], Mapping[str, Any]]
     letters: Mapping[str, ast.expr]
     time: Any = 0
     known: dict[str, Any] = field(default_factory=dict)
 
     @cached_property
     def here(self) -> Mapping[str, Any]:
-        return self.world(self.time)
+        return self.scenario(self.time)
 
     def at(self, time: Any) -> "Values":
-        return Values(self.world, self.letters, time)
+        return Values(self.scenario, self.letters, time)
 
     def letter(self, name: str) -> Any:
         if name not in self.known:
@@ -102,7 +102,7 @@ class Values:
         return self.known[name]
 
     def of(self, node: ast.expr, own: str) -> Any:
-        """The value of an expression of the letter `own`, which is there the world's, if the world has it."""
+        """The value of an expression of the letter `own`, which is there the scenario's, if the scenario has it."""
         if isinstance(node, ast.Constant):
             return exact(str(node.value))
         if isinstance(node, ast.Name):
@@ -185,14 +185,14 @@ PARTS = (
 )
 
 
-def check(name: str, letters: Mapping[str, ast.expr], world: World) -> None:
+def check(name: str, letters: Mapping[str, ast.expr], scenario: Scenario) -> None:
     """Raises ValueOfLetterError at a name that is no value, a letter that is defined by itself, a rate of a rate, and a
-    value at another time that the world has to first order in time only."""
-    _check(letters[name], name, letters, world, (name,), "")
+    value at another time that the scenario has to first order in time only."""
+    _check(letters[name], name, letters, scenario, (name,), "")
 
 
 def _check(
-    node: ast.AST, own: str, letters: Mapping[str, ast.expr], world: World, path: tuple[str, ...], time: str
+    node: ast.AST, own: str, letters: Mapping[str, ast.expr], scenario: Scenario, path: tuple[str, ...], time: str
 ) -> None:
     def refuse(text: str) -> ValueOfLetterError:
         through = f" (through {' and '.join(path[1:])})" if len(path) > 1 else ""
@@ -202,21 +202,21 @@ def _check(
         if node.id in letters and node.id != own:
             if node.id in path:
                 raise refuse(f"{node.id} is defined by itself")
-            _check(letters[node.id], node.id, letters, world, (*path, node.id), time)
-        elif node.id not in world.names:
-            near = did_you_mean(node.id, {*world.names, *letters} - {own})
-            raise refuse(f"{world.name} has no {node.id!r}{near}; docs/your-paper.md lists its names")
-        elif time not in ("", "rate") and node.id not in world.exact:
+            _check(letters[node.id], node.id, letters, scenario, (*path, node.id), time)
+        elif node.id not in scenario.names:
+            near = did_you_mean(node.id, {*scenario.names, *letters} - {own})
+            raise refuse(f"{scenario.name} has no {node.id!r}{near}; docs/your-paper.md lists its names")
+        elif time not in ("", "rate") and node.id not in scenario.exact:
             raise refuse(f"{node.id} is exact at its own time only, and not in {time}()")
         return
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
         name = node.func.id
-        if name in TIMES and not world.moves:
-            raise refuse(f"{world.name} has no time, so that there is no {name}()")
+        if name in TIMES and not scenario.moves:
+            raise refuse(f"{scenario.name} has no time, so that there is no {name}()")
         if name in TIMES and time:
-            raise refuse(f"{name}() within {time}() is not to be had; bind the letter to a value of {world.name}")
+            raise refuse(f"{name}() within {time}() is not to be had; bind the letter to a value of {scenario.name}")
         for argument in node.args:
-            _check(argument, own, letters, world, path, name if name in TIMES else time)
+            _check(argument, own, letters, scenario, path, name if name in TIMES else time)
         return
     for child in ast.iter_child_nodes(node):
-        _check(child, own, letters, world, path, time)
+        _check(child, own, letters, scenario, path, time)

@@ -1,4 +1,4 @@
-"""A paper of one's own: a folder of letters, bound to a world by name, and of equations as printed."""
+"""A paper of one's own: a folder of letters, bound to a scenario by name, and of equations as printed."""
 
 import json
 import re
@@ -22,13 +22,13 @@ from boresight.derive.ledger.mutation import mutants as all_mutants
 from boresight.derive.ledger.numbers import digits
 from boresight.derive.ledger.reader import read
 from boresight.derive.ledger.witness import draw
-from boresight.derive.pages import notebook
+from boresight.derive.pages import notebook, witnesses
 from boresight.derive.pages.booklet import pdf_from_latex
 from boresight.derive.pages.page import notation
 from boresight.derive.pages.render import render
 from boresight.derive.papers import PAPERS, paper
 from boresight.derive.papers.own import own
-from boresight.derive.papers.worlds import WORLDS
+from boresight.derive.papers.scenarios import SCENARIOS
 
 pytestmark = pytest.mark.usefixtures("many_digits")
 
@@ -122,8 +122,8 @@ def test_a_true_equation_of_another_sign_is_mended_by_that_sign():
     equation = one.equation("8b")
     left, right = equation.printed[0].sides
     wrong = (Relation((left, negative(right))),)
-    ways = mends(one, replace(equation, printed=wrong, derived=wrong))
-    assert ways[0].what.startswith("the other sign of") and len(ways) == 1
+    found = mends(one, replace(equation, printed=wrong, derived=wrong))
+    assert found[0].what.startswith("the other sign of") and len(found) == 1
 
 
 # ---- The commands ----------------------------------------------------------------------------------------------------
@@ -236,7 +236,7 @@ def test_a_paper_of_ones_own_compiles():
     assert pdf_from_latex(render(own(FOLDER / "square-root-update"), None, "latex")).startswith(b"%PDF")
 
 
-# ---- Other worlds ----------------------------------------------------------------------------------------------------
+# ---- Other scenarios -----------------------------------------------------------------------------------------------
 
 
 def written(tmp_path, witness, letters, equations, more=""):
@@ -379,14 +379,19 @@ def test_units_that_do_not_fit_are_named(tmp_path):
     assert unheld(one)[0] == "Without a derivation, judged by the witness alone: (1)."
 
 
-@pytest.mark.parametrize("name", WORLDS)
-def test_every_name_of_a_world_has_a_value_and_a_unit(name):
-    world = WORLDS[name]
+@pytest.mark.parametrize("name", SCENARIOS)
+def test_every_name_of_a_scenario_has_a_value_and_a_unit(name):
+    scenario = SCENARIOS[name]
     with digits(60):
-        values = world.values(draw(world.base, 3, world.sizes))
-        for one, described in world.names.items():
+        values = scenario.values(draw(scenario.base, 3, scenario.sizes))
+        for one, described in scenario.names.items():
             assert values[one] is not None and listed(described.unit) and described.meaning
-    assert world.exact <= world.names.keys() and set(world.errors) <= set(world.base.__dataclass_fields__)
+    assert scenario.exact <= scenario.names.keys() and set(scenario.errors) <= set(scenario.base.__dataclass_fields__)
+
+
+def test_the_reference_of_the_witnesses_is_made_of_the_scenarios_here():
+    path = ROOT / "docs" / "reference" / "witnesses.md"
+    assert path.read_text() == witnesses.page(), f"run python -m boresight.derive.pages.witnesses > {path}"
 
 
 # ---- What is wrong in a file -----------------------------------------------------------------------------------------

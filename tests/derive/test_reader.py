@@ -1,12 +1,28 @@
 """The reader of printed LaTeX: what it reads it reads in the order of the page, what it does not know it refuses."""
 
 import pytest
-from sympy import Function, MatAdd, MatMul, StrictLessThan, Symbol, cos, sin, sqrt, symbols, tan
+from sympy import (
+    Function,
+    MatAdd,
+    MatMul,
+    Rational,
+    StrictLessThan,
+    Symbol,
+    atan,
+    atan2,
+    cos,
+    exp,
+    sin,
+    sqrt,
+    symbols,
+    tan,
+)
 from sympy.functions.elementary.complexes import transpose
 
 from boresight import BoresightError
 from boresight.derive.ledger.equation import Quantity, column, matrix
 from boresight.derive.ledger.evaluate import Point, evaluate
+from boresight.derive.ledger.numbers import Matrix
 from boresight.derive.ledger.reader import read
 
 a, b = symbols("a b", real=True)
@@ -87,3 +103,87 @@ def test_a_product_whose_shapes_do_not_fit_is_read_and_has_no_value():
 def test_what_is_not_known_is_refused_by_name(latex):
     with pytest.raises(BoresightError, match="cannot read"):
         read((latex,), TABLE)
+
+
+q, p, v, w = (Symbol(name, commutative=False) for name in "qpvw")
+x, y = symbols("x y", real=True)
+TYPED = (
+    *(Quantity(one, str(one), "s", "") for one in (x, y)),
+    Quantity(v, r"\mathbf{v}", "v", "", (3,)),
+    Quantity(w, r"\boldsymbol{\omega}", "v", "", (3,)),
+    Quantity(q, r"\mathbf{q}", "q", "", (4,)),
+    Quantity(p, r"\mathbf{p}", "q", "", (4,)),
+    Quantity(A, "A", "m", "", (3, 3)),
+)
+SKEW = Function("skew", commutative=False)(w)
+NORM, CONJ = Function("norm")(w), Function("conj", commutative=False)(q)
+
+
+@pytest.mark.parametrize(
+    "latex, right",
+    [
+        *((rf"A^{{{t}}}", transpose(A)) for t in ("T", r"\mathrm{T}", r"\mathrm T", r"\top", r"\mathsf{T}")),
+        (r"A^\top", transpose(A)),
+        (r"[\boldsymbol{\omega}]_\times", SKEW),
+        (r"[\boldsymbol{\omega}]_{\times}", SKEW),
+        (r"(\boldsymbol{\omega} \times)", SKEW),
+        (r"\left\lfloor \boldsymbol{\omega} \times \right\rfloor", SKEW),
+        (r"\boldsymbol{\omega}^\wedge", SKEW),
+        (r"\mathbf{p} \otimes \mathbf{q}", p * q),
+        (r"\mathbf{p} \otimes \mathbf{q}^*", p * CONJ),
+        (r"\tfrac{1}{2} y", y / 2),
+        (r"\frac12 y", y / 2),
+        ("0.5 y", y / 2),
+        (r"10^{-3} y", y / 1000),
+        (r"x^{2} \, y", x**2 * y),
+        (r"\bigl( x + y \bigr) y", (x + y) * y),
+        (r"\begin{pmatrix} x \\ y \end{pmatrix}", column(x, y)),
+        (r"\left[ \begin{array}{c} x \\ y \end{array} \right]", column(x, y)),
+        (r"\mathrm{diag}(x, y)", matrix([[x, 0], [0, y]])),
+        (r"\|\boldsymbol{\omega}\|", NORM),
+        (r"|\boldsymbol{\omega}|", NORM),
+        (r"\lVert \boldsymbol{\omega} \rVert", NORM),
+        (r"\mathbf{v} \cdot \boldsymbol{\omega}", transpose(v) * w),
+        (r"x \cdot y", x * y),
+        (r"\sin^2 y", sin(y) ** 2),
+        (r"\tan^{-1} y", atan(y)),
+        (r"\operatorname{atan2}(x, y)", atan2(x, y)),
+        (r"\exp(y)", exp(y)),
+        (r"e^{y}", exp(y)),
+        (r"\sqrt[3]{y}", y ** Rational(1, 3)),
+        (r"\mathbf{0}_{3 \times 3}", Symbol("0_3x3", commutative=False)),
+        (r"I_{3}", Symbol("I_3x3", commutative=False)),
+    ],
+)
+def test_what_people_type_is_read(latex, right):
+    for sign in ("=", r"\triangleq", ":=", r"\approx"):
+        (relation,) = read((rf"x {sign} {latex}",), TYPED)
+        assert relation.sides == (x, right)
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        *(r"y + \cdots", r"y + \mathcal{O}(x^2)", r"\pm y", r"\int_0^x y", r"\frac{\partial x}{\partial y}"),
+        *(
+            r"\begin{cases} y & x \\ 0 & y \end{cases}",
+            r"\begin{vmatrix} x & y \\ y & x \end{vmatrix}",
+            r"y \text{ for } x",
+        ),
+        *(r"A \otimes A", r"A \otimes \mathbf{q}", r"\mathrm{diag}(\mathbf{v})", r"A^{x}", r"\sinh^{-1} y"),
+    ],
+)
+def test_what_is_not_known_is_refused_and_never_read_otherwise(latex):
+    with pytest.raises(BoresightError, match="cannot read"):
+        read((f"x = {latex}",), TYPED)
+
+
+def test_what_can_be_read_in_two_ways_is_asked_for():
+    with pytest.raises(BoresightError, match=r"write \\sin\^2\(x\), or \\sin\(\(x\)\^2\): this can be either"):
+        read((r"x = \sin(y)^2",), TYPED)
+
+
+def test_a_conjugate_and_an_inverse_of_a_quaternion_have_values():
+    point = Point({"q": Matrix([1, 2, 3, 4]), "p": Matrix([2, 0, 0, 0])})
+    assert [float(entry) for entry in evaluate(CONJ, point)] == [1, -2, -3, -4]
+    assert [float(entry) for entry in evaluate(q**-1 * q, point)] == pytest.approx([1, 0, 0, 0], abs=1e-15)

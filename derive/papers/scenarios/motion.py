@@ -11,7 +11,7 @@ from typing import Any
 from boresight.derive.ledger import ellipsoid
 from boresight.derive.ledger.numbers import Matrix
 from boresight.derive.ledger.witness import finite_rotation, quaternion, rotation_vector, vector
-from boresight.derive.papers.worlds.world import Name, World
+from boresight.derive.papers.scenarios.scenario import Name, Scenario
 
 
 @dataclass(frozen=True)
@@ -58,6 +58,7 @@ ERRORS = {
 }
 
 UNITS = {
+    "1": "field",
     "rad": "attitude attitude_error",
     "rad/s": "rate gyro_bias gyro_bias_error gyro_noise",
     "rad/s^2": "turn gyro_walk",
@@ -192,7 +193,7 @@ USUAL = Parts(
     delay=1e-2,
     step=1e-2,
 )
-MOTION = World(
+MOTION = Scenario(
     name="motion",
     sizes=Parts(),
     usual=USUAL,

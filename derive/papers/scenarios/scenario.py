@@ -1,4 +1,4 @@
-"""What a world is: exact values by name at a time, drawn from sizes."""
+"""What a scenario is: exact values by name at a time, drawn from sizes."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -18,7 +18,7 @@ class Name:
 
 
 @dataclass(frozen=True, eq=False)
-class World:
+class Scenario:
     """Exact values by name.
 
     sizes: of the parts that a point is drawn from, the largest at which an equation is judged; usual: those for which

@@ -12,8 +12,8 @@ from boresight.derive.ledger.ellipsoid import Level
 from boresight.derive.ledger.navigation import Navigator
 from boresight.derive.ledger.numbers import Matrix, norm
 from boresight.derive.ledger.witness import finite_rotation, quaternion, rotation_vector, skew, vector
-from boresight.derive.papers.worlds.motion import sensed
-from boresight.derive.papers.worlds.world import Name, World
+from boresight.derive.papers.scenarios.motion import sensed
+from boresight.derive.papers.scenarios.scenario import Name, Scenario
 
 
 @dataclass(frozen=True)
@@ -121,7 +121,7 @@ ECEF_ONCE = {
 
 
 def names(axes: str, both: Mapping[str, Name], once: Mapping[str, Name]) -> dict[str, Name]:
-    """The names of a world in these axes."""
+    """The names of a scenario in these axes."""
     found: dict[str, Name] = {}
     for name, one in {**BOTH, **both}.items():
         name, meaning = name.format(n=axes), one.meaning.format(n=axes)
@@ -131,7 +131,7 @@ def names(axes: str, both: Mapping[str, Name], once: Mapping[str, Name]) -> dict
 
 @dataclass(frozen=True)
 class State:
-    """Position, velocity and attitude, in the order and the axes of a world, and what the sensors show."""
+    """Position, velocity and attitude, in the order and the axes of a scenario, and what the sensors show."""
 
     position: Matrix
     velocity: Matrix
@@ -335,8 +335,8 @@ USUAL = Parts(
 BY_PART = {name: unit for unit, listed in UNITS.items() for name in listed.split()}
 
 
-def level_world(level: Level) -> World:
-    return World(
+def level_scenario(level: Level) -> Scenario:
+    return Scenario(
         name=f"strapdown-{level.name.lower()}",
         sizes=Parts(),
         usual=USUAL,
@@ -349,8 +349,8 @@ def level_world(level: Level) -> World:
     )
 
 
-NED, ENU = level_world(ellipsoid.NED), level_world(ellipsoid.ENU)
-ECEF = World(
+NED, ENU = level_scenario(ellipsoid.NED), level_scenario(ellipsoid.ENU)
+ECEF = Scenario(
     name="strapdown-ecef",
     sizes=Parts(position_error=1000.0),
     usual=Parts(**{**USUAL.__dict__, "position_error": 5.0}),

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from boresight.derive.ledger.numbers import Matrix, exact, eye, sqrt, zeros
-from boresight.derive.papers.worlds.world import Name, World
+from boresight.derive.papers.scenarios.scenario import Name, Scenario
 
 STATES, ROWS = 4, 2
 
@@ -138,7 +138,7 @@ def at(base: Parts, t: Any) -> tuple[tuple[str, Callable], ...]:
     )
 
 
-KALMAN = World(
+KALMAN = Scenario(
     name="kalman",
     sizes=Parts(),
     usual=Parts(),

@@ -1,0 +1,10 @@
+"""The files of a paper of one's own."""
+
+from pathlib import Path
+
+FILES = ("paper.toml", "printed.tex")
+
+
+def holds_paper(folder: str) -> bool:
+    """Whether a folder holds a paper."""
+    return (Path(folder) / FILES[0]).is_file()
