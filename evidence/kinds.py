@@ -26,6 +26,8 @@ from boresight.evidence.misra import MISSING as MISRA_MISSING
 from boresight.evidence.misra import misra
 from boresight.evidence.misra import version as misra_version
 from boresight.evidence.mutants import mutants
+from boresight.evidence.pages import MISSING as PAGES_MISSING
+from boresight.evidence.pages import of_model, pages
 from boresight.evidence.proofs import kept as proofs
 from boresight.evidence.riscv import riscv
 from boresight.evidence.rounding import rounding
@@ -103,6 +105,7 @@ KINDS = (
     Kind("bits", bits, BITS_MISSING, bits_version, by_harness("flight.c"), by_unit=False),
     Kind("verified", verified, GCC.missing, lambda: "", made_of, by_unit=False),
     Kind("attack", attack, GCC.missing, lambda: "", by_harness("attack.c"), by_unit=False),
+    Kind("pages", pages, PAGES_MISSING, lambda: "", of_model, by_unit=False),
 )
 
 # Emulated boards, mutants and Eva cost with the third power of the states, and hours beyond so many of them.
@@ -114,7 +117,7 @@ def kinds_for(folder: Folder) -> tuple[Kind, ...]:
     left_out = set() if is_small(folder) else set(DEAR)
     left_out |= set() if folder.name == MODEL else {"bits"}
     left_out |= set() if folder.manifest.get("filter") else {"attack"}
-    left_out |= {"verified"} if folder.manifest["model"] in COMPONENTS else set()
+    left_out |= {"verified", "pages"} if folder.manifest["model"] in COMPONENTS else set()
     return tuple(kind for kind in KINDS if kind.name not in left_out)
 
 
@@ -131,6 +134,7 @@ def of_paper(*judges: str) -> Callable[[Derivations], dict[str, str]]:
 PAPER_KINDS = (
     Kind("shown", spoilt, "", lambda: "", of_paper("formula_tokens", "read_back", "spoilt"), by_unit=False),
     Kind("steps", steps, "", lambda: "", of_paper("steps"), by_unit=False),
+    Kind("pages", pages, PAGES_MISSING, lambda: "", of_paper("pages"), by_unit=False),
 )
 
 

@@ -36,7 +36,7 @@ def tables() -> str:
         kept = results.read(folder)
         rows = [row(unit, {kind: of["units"].get(unit.name, {}) for kind, of in kept.items()}) for unit in folder.units]
         parts.append(section(folder.name, HEAD, rows))
-    more = (verifications, one_flight, hostile, drawn, proofs, steps, shown, flights)
+    more = (verifications, one_flight, hostile, drawn, proofs, steps, shown, written, flights)
     return "".join(parts) + "".join(made() for made in more) + "\n"
 
 
@@ -121,6 +121,29 @@ def shown() -> str:
             same = ", ".join(f"{count} {reason}" for reason, count in of["same"].items() if count) or "0"
             rows.append((paper.name, form, *map(str, counts), same, str(len(of["left"]))))
     return section("Formulas as they are shown", SHOWN, rows)
+
+
+WRITTEN = (
+    "page of",
+    "lines at 60",
+    "widest",
+    "lines at 100",
+    "widest",
+    "elements of HTML",
+    "characters of LaTeX",
+    "PDF",
+)
+
+
+def written() -> str:
+    """Every page in every format, and whether its LaTeX compiles."""
+    rows: list[tuple[str, ...]] = []
+    for kept in (*map(results.read, derivations()), *map(results.read, folders())):
+        for name, of in kept.get("pages", {}).get("units", {}).items():
+            texts = (str(of[f"text {width}"][what]) for width in (60, 100) for what in ("lines", "widest"))
+            made = "compiles" if of["pdf"] else "FAILED"
+            rows.append((name, *texts, str(of["html"]), str(of["latex"]["characters"]), made))
+    return section("Pages in every format", WRITTEN, rows) if rows else ""
 
 
 PROVED = ("model", "outputs", "bounded", "of these exact", "within ten", "median", "accepted by Coq")

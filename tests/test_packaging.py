@@ -90,6 +90,7 @@ def test_sdist_and_wheel_hold_the_package_and_an_installed_one_flies(built, tmp_
         "derive/pages/templates/page.html.j2", "runtime/random.c", "runtime/recording/built_in/fog_mems_transfer.toml",
         "runtime/recording/built_in/template.toml", "studies/euler_table/table.py", "examples/pendulum.py",
         "examples/fly_gnss_ins.py", "evidence/trace.py", "cli.py", "py.typed",
+        "examples/papers/first/paper.toml", "examples/papers/first/printed.tex",
     }  # fmt: skip
     with zipfile.ZipFile(wheel) as archive:
         names = set(archive.namelist())
@@ -131,6 +132,16 @@ def test_a_wheel_holds_what_a_user_uses(built):
     assert results == folders & {path.stem for path in (ROOT / "evidence" / "results").glob("*.json")}
     assert {path.name for path in (package / "evidence").glob("*.py")} == {"__init__.py", "sources.py", "trace.py"}
     assert not any((package / name).exists() for name in ("generated", "studies/explorations", "examples/flight"))
+
+
+def test_a_paper_of_ones_own_is_begun_and_judged_by_an_installed_wheel(built, tmp_path):
+    code = "import sys; from boresight.cli import main; main(sys.argv[1:])"
+    env = {**os.environ, "PYTHONPATH": str(built[2]), "BORESIGHT_CACHE": str(tmp_path / "cache")}
+    for words in (["new", "mine", "--kind", "paper"], ["equations", "mine"]):
+        command = [sys.executable, "-c", code, *words]
+        done = subprocess.run(command, cwd=tmp_path, env=env, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+    assert done.stdout.startswith("mine: 2 equations, 1 exact, 1 erratum\n")
 
 
 def test_a_wheel_says_which_studies_are_in_the_checkout(built, tmp_path):

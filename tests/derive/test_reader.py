@@ -186,4 +186,5 @@ def test_what_can_be_read_in_two_ways_is_asked_for():
 def test_a_conjugate_and_an_inverse_of_a_quaternion_have_values():
     point = Point({"q": Matrix([1, 2, 3, 4]), "p": Matrix([2, 0, 0, 0])})
     assert [float(entry) for entry in evaluate(CONJ, point)] == [1, -2, -3, -4]
-    assert [float(entry) for entry in evaluate(q**-1 * q, point)] == pytest.approx([1, 0, 0, 0], abs=1e-15)
+    inverse = [entry / 15 for entry in (1, -2, -3, -4)]
+    assert [float(entry) for entry in evaluate(q**-1 * p, point)] == pytest.approx(inverse, abs=1e-15)
