@@ -128,7 +128,7 @@ def new(
     ] = "total-state",
     out: Annotated[Path, typer.Option("-o", "--out", help="Folder to write to.")] = Path(),
 ) -> None:
-    """Begin a model of your own, and the script that flies it; or a paper of your own, and what it prints."""
+    """Begin a model of your own and its flight, or a paper."""
     from boresight.codegen import new as begin
 
     model, script = begin.new(name, kind, out)
