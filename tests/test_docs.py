@@ -22,11 +22,10 @@ from boresight import cli
 from boresight.runtime.store import BLOCK
 
 pytestmark = pytest.mark.usefixtures("quickly")
-PAGES = [
-    ROOT / "docs" / "tutorial.md",
-    ROOT / "docs" / "your-paper.md",
-    *sorted((ROOT / "docs" / "how-to").glob("*.md")),
+OWN = [
+    ROOT / "docs" / f"{name}.md" for name in ("tutorial", "your-paper", "smoother", "observability", "design-questions")
 ]
+PAGES = [*OWN, *sorted((ROOT / "docs" / "how-to").glob("*.md"))]
 FENCED = re.compile(r"^```(\w+)(?: (\S+))?\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
