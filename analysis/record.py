@@ -130,6 +130,7 @@ class Record:
             setattr(loop, name, partial(self._step, name, getattr(loop, name)))
         setattr(loop, "strapdown", partial(self._passed, loop.strapdown))  # noqa: B010
         part = loop.memory.part if isinstance(loop, CompiledFilter) else {}
+        self._in_C = all(name in part for name in loop.nav)  # all of nav, so that it lies among the numbers of the C
         self._layout = loop.x.shape[-1], {n: np.array(v) for n, v in self._nav()}, part
         self._begin()
 
@@ -228,7 +229,7 @@ class Record:
         loop, state = self.loop, None
         assert loop is not None
         memory: Any = getattr(loop, "memory", None)
-        if memory is not None and memory.settled and not memory.lent:
+        if memory is not None and memory.settled and not memory.lent and self._in_C:
             runs, numbers = memory.runs, memory.blocks.numbers[:, : memory.part["P"].stop]
         else:
             state, runs = self._state()
@@ -261,12 +262,14 @@ class Record:
     def _look(self) -> None:
         """Begin a new piece where x or P is no longer what the last step left."""
         loop = self.loop
+        assert loop is not None
+        if len(loop.nav) != len(self._layout[1]):
+            raise BoresightError("nav has other fields than when its record began; give them all before, or stop()")
         if isinstance(loop, CompiledFilter):
             if loop.memory.lent.isdisjoint(("x", "P")):
                 return
             there = {n: loop.memory.copies[n] for n in ("x", "P") if n in loop.memory.lent}
         else:
-            assert loop is not None
             there = {"x": loop.x, "P": loop.P}
         changed = {n for n, value in there.items() if not same(value, self._was(n))}
         if changed == {"x"} and not self.total:
@@ -323,10 +326,7 @@ class Record:
         if there:
             numbers = runs_of(raw[there], runs)
             for name, array in out.items():
-                if name in part:
-                    array[there] = numbers[..., part[name] if array.ndim == numbers.ndim else part[name].start]
-                else:  # a field that the C does not have
-                    array[there] = nav[name]
+                array[there] = numbers[..., part[name] if array.ndim == numbers.ndim else part[name].start]
         for i, state in enumerate(states):
             for name, array in () if state is None else out.items():
                 array[i] = state["P"][(..., *upper)] if name == "P" else state[name]

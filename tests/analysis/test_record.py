@@ -161,6 +161,20 @@ def test_a_feedback_by_hand_is_one(library):
     assert np.array_equal(record.taken()[0], x) and np.array_equal(record.nav["mu"][2], -x[3:])
 
 
+def test_a_field_of_nav_that_the_C_does_not_carry_is_what_it_was_at_each_step(library):
+    nav = {"q_b2n_wxyz": [1, 0, 0, 0], "mu": np.zeros(3), "omega_in_n": np.zeros(3)}
+    loop = CompiledFilter(library, nav, np.eye(6) * 1e-4)
+    record = Record(loop)
+    for rate in (1e-5, 2e-5):
+        loop.nav["omega_in_n"] = np.full(3, rate)
+        loop.predict(gyro_noise=np.full(3, 1e-4), dt=1.0)
+        loop.predict(gyro_noise=np.full(3, 1e-4), dt=1.0)
+    assert record.nav["omega_in_n"][1:, 0].tolist() == [1e-5, 1e-5, 2e-5, 2e-5]
+    loop.nav["euler_m"] = np.zeros(3)
+    with pytest.raises(BoresightError, match="nav has other fields"):
+        loop.predict(gyro_noise=np.full(3, 1e-4), dt=1.0)
+
+
 def test_the_files_hold_the_same_and_memory_does_not_grow(radar, tmp_path, monkeypatch):
     from boresight.analysis import record as module
 

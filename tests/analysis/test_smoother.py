@@ -168,6 +168,60 @@ def test_200_steps_agree_with_batch_least_squares_in_50_digits():
     assert (found.P[:, 3] == 0).all() and np.ptp(np.log10(np.sqrt(np.diag(record.P[0]))[[0, 2]])) >= 10 - 1e-12
 
 
+def test_gnss_ins_with_feedback_agrees_with_batch_least_squares_in_50_digits(folder_of, monkeypatch):
+    """The recursion alone, over sigmas from 1e-7 rad to 5 m: each feedback turns nothing, as the filter has it."""
+    monkeypatch.syspath_prepend(ROOT / "examples")
+    import fly_gnss_ins as example
+
+    from boresight.analysis import smoother
+
+    records = []
+
+    def recorded(*args, **words):
+        loop = CompiledFilter(*args, **words)
+        records.append(Record(loop))
+        return loop
+
+    monkeypatch.setattr(example, "CompiledFilter", recorded)
+    monkeypatch.setattr(example, "SECONDS", 6)
+    monkeypatch.setattr(smoother, "frames", lambda record, table: np.tile(np.eye(15), (len(table.rows), 1, 1, 1)))
+    example.fly(load(folder_of(example.MODEL)), runs=1, seed=3)
+    record = records[0]
+    x, names, steps, found = record.x[:, 0], record.names, smoother.changes(record), smooth(record)
+    # the witness takes the rows of a measurement one after the other, in sigmas
+    sigma = {"position": example.FIX_M, "velocity": example.FIX_M_S}
+    H = {name: record.jacobian(name)[:, 0] for name in sigma}
+    K = {name: record.gain(name)[:, 0] for name in sigma}
+    nu = {name: record.innovation(name).nu[:, 0] for name in sigma}
+    A, Q, h, less, means, nodes = [], [], [None], [None], [x[0]], [0]
+    for row in range(1, len(names)):
+        name = names[row]
+        if name in sigma:
+            k, at = np.searchsorted(record.rows(name), row), x[row - 1]
+            for i in range(3):
+                A.append(np.eye(15))
+                Q.append(np.zeros((15, 15)))
+                means.append(means[-1])
+                h.append(H[name][k, i] / sigma[name])
+                less.append((nu[name][k, i] + H[name][k, i] @ (at - means[-1])) / sigma[name])
+                at = at + K[name][k, :, i] * nu[name][k, i]
+        else:
+            a, q = (np.broadcast_to(part, (1, 15, 15))[0] for part in steps[row][:2])
+            A.append(a)
+            Q.append(q)
+            h.append(None)
+            less.append(None)
+            means.append(a @ means[-1] + x[row] - a @ x[row - 1])
+        nodes.append(len(h) - 1)
+    wanted = [0, 30, len(names) - 1]
+    for row, (exact, P) in zip(
+        wanted, batch(A, Q, record.P[0, 0], h, 1, less, [nodes[k] for k in wanted]), strict=True
+    ):
+        scale = np.sqrt(np.diag(P))
+        assert (np.abs(found.x[row, 0] - means[nodes[row]] - exact) / scale).max() < 1e-10
+        assert (np.abs(found.P[row, 0] - P) / np.outer(scale, scale)).max() < 1e-10
+
+
 # ---------------------------------------------------------------- feedback, lag, runs
 
 
