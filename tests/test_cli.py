@@ -52,6 +52,7 @@ def test_help_names_every_command(run):
         "verify",
         "study",
         "budget",
+        "observe",
         "many",
         "replay",
         "observe",
