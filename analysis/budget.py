@@ -97,7 +97,8 @@ def budget(
     steps : iterable
         What is flown, in order, at the nominal motion, with all the inputs of the model's functions.
         A dict is a prediction: the inputs of Phi, Q and `next`, as {"dt": 0.1, "gyro_noise": ...};
-        or {"dt": ..., "Phi": (n, n), "Q": {source: (n, n)}} of the caller's own.
+        or {"dt": ..., "Phi": (n, n), "Q": {source: (n, n)}} of the caller's own. Without dt it
+        counts as 1.
         A tuple is a measurement: (name, R, inputs) or (name, R, inputs, rows), R being a variance,
         (m,) variances or an (m, m) covariance, inputs those of `NAME_H`, or {"H": (m, n)}.
         ("inflate", first, variance) raises variances of the filter, as `Filter.inflate`.

@@ -182,7 +182,7 @@ class Flown:
                 raise BoresightError(f"budget: {name} holds a value that is not finite")
         D = self.by_parameter("next", inputs, x, count) if self.total and inputs else {}
         return [
-            Prediction(float(step.get("dt", 0.0)), Phi[k], Q[k], dict(step), x[k],
+            Prediction(float(step.get("dt", 1.0)), Phi[k], Q[k], dict(step), x[k],
                        {name: one[k] for name, one in D.items()})
             for k, step in enumerate(steps)
         ]  # fmt: skip

@@ -1,8 +1,8 @@
-"""Truth and sensors that are simulated: `drive`, `hull`, `inertial`, `sea` and `sensors`.
+"""Truth and sensors that are simulated: `drive`, `hull`, `inertial`, `motions`, `sea` and `sensors`.
 
 from boresight.simulation import sensors
 """
 
-from boresight.runtime.simulation import drive, hull, inertial, sea, sensors
+from boresight.runtime.simulation import drive, hull, inertial, motions, sea, sensors
 
-__all__ = ["drive", "hull", "inertial", "sea", "sensors"]
+__all__ = ["drive", "hull", "inertial", "motions", "sea", "sensors"]

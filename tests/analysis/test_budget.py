@@ -241,6 +241,26 @@ def test_a_wrong_input_of_a_measurement_is_a_known_offset(matching, turning):
     assert believed == pytest.approx(known, rel=1e-3, abs=1e-3 * np.abs(known).max(0).min())
 
 
+def with_fields(function, *fields):
+    function.fields = fields
+    return function
+
+
+class Decay:
+    """One total state that shrinks by a part per step: plain Python, and linear, so that nothing is left out."""
+
+    name, states = "decay", ("x",)
+    Phi = staticmethod(with_fields(lambda part: np.asarray(part)[..., None, None] * np.eye(1), "part"))
+    Q = staticmethod(with_fields(lambda gust: np.asarray(gust)[..., None, None] ** 2 * np.eye(1), "gust"))
+    next = staticmethod(with_fields(lambda x, part: part * x, "x", "part"))
+
+
+def test_the_mean_of_a_wrong_parameter_is_the_difference_of_two_motions():
+    true, thought = ({"part": part, "gust": 0.1} for part in (0.9, 0.5))
+    found = budget(Decay(), np.eye(1), [true] * 6, believed=(np.eye(1), [thought] * 6), x=[5.0], noise=["gust"])
+    assert found.offset[:, 0] == pytest.approx([5 * (0.5**k - 0.9**k) for k in range(7)])
+
+
 def test_an_unknown_constant_is_what_a_known_one_of_its_size_makes(matching, turning):
     true = flown(matching, turning)
     known = budget(matching, *true, believed=flown(matching, turning, "lever_b 3.0001, 1, -1")).offset[-1]
