@@ -123,7 +123,7 @@ def budget(
     -------
     Budget
         `variances` (T, S, n) by source, `whole` (T, n), `P` the filter's own, and `report()`,
-        `csv()`, `document()`, `draw(path)`, `need(state, limit)`.
+        `csv()`, `document()`, `draw(folder)`, `need(state, limit)`.
 
     Raises
     ------

@@ -5,12 +5,13 @@ import io
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from pathlib import Path
 from textwrap import wrap
 from typing import Any
 
 import numpy as np
 
-from boresight.analysis.figures import BLUE, GREEN, GREY, ORANGE
+from boresight.analysis.figures import BLUE, GREEN, GREY, ORANGE, Sheets
 from boresight.errors import BoresightError, did_you_mean
 from boresight.runtime.array import Array
 from boresight.runtime.units import UNITS
@@ -294,12 +295,13 @@ class Budget:
 
     # ---- as a figure
 
-    def draw(self, sheets: Any, states: Sequence[str] = (), limit: float | None = None) -> None:
+    def draw(self, folder: Sheets | str | Path, states: Sequence[str] = (), limit: float | None = None) -> None:
         """Sources stacked over time, a panel for each state: the height is the sigma, a source's its share of it.
 
-        sheets: `figures.Sheets`, which gets the figure "budget".  states: the first three if none.  limit: of the first
+        folder: where budget.png is written, or `figures.Sheets`.  states: the first three if none.  limit: of the first
         state, in its unit, as a line.
         """
+        sheets = folder if isinstance(folder, Sheets) else Sheets(Path(folder))
         places = [self.state(name) for name in states] or list(range(min(3, len(self.states))))
         with np.errstate(invalid="ignore", divide="ignore"):
             share = np.nan_to_num(self.variances[:, :, places] / self.whole[:, None, places]).mean((0, 2))
