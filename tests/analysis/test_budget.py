@@ -14,7 +14,7 @@ import pytest
 from conftest import ROOT
 from test_docs import FENCED, shown
 
-from boresight import BoresightError, Filter, budget, cli, generate, load
+from boresight import BoresightError, Filter, Message, budget, cli, generate, load, transfer
 from boresight.analysis import nominal
 from boresight.analysis.figures import Sheets
 from boresight.runtime.recording.read import EXAMPLE
@@ -134,6 +134,30 @@ def test_the_design_is_the_covariance_of_the_filter(matching, turning, case):
     if case == "omitted":
         how, other = {"omitted": ["d_accel_bias"]}, {"disabled": (9, 3)}
     assert apart(budget(matching, start, steps, **how).P, fly(matching, start, steps, **other).P) < 1e-12
+
+
+def test_a_correlated_measurement_is_taken_as_it_scatters(matching, turning):
+    start, steps = flown(matching, turning)
+    R = 1e-4 * np.array([[1, 0.5, 0], [0.5, 1, 0.2], [0, 0.2, 2]])
+    steps = [(s[0], R, *s[2:]) if isinstance(s, tuple) and s[0] == "velocity" else s for s in steps]
+    found = budget(matching, start, steps)
+    assert found.C == pytest.approx(found.P, rel=1e-9, abs=1e-18)  # noqa: SIM300
+
+
+def test_the_start_is_that_of_a_slave_that_takes_its_master_over(matching):
+    """As `transfer.first` has it at rest, but for the rate of the level, which turns the delay into 1e-6 rad."""
+    along, values = nominal.nominal(matching, "still", 2.0), nominal.settings(matching)
+    start, _ = nominal.flight(matching, along, values)
+    taken = sum(P for name, P in start.items() if name not in ("phi", "dv_n"))
+    at = {name: along.inputs[name][0] for name in ("v_m_n", "q_m2n_wxyz", "lever_b", "lat_lon_height")}
+    R = np.repeat([values["velocity"], values["dcm"]], 3) ** 2
+    message = Message(time=0.0, R=R, v_m_n=at["v_m_n"], q_m2n_wxyz=at["q_m2n_wxyz"], position=at["lat_lon_height"])
+    noise = {name: 0.0 if name == "tau_noise" else np.zeros(3) for name in matching.Q.fields if name.endswith("_noise")}
+    names = {"q_b2m_wxyz": "dmu", "gyro_bias": "d_gyro_bias", "accel_bias": "d_accel_bias", "tau": "d_tau"}
+    sigmas = {there: values[here] for there, here in names.items()}
+    P = transfer.first(message, matching, {"lever_b": at["lever_b"], **noise}, sigmas=sigmas, rate_sigma=0.0,
+                       acceleration_sigma=0.0)[1]  # fmt: skip
+    assert apart(taken, P) < 5e-3
 
 
 def test_where_the_filter_believes_the_truth_its_covariance_is_true(matching, turning):
