@@ -448,7 +448,7 @@ def level_velocity_as_body(w):
     w.replace(('unit = "m/s" }\nposition', 'unit = "m/s", axes = "body" }\nposition'))
 
 
-@fault("order|Euler|sequence|axes|turns about")
+@fault("applied as yaw, roll, pitch")
 def another_euler_sequence(w):
     a = attitudes(w).as_euler("ZXY")  # yaw, then roll's axis before pitch's
     w.columns["attitude"] = np.stack([a[:, 1], a[:, 2], a[:, 0]], axis=-1)

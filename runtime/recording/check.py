@@ -10,9 +10,10 @@ import numpy as np
 from boresight.errors import BoresightError, did_you_mean
 from boresight.runtime import frames, rotation
 from boresight.runtime.array import Array
-from boresight.runtime.recording import patterns, tags
+from boresight.runtime.recording import motion, patterns, tags
+from boresight.runtime.recording.delay import attitude_steps, clocks_apart, drift
 from boresight.runtime.recording.types import Finding, Inertial, Master, Recording
-from boresight.runtime.units import ARCMIN, DEG, HOUR
+from boresight.runtime.units import ARCMIN, DEG, FOOT, HOUR
 from boresight.runtime.units import STANDARD_GRAVITY as G
 
 # Judgements that may be overruled, by name.
@@ -32,6 +33,11 @@ NAMES = {
     "interpolated": "samples between which a line was drawn",
     "saturated": "an axis that stays at the end of its range",
     "rounded": "angles of the master without their digits",
+    "clock": "the clocks of slave and master are apart, or one of them steps",
+    "heading": "a heading that is off, against the velocity or against the slave's turns",
+    "lag": "a velocity that is older than the attitude",
+    "order": "three angles that turn in another order",
+    "step": "a position that steps at one instant",
     "still": "a master that never moves while its slave turns",
 }
 
@@ -269,6 +275,8 @@ def _check_master(master: Master) -> list[Finding]:
 def _check_velocity(master: Master) -> list[Finding]:
     """Displacement from position against the integral of velocity: tells a swapped or badly scaled axis."""
     assert master.v_n is not None and master.position is not None
+    if steps := _check_steps(master):
+        return steps
     lat, lon, height = master.position.T
     radius = 6371e3 + height[0]
     moved = np.array([lat[-1] - lat[0], (lon[-1] - lon[0]) * np.cos(lat[0]), 0]) * radius
@@ -281,6 +289,14 @@ def _check_velocity(master: Master) -> list[Finding]:
         text = f"the height goes against the vertical velocity, which alone moves by {np.ptp(fallen):.1f} m"
         hint = ": check which of them is up and which down (in metres all axes are those of navigation)"
         return [Finding("error", "master.position", text + hint, "path")]
+    if np.std(fallen) > 1.0 and np.std(sunk) > 0:
+        slope, fit = float(sunk @ fallen / (fallen @ fallen)), float(np.corrcoef(sunk, fallen)[0, 1])
+        if fit > 0.95 and not 0.7 < slope < 1.4:
+            known = ": feet declared as metres?" if abs(slope * FOOT - 1) < 0.1 else ": check its unit"
+            text = f"the height moves {slope:.3g} times as much as the vertical velocity sums to"
+            return [Finding("error", "master.position", text + known, "path")]
+    if level := motion.check_vertical(master):
+        return level
     path = float(np.linalg.norm(moved))
     if path < 20:
         return []
@@ -294,10 +310,36 @@ def _check_velocity(master: Master) -> list[Finding]:
     return []
 
 
-def attitude_steps(euler: Array) -> Array:
-    """(M-1, 3, 3) the turn from each attitude to the next, in the body axes of the first."""
-    C = rotation.matrix_from_euler(euler)
-    return np.swapaxes(C[:-1], -1, -2) @ C[1:]
+def _check_steps(master: Master) -> list[Finding]:
+    """A position or a clock that steps at one instant, or at a few: by what the velocity does not explain."""
+    assert master.v_n is not None and master.position is not None
+    lat, lon, height = master.position.T
+    place = np.column_stack([lat, lon * np.cos(lat[0]), np.zeros_like(lat)]) * (6371e3 + height[0])
+    place[:, 2] = -height
+    moved, dt = np.diff(place, axis=0), np.diff(master.time)
+    v = (master.v_n[1:] + master.v_n[:-1]) / 2
+    usual = float(np.median(dt))
+    left = moved - v * dt[:, None]
+    scale = 1.5 * np.median(np.abs(left - np.median(left, axis=0)), axis=0)
+    bad = (np.abs(left) > np.maximum(10.0, 12 * scale)).any(axis=1)
+    if not bad.any() or bad.sum() > 3:
+        return []
+    k = int(np.argmax(bad))
+    # as if one interval had passed, by its clock many
+    if dt[k] > 3 * usual and np.linalg.norm(moved[k] - v[k] * usual) < 0.2 * np.linalg.norm(left[k]):
+        text = (
+            f"the master's clock steps by {dt[k] - usual:+.3f} s at {master.time[k]:.3f} s{tags.apart(dt[k] - usual)}"
+        )
+        text += ", while the position goes on; bring both parts to one clock, or cut the recording there (from, to)"
+        return [Finding("error", "master.time", text, "clock")]
+    if dt[k] > 3 * usual:
+        return []
+    text = "it steps by [{:.1f}, {:.1f}, {:.1f}] m (north, east, down)".format(*left[k])
+    hint = ": another height, of the geoid for that of the ellipsoid?" if np.abs(left[k, :2]).max() < 3 else ""
+    text = (
+        f"{text} at {master.time[k + 1]:.3f} s and {bad.sum() - 1} times more{hint}; cut the recording there (from, to)"
+    )
+    return [Finding("error", "master.position", text, "step")]
 
 
 def attitude_increments(imu: Inertial, master: Master) -> tuple[Array, Array, Array]:
@@ -339,10 +381,13 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
         off = master.time[0] - start[0]
         text = f"master {spans}: no overlap, {off:+.3f} s apart{tags.apart(off)}; bring both to one clock"
         return [Finding("error", "master.time", text)]
-    out = [] if master.v_n is None else _check_gravity(imu, master)
+    if clocks := _check_clocks(imu, master):
+        return clocks  # whatever else is off follows from it
+    gravity = [] if master.v_n is None else _check_gravity(imu, master)
+    out: list[Finding] = []
     dt, slave, turn = attitude_increments(imu, master)
     if len(turn) < 10:
-        return out
+        return gravity
     surplus = (slave - turn).sum(axis=0) / dt.sum()
     slave, turn = slave - slave.mean(axis=0), turn - turn.mean(axis=0)
     for axis, name in enumerate(("front", "right", "down")):
@@ -374,7 +419,20 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
             "1 deg/s; take what is known of it off first, as [calibration] gyro_bias in the axes of imu.body"
         )
         out.append(Finding("error", "imu.gyro", text, "bias"))
-    return out
+    wrong_axes = [one.text.split(":")[0].split(" ")[-1] for one in out if one.level == "error" and one.name == "turns"]
+    if wrong_axes == ["down"] and slope_of(turn[:, 2], slave[:, 2]).slope < -0.8:
+        text = "turns about down have the other sign, and front and right fit: yaw is counter-clockwise"
+        return [Finding("error", "master.attitude", text + " (yaw_positive)", "turns"), *out, *gravity]
+    if any(one.level == "error" for one in out):
+        return out + gravity
+    if order := motion.another_sequence(imu, master):
+        text = f"the slave's turns fit angles that are applied as {order}, and not as yaw, pitch, roll"
+        out.append(Finding("error", "master.attitude", text + "; write quaternions, or angles of an aircraft", "order"))
+        return out + gravity
+    off = motion.check_heading(imu, master, slave, turn)
+    if any(one.level == "error" and one.name == "heading" for one in off):
+        return off + out  # the force in the master's axes is turned with it
+    return off + gravity + out
 
 
 FACTORS = {
@@ -383,6 +441,24 @@ FACTORS = {
     3600.0: "deg/s declared as deg/h",
     1 / 3600: "deg/h declared as deg/s",
 }
+
+
+def _check_clocks(imu: Inertial, master: Master) -> list[Finding]:
+    """Clocks that are apart by more than a filter's delay may be, or run apart."""
+    delay, gain = clocks_apart(imu, master)
+    if abs(delay) > 0.1:
+        text = (
+            f"the clocks are apart: the master is {delay:+.3f} s late{tags.apart(delay)}; with that taken off its time,"
+        )
+        text += f" the turns fit {gain:.3g} times better"
+        if abs(delay) > 0.5:
+            return [Finding("error", "master.time", text, "clock")]
+        return [Finding("warning", "master.time", f"{text}, or replay with --delay-ms {delay * 1e3:.0f}")]
+    slope, sigma, seconds = drift(imu, master)
+    if abs(slope) > 6 * sigma and abs(slope) * seconds > 5e-3:
+        text = f"the clocks run apart by {slope * 1e6:.0f} +- {sigma * 1e6:.0f} ppm, {slope * seconds * 1e3:+.1f} ms"
+        return [Finding("warning", "master.time", text + ": a delay that walks (--delay-noise) may follow it")]
+    return []
 
 
 @dataclass(frozen=True)

@@ -3,8 +3,14 @@
 import numpy as np
 
 from boresight.runtime import rotation
-from boresight.runtime.recording.check import attitude_steps
+from boresight.runtime.array import Array
 from boresight.runtime.recording.types import Inertial, Master
+
+
+def attitude_steps(euler: Array) -> Array:
+    """(M-1, 3, 3) the turn from each attitude to the next, in the body axes of the first."""
+    C = rotation.matrix_from_euler(euler)
+    return np.swapaxes(C[:-1], -1, -2) @ C[1:]
 
 
 def best_delay(imu: Inertial, master: Master, span: float = 0.1, step: float = 0.0025) -> tuple[float, float]:
@@ -32,3 +38,81 @@ def best_delay(imu: Inertial, master: Master, span: float = 0.1, step: float = 0
         before, at_k, after = misfit[k - 1 : k + 2]
         best += step * 0.5 * (before - after) / (before - 2 * at_k + after)
     return float(best), float(np.sqrt(misfit[len(delays) // 2] / misfit[k]))
+
+
+def clocks_apart(imu: Inertial, master: Master) -> tuple[float, float]:
+    """s, by how much the master's tags are late, looked for over half of the recording; and what that is worth.
+
+    0 where it is less than 0.1 s or the turns do not decide: they must be explained to 95 % there, and four times
+    better than without.
+    """
+    start, end, dtheta, _ = imu.increments
+    edges, angle = np.append(start[:1], end), np.vstack([np.zeros(3), np.cumsum(dtheta, axis=0)])
+    turn, dt = rotation.vector_from_matrix(attitude_steps(master.euler)), np.diff(master.time)
+    usual = np.median(dt)
+
+    def unexplained(delay: float) -> float:
+        """The part of the slave's turns that the master's do not explain, where both are there."""
+        time = master.time - delay
+        inside = (time[:-1] >= edges[0]) & (time[1:] <= edges[-1]) & (dt < 1.5 * usual)
+        if inside.sum() < max(20, 0.4 * len(dt)):
+            return 1.0
+        at = np.stack([np.interp(time, edges, component) for component in angle.T], axis=-1)
+        slave = np.diff(at, axis=0)[inside]
+        design = np.column_stack([turn[inside], dt[inside]])
+        left = slave - design @ np.linalg.lstsq(design, slave, rcond=None)[0]
+        moving = slave - slave.mean(axis=0)
+        return float(np.sum(left**2) / max(np.sum(moving**2), 1e-300))
+
+    here = unexplained(0.0)
+    if here < 0.02:
+        return 0.0, 1.0
+    reach = 0.5 * (master.time[-1] - master.time[0])
+    step = max(float(usual) / 2, 0.05)
+    coarse = np.arange(-int(reach / step), int(reach / step) + 1) * step
+    best = coarse[int(np.argmin([unexplained(delay) for delay in coarse]))]
+    for width in (step, step / 5, step / 25):
+        near = best + np.linspace(-width, width, 11)
+        best = near[int(np.argmin([unexplained(delay) for delay in near]))]
+    there = unexplained(best)
+    decided = abs(best) > 0.1 and there < 0.05 and there < here / 4
+    return (float(best), float(np.sqrt(here / there))) if decided else (0.0, 1.0)
+
+
+def drift(imu: Inertial, master: Master) -> tuple[float, float, float]:
+    """By how much the master's clock runs fast, its sigma, and the s over which both are there.
+
+    A delay d of the master takes d w off the slave's angle at each tag, w being its rate: so d and its slope are
+    regressed beside misalignment, scale and bias.  0 and inf where there is too little.
+    """
+    _, end, dtheta, _ = imu.increments
+    inside = (master.time > end[0] + 0.1) & (master.time < end[-1] - 0.1)
+    if inside.sum() < 40:
+        return 0.0, np.inf, 0.0
+    master = master.cut(inside)
+    delay, _ = best_delay(imu, master)
+    angle = np.cumsum(dtheta, axis=0)
+    time = master.time - delay
+
+    def at(when: Array) -> Array:
+        return np.stack([np.interp(when, end, component) for component in angle.T], axis=-1)
+
+    h = max(2 * imu.dt, 0.02)
+    rate = (at(time + h) - at(time - h)) / (2 * h)
+    since = (time - time.mean())[:, None]
+    # as levels: of differences, the white noise of an attitude hides what grows slowly
+    turns = np.cumsum(rotation.vector_from_matrix(attitude_steps(master.euler)), axis=0)
+    design = np.column_stack([turns, time[1:], np.ones(len(turns))])
+    columns = [part[1:] for part in (at(time), rate, since * rate)]
+    y, *known = [part - design @ np.linalg.lstsq(design, part, rcond=None)[0] for part in columns]
+    Z = np.stack([part.ravel() for part in known], axis=-1)
+    normal = Z.T @ Z
+    if not np.linalg.cond(normal) < 1e12:
+        return 0.0, np.inf, 0.0
+    found = np.linalg.solve(normal, Z.T @ y.ravel())
+    # what is left wanders: its scores are summed over a twelfth of the time and an axis each
+    scores = (y - np.tensordot(found, np.array(known), 1))[None] * np.array(known)
+    sums = np.concatenate([part.sum(axis=1) for part in np.array_split(scores, 12, axis=1)], axis=1)
+    inverse = np.linalg.inv(normal)
+    sigma = np.sqrt((inverse @ (sums @ sums.T) @ inverse)[1, 1])
+    return float(found[1]), float(sigma), float(np.ptp(time))

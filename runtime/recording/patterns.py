@@ -73,13 +73,13 @@ def of_master(imu: Inertial, master: Master) -> list[Finding]:
     """A master that does not move, that repeats its rows, or whose angles are rounded."""
     gyro = imu.rates()[0]
     turned = float(np.sqrt(np.mean((gyro - gyro.mean(axis=0)) ** 2)))
-    if np.ptp(master.euler, axis=0).max() < 1e-9 and turned > 0.3 * DEG:
+    if len(master.time) > 10 and np.ptp(master.euler, axis=0).max() < 1e-9 and turned > 0.3 * DEG:
         text = f"its attitude never moves, while the slave turns by {turned / DEG:.3g} deg/s rms"
         return [Finding("error", "master.attitude", text + ": a reference that was never filled in?", "still")]
     parts = [part for part in (master.euler, master.v_n, master.position) if part is not None]
     out = []
     held, _ = _together(np.hstack([part[1:] == part[:-1] for part in parts]))
-    if held > 0.3:
+    if 0.3 < held < 0.97:
         rate = 1 / float(np.median(np.diff(master.time)))
         text = f"{held:.0%} of its rows repeat the one before: it is held at {rate * (1 - held):.3g} Hz"
         out.append(Finding("error", "master", f"{text}; write each row once, with its own time", "copies"))
