@@ -269,12 +269,12 @@ def quaternion_enu_flu(w):
     quaternions(w, "wxyz", lambda q: (a * Rotation.from_quat(q) * b).as_quat())
 
 
-@fault("unit|velocity")
+@fault("km/h declared as m/s")
 def velocity_in_km_h(w):
     w.columns["velocity"] *= 3.6
 
 
-@fault("unit|velocity")
+@fault("kn declared as m/s")
 def velocity_in_knots(w):
     w.columns["velocity"] *= 3600 / 1852
 
@@ -417,7 +417,7 @@ def heading_mirrored(w):
     w.columns["attitude"][:, 2] *= -1
 
 
-@fault("heading is off by 4|heading.* 4", limit="four degrees are within what so short a turn tells, or are not")
+@fault("heading is off by 4")
 def magnetic_heading_4(w):
     w.columns["attitude"][:, 2] += 4 * DEG
 
@@ -526,7 +526,7 @@ def height_in_feet(w):
     w.columns["position"][:, 2] /= 0.3048
 
 
-@fault("nothing|200 ms|0.2 s", limit="a master that is late by less than a filter's prior is estimated")
+@fault("the clocks are apart: the master is \\+0.2\\d+ s late.*--delay-ms 2")
 def master_200_ms_late(w):
     w.columns["tm"] = w.columns["tm"] + 0.2
 

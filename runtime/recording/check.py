@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -13,7 +13,7 @@ from boresight.runtime.array import Array
 from boresight.runtime.recording import motion, patterns, tags
 from boresight.runtime.recording.delay import attitude_steps, clocks_apart, drift
 from boresight.runtime.recording.types import Finding, Inertial, Master, Recording
-from boresight.runtime.units import ARCMIN, DEG, FOOT, HOUR
+from boresight.runtime.units import ARCMIN, DEG, FOOT, HOUR, UNITS
 from boresight.runtime.units import STANDARD_GRAVITY as G
 
 # Judgements that may be overruled, by name.
@@ -272,6 +272,9 @@ def _check_master(master: Master) -> list[Finding]:
     return out
 
 
+SPEEDS = {unit: size for unit, size in UNITS["velocity"].items() if unit != "m/s"}
+
+
 def _check_velocity(master: Master) -> list[Finding]:
     """Displacement from position against the integral of velocity: tells a swapped or badly scaled axis."""
     assert master.v_n is not None and master.position is not None
@@ -289,14 +292,23 @@ def _check_velocity(master: Master) -> list[Finding]:
         text = f"the height goes against the vertical velocity, which alone moves by {np.ptp(fallen):.1f} m"
         hint = ": check which of them is up and which down (in metres all axes are those of navigation)"
         return [Finding("error", "master.position", text + hint, "path")]
+    level = np.linalg.norm(moved[:2])
+    if level > 20 and np.linalg.norm(np.cross(moved, summed)) < 0.05 * np.linalg.norm(moved) * np.linalg.norm(summed):
+        ratio = float(summed[:2] @ moved[:2] / level**2)
+        if not 0.9 < ratio < 1.1:
+            what = next(
+                (f": {unit} declared as m/s?" for unit, size in SPEEDS.items() if abs(ratio * size - 1) < 0.05), ""
+            )
+            text = f"the velocity sums to {ratio:.3g} times what the position moves{what or ': check its unit'}"
+            return [Finding("error", "master.velocity", text, "path")]
     if np.std(fallen) > 1.0 and np.std(sunk) > 0:
         slope, fit = float(sunk @ fallen / (fallen @ fallen)), float(np.corrcoef(sunk, fallen)[0, 1])
         if fit > 0.95 and not 0.7 < slope < 1.4:
             known = ": feet declared as metres?" if abs(slope * FOOT - 1) < 0.1 else ": check its unit"
             text = f"the height moves {slope:.3g} times as much as the vertical velocity sums to"
             return [Finding("error", "master.position", text + known, "path")]
-    if level := motion.check_vertical(master):
-        return level
+    if vertical := motion.check_vertical(master):
+        return vertical
     path = float(np.linalg.norm(moved))
     if path < 20:
         return []
@@ -381,10 +393,11 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
         off = master.time[0] - start[0]
         text = f"master {spans}: no overlap, {off:+.3f} s apart{tags.apart(off)}; bring both to one clock"
         return [Finding("error", "master.time", text)]
-    if clocks := _check_clocks(imu, master):
-        return clocks  # whatever else is off follows from it
+    out, delay = _check_clocks(imu, master)
+    if any(one.level == "error" for one in out):
+        return out  # whatever else is off follows from it
+    master = replace(master, time=master.time - delay)
     gravity = [] if master.v_n is None else _check_gravity(imu, master)
-    out: list[Finding] = []
     dt, slave, turn = attitude_increments(imu, master)
     if len(turn) < 10:
         return gravity
@@ -443,8 +456,8 @@ FACTORS = {
 }
 
 
-def _check_clocks(imu: Inertial, master: Master) -> list[Finding]:
-    """Clocks that are apart by more than a filter's delay may be, or run apart."""
+def _check_clocks(imu: Inertial, master: Master) -> tuple[list[Finding], float]:
+    """Clocks that are apart by more than a filter's delay may be, or run apart; and by how much they are, s."""
     delay, gain = clocks_apart(imu, master)
     if abs(delay) > 0.1:
         text = (
@@ -452,13 +465,13 @@ def _check_clocks(imu: Inertial, master: Master) -> list[Finding]:
         )
         text += f" the turns fit {gain:.3g} times better"
         if abs(delay) > 0.5:
-            return [Finding("error", "master.time", text, "clock")]
-        return [Finding("warning", "master.time", f"{text}, or replay with --delay-ms {delay * 1e3:.0f}")]
+            return [Finding("error", "master.time", text, "clock")], delay
+        return [Finding("warning", "master.time", f"{text}; or replay with --delay-ms {delay * 1e3:.0f}")], delay
     slope, sigma, seconds = drift(imu, master)
-    if abs(slope) > 6 * sigma and abs(slope) * seconds > 5e-3:
+    if abs(slope) > 8 * sigma and abs(slope) * seconds > 5e-3:
         text = f"the clocks run apart by {slope * 1e6:.0f} +- {sigma * 1e6:.0f} ppm, {slope * seconds * 1e3:+.1f} ms"
-        return [Finding("warning", "master.time", text + ": a delay that walks (--delay-noise) may follow it")]
-    return []
+        return [Finding("warning", "master.time", text + ": a delay that walks (--delay-noise) may follow it")], 0.0
+    return [], 0.0
 
 
 @dataclass(frozen=True)

@@ -65,8 +65,9 @@ def clocks_apart(imu: Inertial, master: Master) -> tuple[float, float]:
         return float(np.sum(left**2) / max(np.sum(moving**2), 1e-300))
 
     here = unexplained(0.0)
-    if here < 0.02:
-        return 0.0, 1.0
+    if here < 0.02:  # it is near
+        near, gain = best_delay(imu, master, span=0.5, step=0.01)
+        return (near, gain) if abs(near) > 0.1 and gain > 1.2 else (0.0, 1.0)
     reach = 0.5 * (master.time[-1] - master.time[0])
     step = max(float(usual) / 2, 0.05)
     coarse = np.arange(-int(reach / step), int(reach / step) + 1) * step
