@@ -449,7 +449,7 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
 
 
 FACTORS = {
-    180 / np.pi: "deg/s declared as rad/s",
+    1 / DEG: "deg/s declared as rad/s",
     DEG: "rad/s declared as deg/s",
     3600.0: "deg/s declared as deg/h",
     1 / 3600: "deg/h declared as deg/s",
