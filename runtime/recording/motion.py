@@ -111,7 +111,7 @@ def check_heading(imu: Inertial, master: Master, slave: Array, turn: Array) -> l
     known = unsure < 1 * DEG
     off, sigma = seen.heading + mounted * known, float(np.hypot(seen.heading_sigma, unsure * known))
     out = []
-    if abs(off) > max(5 * sigma, 2.5 * DEG) and abs(seen.heading) > 5 * seen.heading_sigma:
+    if abs(off) > max(5 * sigma, 3 * DEG) and abs(seen.heading) > 5 * seen.heading_sigma:
         text = f"the heading is off by {off / DEG:.1f} +- {sigma / DEG:.1f} deg: by so much the level force in the"
         text += " master's axes is turned against the change of its velocity"
         speed = np.hypot(*master.v_n[:, :2].T)
