@@ -47,7 +47,6 @@ class Steps:
 def pieces(imu: Inertial, cuts: Array) -> Steps:
     """Between neighbours of `cuts` (J + 1,) s, which lie inside the data.  A hole goes at the rate of what follows."""
     _, end, dtheta, dv = imu.increments
-    length = np.diff(end, prepend=2 * end[0] - end[1])
     rates = np.concatenate([dtheta, dv], axis=-1) / own_length(imu)[:, None]
     inside = end[(end > cuts[0]) & (end < cuts[-1])]
     edges = np.unique(np.concatenate([cuts, inside]))
@@ -55,7 +54,6 @@ def pieces(imu: Inertial, cuts: Array) -> Steps:
     sample = np.minimum(np.searchsorted(end, edges[:-1] + dt / 2), len(end) - 1)
     keep = dt > SHORTEST_S
     edges, dt, sample = edges[:-1][keep], dt[keep], sample[keep]
-    assert length.min() > 0
     now, before = rates[sample] * dt[:, None], rates[np.maximum(sample - 1, 0)] * dt[:, None]
     first = np.searchsorted(edges, cuts - SHORTEST_S / 2)
     return Steps(first, dt, now[:, :3], now[:, 3:], before[:, :3], before[:, 3:])
