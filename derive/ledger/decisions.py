@@ -176,7 +176,7 @@ def _broken(paper: Paper, equation: Equation, sense: Sense) -> tuple[str, ...]:
 def _taken(paper: Paper, equation: Equation, verdict: Verdict, needed: tuple[str, ...]) -> Iterator[str]:
     small = equation.small or paper.witness.errors
     words = _listed(_word(paper, part) for part in small) if equation.small else "all errors"
-    if set(needed) == set(small):
+    if needed and set(needed) == set(small):
         yield f"Small: {words}; what is dropped is of second order in {'them' if len(small) > 1 else 'it'}."
     elif needed:
         dropped = _listed(_word(paper, part) for part in needed)

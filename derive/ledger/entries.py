@@ -226,7 +226,8 @@ def _true_and_printed(paper: Paper, equation: Equation) -> str:
                 parts.append("one side has no value")
             elif (apart := max(abs(a - b) for a, b in zip(values[0], side, strict=True))) > EXACT:
                 both = (f"[{', '.join(mp.nstr(entry * factor, 5) for entry in one)}]" for one in (values[0], side))
-                numbers = "left {}, right {}".format(*both) if count <= LONG else f"sides differ by {_digits(apart)}"
+                differ = f"the sides differ by {mp.nstr(apart * factor, 3)}"
+                numbers = "left {}, right {}, ".format(*both) + differ if count <= LONG else differ
                 parts.append(f"{numbers} {unit}".strip())
     return f"at {paper.point.text}: " + "; ".join(parts or ["the sides agree there"])
 
@@ -263,7 +264,7 @@ def letter_units(paper: Paper, side: Any, count: int = 1) -> list[str]:
     letters = {q.symbol.name: of_letter(paper.units, q) for q in (*paper.quantities(), *paper.letters())}
     try:
         found = [str(entry or ONE) for entry in Terms(letters)(side)]
-    except (Mismatch, KeyError):
+    except (Mismatch, LookupError, ValueError, TypeError):
         found = ["1"]
     return found if len(found) != 1 else found * count
 

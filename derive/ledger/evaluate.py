@@ -108,6 +108,8 @@ def _evaluate(expression, point: Point) -> Value:
         return power(arguments[0], expression.exp)
     if isinstance(expression, StrictLessThan):
         return _bounded(*arguments)
+    if any(isinstance(argument, Matrix) for argument in arguments):
+        raise ValueError(f"{expression.func.__name__} of shape {_shape(arguments[0])}")
     return _ELEMENTARY[expression.func](*arguments)
 
 

@@ -93,7 +93,8 @@ def _here(expression, alike) -> Iterator[tuple[str, object]]:
             yield "matrix -> its transpose", expression.T
     elif isinstance(expression, Add | MatAdd):
         for i, term in enumerate(arguments):
-            yield from with_argument(f"sign of {short(term)}", i, negative(term))
+            with suppress(ShapeError):  # of a print whose shapes do not fit
+                yield from with_argument(f"sign of {short(term)}", i, negative(term))
             yield from with_argument(f"without {short(term)}", i)
     elif isinstance(expression, Mul | MatMul):
         for i, factor in enumerate(arguments):

@@ -444,6 +444,10 @@ class _Reader:
             else:
                 self.need(r"\\")
                 rows.append([self.cell()])
+        if len({len(row) for row in rows}) > 1:
+            self.refuse("the rows of the matrix before it are not equally long")
+        if any(is_explicit(entry) for row in rows for entry in row):
+            self.refuse("a matrix stands within the matrix before it: give it a letter, which another equation defines")
         return matrix(rows)
 
     def cell(self):

@@ -10,8 +10,10 @@ from pathlib import Path
 from typing import Any, NoReturn
 from unicodedata import normalize
 
+from flint import arb
+
 from boresight import BoresightError
-from boresight.derive.ledger.dimensions import misfits
+from boresight.derive.ledger.dimensions import Grid, misfits, of_letter
 from boresight.derive.ledger.equation import Derivation, Equation, Quantity, Relation, letter
 from boresight.derive.ledger.evaluate import DIGITS, Point, evaluate
 from boresight.derive.ledger.judge import differs, names
@@ -22,6 +24,7 @@ from boresight.derive.ledger.witness import draw, scaled
 from boresight.derive.papers.files import FILES
 from boresight.derive.papers.scenarios import Scenario, scenario
 from boresight.derive.papers.values import TIMES, ValueOfLetterError, Values, check, parsed
+from boresight.derive.units import unit as unit_of
 from boresight.errors import did_you_mean
 
 TOML, PRINT = FILES
@@ -172,8 +175,27 @@ class Folder:
         for key in ("title", "witness"):
             if not isinstance(self.data.get(key), str):
                 raise BoresightError(f'{self.toml}: {key} is missing; write {key} = "..." at the top')
+        self.typed(self.data.get("authors", ""), str, "a text", "authors")
+        for sentence in self.typed(self.data.get("conventions", []), list, "a list of sentences", "conventions"):
+            self.typed(sentence, str, "a list of sentences", "conventions")
+        self.typed(self.data.get("sizes", {}), dict, "a table", "sizes")
+        for name, entry in self.data.get("letters", {}).items():
+            if not name.strip():
+                self.refuse("a letter has no name", "letters")
+            for key in entry.keys() - {"shape", "value"}:
+                self.typed(entry[key], str, "a text", "letters", name, key)
+            self.typed(entry.get("value", ""), (str, int, float), "a text", "letters", name, "value")
+        for number, entry in self.data.get("equations", {}).items():
+            for key in entry.keys() - {"small"}:
+                self.typed(entry[key], str, "a text", "equations", number, key)
+            self.typed(entry.get("small", []), list, 'a list, as ["step"]', "equations", number, "small")
         if not self.data.get("letters"):
             raise BoresightError(f"{self.toml}: no letter is declared; write a table [letters]")
+
+    def typed(self, value: Any, kind: Any, what: str, *path: str) -> Any:
+        if not isinstance(value, kind):
+            self.refuse(f"{path[-1]} must be {what}", *path)
+        return value
 
     def known(self, table: str, key: str, *path: str) -> None:
         if key not in KEYS[table]:
@@ -243,13 +265,23 @@ class Folder:
                         f"{self.scenario.name}, or shape = 3 of what an equation defines", "letters", name)  # fmt: skip
         meaning = words + f", in {entry.get('frame')}" * ("frame" in entry)
         self.units[symbol] = unit
-        return letter(name, entry["latex"], f"{unit} {shape}", meaning + f", {unit}" * (not several(unit)), shape)
+        made = letter(name, entry["latex"], f"{unit} {shape}", meaning + f", {unit}" * (not several(unit)), shape)
+        try:
+            units = of_letter({symbol: unit} if several(unit) else {}, made) if several(unit) else unit_of(unit)
+        except BoresightError as error:
+            self.refuse(str(error), "letters", name, "unit")
+        if isinstance(units, Grid) and units.shape != (*shape, 1, 1)[:2]:
+            sizes = " x ".join(map(str, units.shape))
+            self.refuse(f"{name} has {sizes} units for the shape {list(shape)}", "letters", name, "unit")
+        return made
 
     def shape_of(self, symbol: str, name: str, at: Values) -> tuple[int, ...]:
         try:
             value = at.letter(symbol)
         except (ValueError, TypeError, IndexError, ZeroDivisionError, KeyError) as error:
             self.refuse(f"the value of {name} has no meaning: {error}", "letters", name, "value")
+        if not all(arb(entry).is_finite() for entry in (value if isinstance(value, Matrix) else [value])):
+            self.refuse(f"the value of {name} is not finite", "letters", name, "value")
         if not isinstance(value, Matrix):
             return ()
         return (value.rows, value.cols) if value.cols > 1 else (value.rows,)
@@ -285,10 +317,10 @@ class Folder:
         for display in displays(self.print):
             try:
                 found[display.number] = display, read((display.latex,), letters)
+                if any(len(relation.sides) < 2 for relation in found[display.number][1]):
+                    refuse(self.print, text_of(self.print), display.begins, f"({display.number}) sets nothing equal")
             except UnreadError as error:
                 self.unread(display, error)
-            except BoresightError as error:
-                refuse(self.print, text_of(self.print), display.begins, str(error))
         for name in {name for _, relations in found.values() for name in names(relations)}:
             if block := BLOCK.fullmatch(name):
                 rows, columns = int(block["rows"]), int(block["columns"])
@@ -302,7 +334,7 @@ class Folder:
     def unread(self, display: Display, error: UnreadError) -> NoReturn:
         """At the place of the file up to which the reader has read: its text has no spaces."""
         text = text_of(self.print)
-        body, read_so_far = text[display.begins : display.ends], error.text[: error.at]
+        body, read_so_far = text[display.begins : display.ends], error.text[: error.at].replace("&", "")
         places = (
             i
             for start in (0, *(row.end() for row in re.finditer(r"\\\\", body)))
@@ -310,6 +342,8 @@ class Folder:
             if not body[i].isspace() and plain(body[start:i]).replace("&", "") == read_so_far
         )
         what = f"cannot read {error.text[error.at : error.at + 20]!r} in ({display.number})"
+        if error.at >= len(error.text):
+            refuse(self.print, text, display.ends, f"({display.number}) ends before a formula is whole")
         why = error.why or f"no letter of {TOML} is written so, and it is no sign that is read"
         refuse(self.print, text, display.begins + next(places, 0), f"{what}: {why}")
 

@@ -47,6 +47,12 @@ def _exp(A: Any) -> Any:
     return A.exp() if isinstance(A, Matrix) else numbers.exp(A)
 
 
+def _root(x: Any) -> Any:
+    if x < 0:
+        raise ValueError("the root of a negative number")
+    return numbers.sqrt(x)
+
+
 FUNCTIONS: dict[str, Callable] = {
     "T": lambda M: M.T,
     "inv": lambda M: M.inv() if isinstance(M, Matrix) else 1 / M,
@@ -66,7 +72,8 @@ FUNCTIONS: dict[str, Callable] = {
     "diag": _diag,
     "eye": lambda n: eye(int(n)),
     "zeros": lambda rows, columns=1: zeros(int(rows), int(columns)),
-    **{name: getattr(numbers, name) for name in ("sin", "cos", "tan", "asin", "atan", "atan2", "sqrt")},
+    "sqrt": _root,
+    **{name: getattr(numbers, name) for name in ("sin", "cos", "tan", "asin", "atan", "atan2")},
 }
 TIMES = {
     "rate": "the rate of change",

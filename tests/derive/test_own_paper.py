@@ -398,6 +398,8 @@ def test_the_reference_of_the_witnesses_is_made_of_the_scenarios_here():
 
 VALUE = '"theta_local"'
 BOUND = 'value = "theta_local", '
+MEANING = 'meaning = "attitude error"'
+TERM = r"[\omega \times] \delta\theta"
 WRONG = [  # file, what stands there, what is written in its place, line and column, what is said
     ("paper.toml", 'title = "', "title = ", "4:9", "Invalid value"),
     ("paper.toml", "witness =", "wittness =", "6:1", "no key 'wittness' here (did you mean 'witness'?)"),
@@ -409,6 +411,17 @@ WRONG = [  # file, what stands there, what is written in its place, line and col
     ("paper.toml", VALUE, '"rate(rate(p_n))"', "15:47", "rate() within rate() is not to be had"),
     ("paper.toml", VALUE, '"old(v_hat)"', "15:46", "v_hat is exact at its own time only, and not in old()"),
     ("paper.toml", VALUE, '"θ + 1"', "15:42", "motion has no 'θ'"),
+    ("paper.toml", VALUE, '"sqrt(-1)*p_n"', "15:33", "the value of θ has no meaning: the root of a negative number"),
+    ("paper.toml", VALUE, '"p_n/0"', "15:33", "the value of θ is not finite"),
+    ("paper.toml", VALUE, '["p_n"]', "15:33", "value must be a text"),
+    ("paper.toml", MEANING, 'unit = "furlong"', "15:69", "furlong is 201.168 m; declare m"),
+    ("paper.toml", MEANING, 'unit = "3 m, 3 rad"', "15:69", "θ has 6 x 1 units for the shape [3]"),
+    ("paper.toml", MEANING, "meaning = 3", "15:69", "meaning must be a text"),
+    ("paper.toml", "[letters]", "sizes = 3\n[letters]", "14:1", "sizes must be a table"),
+    ("paper.toml", "planted =", 'small = "step"\nplanted =', "22:1", 'small must be a list, as ["step"]'),
+    ("printed.tex", TERM, r"\begin{bmatrix} 1 & 2 \\ 3 \end{bmatrix} b", "8:63", "cannot read 'b"),
+    ("printed.tex", TERM, r"(\delta\theta", "9:1", "(2) ends before a formula is whole"),
+    ("printed.tex", r"\delta\dot{\theta} =", "", "7:17", "(2) sets nothing equal"),
     ("paper.toml", BOUND, "", "15:1", "θ has neither a value nor a shape: write value"),
     ("paper.toml", 'value = "omega_hat"', "shape = 3", "16:1", "ω of (2) has no value: write value"),
     ("paper.toml", r"latex = '\omega'", r"latex = '\delta\theta'", "16:1", "θ and ω are both written"),

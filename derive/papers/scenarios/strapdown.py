@@ -76,7 +76,7 @@ BOTH = {
     "height": Name("m", "height above the ellipsoid"),
     "v_{n}": Name("m/s", "velocity over the ground, in {n}"),
     "C_b2{n}": Name("1", "attitude: turns components in b into components in {n}"),
-    "q_b2{n}": Name("1", "the same as a quaternion, scalar first, Hamilton's"),
+    "q_b2{n}": Name("1", "attitude as a quaternion, scalar first, Hamilton's"),
     "f_b": Name("m/s^2", "specific force, in b"),
     "omega_ib_b": Name("rad/s", "angular rate of b against inertial space, in b"),
     "f_{n}": Name("m/s^2", "specific force, in {n}"),
@@ -109,14 +109,14 @@ LEVEL_ONCE = {
     "psi": Name("rad", "rotation vector in c: C_b2n_hat = exp(-[psi x]) C_n2c C_b2n"),
     "C_n2c": Name("1", "turns components in n into those in c, the level of the computed position"),
     "gnss_velocity": Name("m/s", "velocity of the antenna over the ground, in n, with noise"),
-    "gnss_velocity_noise": Name("m/s", "its noise"),
+    "gnss_velocity_noise": Name("m/s", "noise of the GNSS velocity"),
 }
 ECEF_ONCE = {
     "gravity_gradient_e": Name("1/s^2", "how gravity_e changes with r_e"),
     "gnss_position": Name("m", "position of the antenna, in e, with noise"),
-    "gnss_position_noise": Name("m", "its noise"),
+    "gnss_position_noise": Name("m", "noise of the GNSS position"),
     "gnss_velocity": Name("m/s", "velocity of the antenna, in e, with noise"),
-    "gnss_velocity_noise": Name("m/s", "its noise"),
+    "gnss_velocity_noise": Name("m/s", "noise of the GNSS velocity"),
 }
 
 
