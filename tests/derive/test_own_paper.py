@@ -184,7 +184,7 @@ def test_equations_say_what_is_true_what_not_with_numbers_and_how_it_is_mended(f
     _, out, _ = run(capsys, "equations", "mine", "2")
     flat = " ".join(out.split())
     assert "True with one edit: sign of [ω x] θ." in flat
-    assert re.search(r"left \[[-\d., ]+\], right \[[-\d., ]+\] deg/h", flat)
+    assert re.search(r"left \[[-\d., ]+\], right \[[-\d., ]+\], the sides differ by [\d.]+ deg/h", flat)
     assert "a point with the attitude error 0.001 rad" in flat
     assert "Note Planted: the first term has the other sign." in flat
     _, out, _ = run(capsys, "equations", "mine", "--json")
@@ -352,7 +352,7 @@ def test_a_step_is_taken_and_any_unit_is_said(tmp_path):
     first, second, third = ledger(one)
     assert re.fullmatch(r"Its remainder is at most \S+ m\.", first.found)
     assert re.fullmatch(r"Its remainder is at most \S+ m\^2\.", second.found)
-    assert third.status == "erratum" and re.search(r"right \[.*\] m$", third.evidence)
+    assert third.status == "erratum" and re.search(r"right \[.*\], the sides differ by \S+ m$", third.evidence)
 
 
 def test_what_depends_on_a_decision_says_on_which(tmp_path):
