@@ -126,7 +126,8 @@ def _judge_small(paper: Paper, equation: Equation, small: Iterable[str]) -> Verd
     parts = () if order == list(paper.witness.errors) else tuple(order)
     taken = tuple(meaning.senses[0] for meaning in equation.meanings)
     relations = meant(equation, equation.read(), taken)
-    return judge_at(relations, lambda seed, scale: witness_point(paper, seed, scale, parts), SEEDS[:1])
+    constant = bool(paper.folder)
+    return judge_at(relations, lambda seed, scale: witness_point(paper, seed, scale, parts), SEEDS[:1], constant)
 
 
 def _needed(paper: Paper, equation: Equation) -> tuple[str, ...]:
