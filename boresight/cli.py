@@ -625,6 +625,20 @@ def fly(one: Any, scenario: Any, out: Path | None, svg: bool, as_json: bool, see
     raise typer.Exit(0 if good else 1)
 
 
+def library_of(target: str, folder: Path | None, grade: str | None) -> Any:
+    """The compiled model; of a grade, of velocity and attitude, the one that has states for it."""
+    from boresight.runtime.library import load
+
+    if ":" in target:
+        from boresight.codegen.generate import generated_folder
+
+        return load(generated_folder(target, folder))
+    from boresight.runtime.transfer.sensors import MODEL
+
+    name = one_of(target, model_names(), "model")
+    return load(MODEL if grade is not None and name.startswith("velocity-attitude") else name)
+
+
 def motion_names() -> list[str]:
     from boresight.runtime.simulation.motions import MOTIONS
 
@@ -698,20 +712,11 @@ def budget(
     from boresight.analysis import nominal
     from boresight.analysis.budget import budget as split
     from boresight.analysis.figures import Sheets
-    from boresight.runtime.library import load
 
     if out is not None:
         require("replay")
         make(out)
-    if ":" in target:
-        from boresight.codegen.generate import generated_folder
-
-        library = load(generated_folder(target, folder))
-    else:
-        from boresight.runtime.transfer.sensors import MODEL
-
-        name = one_of(target, model_names(), "model")
-        library = load(MODEL if grade is not None and name.startswith("velocity-attitude") else name)
+    library = library_of(target, folder, grade)
     how: dict[str, Any] = {
         name: nominal.sizes(words or (), library) for name, words in (("uncertain", uncertain), ("offsets", offset))
     } | {"considered": [*(consider or ()), *(nominal.CALIBRATION if grade and not estimate else ())], "omitted": omit}
@@ -1047,20 +1052,11 @@ def observe(
     from boresight import terminal
     from boresight.analysis import nominal, observability
     from boresight.analysis.figures import Sheets
-    from boresight.runtime.library import load
 
     if out is not None:
         require("replay")  # for the figure; said before the flight and not after it
         make(out)
-    if ":" in target:
-        from boresight.codegen.generate import generated_folder
-
-        library = load(generated_folder(target, folder))
-    else:
-        from boresight.runtime.transfer.sensors import MODEL
-
-        name = one_of(target, model_names(), "model")
-        library = load(MODEL if grade is not None and name.startswith("velocity-attitude") else name)
+    library = library_of(target, folder, grade)
     found = {}
     with terminal.working() as working:
         for name in motion or ["still", "straight", "steady turn", "s turn"]:

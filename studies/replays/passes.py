@@ -15,6 +15,8 @@ from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import CompiledFilter, Epoch
 from boresight.runtime.recording import Inertial
+from boresight.runtime.simulation.sensors import EARTH_RATE_RAD_S
+from boresight.runtime.transfer.history import ACCEL_BIAS, GYRO_BIAS, TAU
 from boresight.runtime.transfer.messages import Verdict
 from boresight.runtime.transfer.score import Score
 
@@ -24,9 +26,7 @@ SHORTEST_S = 2e-6  # what is shorter is left out
 STRETCH_S = 0.5  # of the past, in which the noise of rates is seen
 INFORMS = 8.0  # how far above its noise a rate is that informs the delay
 JOINT = 1400.0  # NIS of three rows that no filter which is nearly right comes to
-EARTH_RATE = 7.292115e-5  # rad/s
-TAU = 15
-FOUND = {"gyro_bias": slice(6, 9), "accel_bias": slice(9, 12), "tau": slice(15, 16)}  # in x
+FOUND = {"gyro_bias": GYRO_BIAS, "accel_bias": ACCEL_BIAS, "tau": slice(TAU, TAU + 1)}  # in x
 TURNS, MOST_TURN = np.r_[0:3, 12:15], 0.45  # rad; the box of x ends at .5
 STILL = 0.02, 0.01  # rad/s and m/s
 SENSED = ("dtheta_ib_b", "dv_b", "dtheta_before", "dv_before")
@@ -263,7 +263,7 @@ class Pass:
         arm = cross(rates.alpha[k], lever) + cross(omega, cross(omega, lever))
         g = gravity(position)
         a_n = np.einsum("...ij,...j->...i", C, f_b - arm) + np.array([0.0, 0.0, g])
-        earth = EARTH_RATE * np.array([np.cos(position[0]), 0.0, -np.sin(position[0])])
+        earth = EARTH_RATE_RAD_S * np.array([np.cos(position[0]), 0.0, -np.sin(position[0])])
         turning = np.einsum("...ij,...j->...i", C, omega) - earth
         white, pushed = np.maximum(self.gyro, rates.gyro[k]) / span, np.maximum(self.accel, rates.accel[k]) / span
         arms = np.sum(np.square(lever), axis=-1)
@@ -281,10 +281,10 @@ class Pass:
 
 def doubts(imu: Inertial, ends: Array) -> Array:
     """(K, 2) one sigma, rad and m/s, of what bridged samples and holes between `ends` (K + 1,) may have missed."""
-    start, end, dtheta, dv = imu.increments
+    start, end = imu.intervals()
     hole = np.append(0.0, start[1:] - end[:-1])
     hole = np.where(hole > 0.5 * imu.dt, hole, 0.0)[:, None]
-    change = np.diff(np.concatenate([dtheta, dv], axis=-1) / own_length(imu)[:, None], axis=0, prepend=np.nan)
+    change = np.diff(np.concatenate(imu.rates(), axis=-1), axis=0, prepend=np.nan)
     change[0] = 0.0
     variance = np.square(hole * np.linalg.norm(change.reshape(-1, 2, 3), axis=-1))
     if imu.doubt is not None:
