@@ -10,9 +10,9 @@ from pathlib import Path
 
 from elftools.elf.elffile import ELFFile
 
+from boresight.codegen.folder import Folder
 from boresight.codegen.generate import generate
 from boresight.evidence.machine import Machine
-from boresight.evidence.sources import Folder
 from boresight.evidence.targets import M4F, Build, build
 from boresight.runtime.compiler import run
 

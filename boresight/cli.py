@@ -500,19 +500,52 @@ def export(
             "and there is no evidence of it.",
         ),
     ] = None,
+    places: Annotated[
+        str,
+        typer.Option(
+            "--for",
+            metavar="PLACE,...",
+            help="What builds it beside make and CMake: arduino, platformio, idf, zephyr, px4.",
+        ),
+    ] = "",
 ) -> None:
     """Write a folder of C that needs nothing of Python.
 
     It holds the functions, the filter of a model that has one with an example, their self-test, a Makefile, a CMake
-    package and pkg-config; LICENSE, manifest.json with hashes, and evidence.json, what was found of exactly this C.
+    package and pkg-config; LICENSE, sbom.json, manifest.json with hashes; and what was found of exactly this C,
+    EVIDENCE.html to read and evidence.json.
     """
     from boresight.codegen.export import export as export_model
 
-    written = export_model(target, out, precision, folder, tuple(box or ()))
+    named = tuple(name for name in places.replace(" ", "").split(",") if name)
+    written = export_model(target, out, precision, folder, tuple(box or ()), named)
     if written.warning:
         print(f"boresight: {written.warning}", file=sys.stderr)
     goals = "test example" if out / "example" / "main.c" in written.files else "test"
     print(f"{counted(len(written.files), 'file')} in {out}; try 'make -C {out} {goals}'")
+
+
+@app.command()
+def evidence(
+    target: Annotated[
+        str,
+        typer.Argument(metavar="FILE.py:NAME", show_default=False, autocompletion=completed(model_names)),
+    ],
+    quick: Annotated[
+        bool, typer.Option("--quick", help="What takes some 3 minutes: no mutants, Eva, hostile calls, nor verify.")
+    ] = False,
+    folder: Annotated[Path | None, typer.Option("--generated", help="Its generated folder.")] = None,
+) -> None:
+    """Make the evidence of a model of your own, by the tools that are here, for export to write.
+
+    Each kind is kept with a hash of the C that it was found of: what has not changed is not made again.  The self-test
+    on emulated cores, its coverage with MC/DC, bad input, stack of each entry point, rounding, MISRA, mutants, hostile
+    calls and verify: some 15 minutes, each minute more for each three states beyond ten.
+    """
+    require("evidence")
+    from boresight.evidence.own import make_own
+
+    make_own(target, quick, folder)
 
 
 Svg = Annotated[bool, typer.Option("--svg", help="Figures as SVG, for a paper, and not as PNG.")]

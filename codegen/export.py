@@ -13,23 +13,34 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
+from boresight.codegen import proof
 from boresight.codegen.boxes import with_boxes
+from boresight.codegen.folder import Folder
 from boresight.codegen.functions.samples import generator
 from boresight.codegen.generate import generate, generated_folder, load_model, named, unchanged
-from boresight.codegen.stamp import PACKAGE
 from boresight.codegen.text.files import identity_files, rendered
 from boresight.codegen.text.names import snake
 from boresight.derive.model import Model
 from boresight.runtime import compiler
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import Library, load
-from boresight.runtime.manifest import folder_of, read_manifest, sources, sources_hash
+from boresight.runtime.manifest import folder_of, read_manifest
 
 PRECISIONS = ("double", "float")
-RESULTS = PACKAGE / "evidence" / "results"
-NO_EVIDENCE = "it is kept of Boresight's own models alone; 'boresight verify' tries a model of your own"
+# Where the C is built by somebody else's tool, and what that needs beside it.
+PLACES = {
+    "cmake": (),
+    "arduino": (),
+    "platformio": ("library.json",),
+    "idf": ("idf_component.yml",),
+    "zephyr": ("zephyr/module.yml", "zephyr/Kconfig", "zephyr/CMakeLists.txt"),
+    "px4": ("px4/CMakeLists.txt",),
+}
+NO_EVIDENCE = "none was made of this model"
 OTHER_BOXES = "boxes were chosen for this export, {}: its C is other than that of which evidence is kept"
 OTHER_EVIDENCE = "what is kept was found of other C, with another hash"
+MAKE = "'boresight evidence {}' makes what is missing, as far as the tools are there; with --quick in some 3 minutes."
+MADE_HERE = "'python -m boresight.evidence {}' makes it, in a checkout of Boresight."
 SECONDS = 60  # of the example
 GENTLE, WIDE = 1e-4, 1e-3  # of half a box: how far the example's inputs stray from its middle; one sigma at its start
 PLACE = re.compile(r"(?<![a-z])(lat|lon|latitude|longitude)(?![a-z])")
@@ -51,6 +62,7 @@ def export(
     precision: str = "double",
     folder: str | Path | None = None,
     boxes: tuple[str, ...] = (),
+    places: tuple[str, ...] = (),
 ) -> Exported:
     """Write a model's C as one folder that needs nothing of Python, with self-test and example.
 
@@ -68,6 +80,9 @@ def export(
     boxes : tuple of str, optional
         Other boxes of inputs, as "dt=0.001..0.02"; the C is then generated anew, has another hash,
         and there is no evidence of it.
+    places : tuple of str, optional
+        What it is built by beside make and CMake: any of "arduino", "platformio", "idf", "zephyr",
+        "px4".
 
     Returns
     -------
@@ -99,25 +114,37 @@ def export(
     (target, model), out = named(target), Path(out)
     if precision not in PRECISIONS:
         raise BoresightError(f"there is no precision {precision!r}; choose {' or '.join(PRECISIONS)}")
+    if unknown := [place for place in places if place not in PLACES]:
+        raise BoresightError(f"nothing is known of {unknown[0]!r}; choose of {', '.join(PLACES)}")
     if out.exists() and (not out.is_dir() or any(out.iterdir())):
         raise BoresightError(f"{out} is not empty; choose another folder with -o, or remove it first")
     if boxes:
         with tempfile.TemporaryDirectory() as aside:
             model = with_boxes(model or load_model(target), boxes)
             made = generate(target, Path(aside) / snake(model.name), model=model).folder
-            return exported(made, out, precision, OTHER_BOXES.format(", ".join(boxes)))
+            return exported(made, out, precision, target, places, OTHER_BOXES.format(", ".join(boxes)))
+    return exported(current_folder(target, folder, model), out, precision, target, places)
+
+
+def current_folder(target: str, folder: str | Path | None = None, model: Model | None = None) -> Path:
+    """Where a model's C is; raises BoresightError where it is not what the model says now.
+
+    folder: where it was generated, if not where `generate` puts it.  model: what `target` names, if it is known.
+    """
     if ":" in target:
         folder = generated_folder(target, Path(folder) if folder else None, model)
     folder = Path(folder) if folder else folder_of(target)  # from wherever the command is run
     if (model or not unchanged(target, folder)) and generate(target, folder, check=True, model=model).written:
         raise BoresightError(f"{folder} is not what {target} says now; run 'boresight generate {target}' first")
-    return exported(folder, out, precision, NO_EVIDENCE if ":" in target else "")
+    return folder
 
 
-def exported(folder: Path, out: Path, precision: str, unproven: str) -> Exported:
+def exported(
+    folder: Path, out: Path, precision: str, target: str, places: tuple[str, ...], unproven: str = ""
+) -> Exported:
     """A generated folder, written to `out` in one precision.
 
-    unproven: why there can be no evidence of it, or nothing.
+    target: as the user names the model.  unproven: why there can be no evidence of it, or nothing.
     """
     manifest = read_manifest(folder)
     files = {
@@ -129,19 +156,35 @@ def exported(folder: Path, out: Path, precision: str, unproven: str) -> Exported
     identity, digest = identity_files(files, names, bool(manifest.get("filter")), precision)
     assert digest == manifest["hash"]  # whatever the precision
     files |= identity
-    proof = evidence(folder, manifest, unproven)
-    view = export_view(manifest, folder, files, precision, proof)
-    made = ["Makefile", "CMakeLists.txt", "README.md", "LICENSE", "package.pc.in"]
+    of = Folder(folder)
+    found = {} if unproven else proof.kept(of)
+    why = "" if found else unproven or (OTHER_EVIDENCE if proof.place(of).is_file() else NO_EVIDENCE)
+    make = MAKE.format(target) if ":" in target else MADE_HERE.format(folder.name)
+    view = export_view(manifest, folder, files, precision, proof.page_view(of, found, why, make))
+    made = ["Makefile", "CMakeLists.txt", "README.md", "LICENSE", "package.pc.in", "EVIDENCE.html"]
     made += ["example/main.c", "example/minute.h"] if view["minute"] else []
-    texts = rendered(tuple(f"export/{path}" for path in made), {"export/": "", "package": view["package"]}, e=view)
-    files |= texts | {"evidence.json": as_json(proof)}
+    view["places"] = places
+    made += [f"places/{path}" for place in places for path in PLACES[place]]
+    words = {"export/": "", "places/": "", "package": view["package"]}
+    texts = rendered(tuple(f"export/{path}" for path in made), words, e=view)
+    files |= arduino(files, view) if "arduino" in places else {}
+    files |= texts | {"evidence.json": as_json(evidence(manifest, precision, view["proof"], found))}
+    files |= {"sbom.json": as_json(bill_of_materials(manifest, view["package"]))}
     listed = {path: hashlib.sha256(text.encode()).hexdigest() for path, text in files.items()}
     whole = {key: manifest[key] for key in ("model", "title", "c_prefix", "hash", "version")}
     whole |= {"precision": precision, "form": view["form"], "files": listed}
     files["manifest.json"] = as_json(whole)
-    if proof["evidence"] == "none":
+    if proof.lowest(proof.judged(of, found)["golden"]) < proof.Verdict.LISTED:
         check_self_test(files, precision)
     return Exported(write(out, files), view["cost"])
+
+
+def arduino(files: dict[str, str], view: dict[str, Any]) -> dict[str, str]:
+    """The C once more as a library of Arduino's, which looks for headers in src/ alone."""
+    home, properties = f"arduino/{view['package']}", "library.properties"
+    flat = {f"{home}/src/{Path(p).name}": text for p, text in files.items() if p.startswith(("src/", "include/"))}
+    texts = rendered((f"export/places/{properties}",), {"export/places": home}, e=view)
+    return flat | texts
 
 
 def check_self_test(files: dict[str, str], precision: str) -> None:
@@ -174,22 +217,32 @@ def as_json(document: dict[str, Any]) -> str:
     return json.dumps(document, indent=1, sort_keys=True) + "\n"
 
 
-def evidence(folder: Path, manifest: dict[str, Any], unproven: str) -> dict[str, Any]:
-    """The committed evidence of exactly this C and its self-test: by kind, tools and units; else "none", and why.
+def evidence(manifest: dict[str, Any], precision: str, page: dict[str, Any], found: dict[str, Any]) -> dict[str, Any]:
+    """The evidence of exactly this C: the verdict, of each kind that and tools and units; or "none", and why."""
+    head = {"model": manifest["model"], "hash": manifest["hash"], "precision": precision}
+    head |= {"verdict": proof.VERDICTS[page["verdict"]], "make": page["make"], "not_made": dict(page["not_made"])}
+    return head | ({"evidence": found} if found else {"evidence": "none", "why": page["why"]})
 
-    unproven: why there can be none, or nothing.
-    """
-    head = {"model": manifest["model"], "hash": manifest["hash"]}
-    kept = RESULTS / f"{folder.name}.json"
-    if unproven or not kept.is_file():
-        return head | {"evidence": "none", "why": unproven or NO_EVIDENCE}
-    digest = sources_hash(sources(folder, manifest["files"]))
-    found = {
-        kind: {"tools": of["tools"], "units": of["units"]}
-        for kind, of in json.loads(kept.read_text()).items()
-        if of["folder"] == digest
+
+def bill_of_materials(manifest: dict[str, Any], package: str) -> dict[str, Any]:
+    """What the folder is and what it brings of others, which is nothing, in CycloneDX's form."""
+    component = {
+        "type": "library",
+        "bom-ref": package,
+        "name": package,
+        "version": manifest["version"],
+        "description": manifest["title"],
+        "hashes": [{"alg": "SHA-256", "content": manifest["hash"]}],
     }
-    return head | ({"evidence": found} if found else {"evidence": "none", "why": OTHER_EVIDENCE})
+    tool = {"type": "application", "name": "boresight", "version": manifest["version"]}
+    return {
+        "bomFormat": "CycloneDX",
+        "specVersion": "1.5",
+        "version": 1,
+        "metadata": {"component": component, "tools": {"components": [tool]}},
+        "components": [],
+        "dependencies": [{"ref": package, "dependsOn": []}],
+    }
 
 
 def write(out: Path, files: dict[str, str]) -> list[Path]:
@@ -232,9 +285,9 @@ def cost_of_float(manifest: dict[str, Any]) -> str:
 
 
 def export_view(
-    manifest: dict[str, Any], folder: Path, files: dict[str, str], precision: str, proof: dict[str, Any]
+    manifest: dict[str, Any], folder: Path, files: dict[str, str], precision: str, page: dict[str, Any]
 ) -> dict[str, Any]:
-    stem, found, described = snake(manifest["model"]), proof["evidence"], manifest.get("filter")
+    stem, described = snake(manifest["model"]), manifest.get("filter")
     flown, why_not = None, ""
     if described:
         try:
@@ -252,7 +305,10 @@ def export_view(
         "precision": precision,
         "form": form,
         "form_words": "UD factors" if form == "UD" else "symmetric Joseph form",
-        "evidence_words": f"none: {proof['why']}" if found == "none" else f"{', '.join(found)}, in `evidence.json`",
+        "proof": page,
+        "evidence_words": f"none: {page['why']}"
+        if page["why"]
+        else f"{proof.VERDICTS[page['verdict']]}: `EVIDENCE.html`",
         "states": manifest.get("states", []),
         "sources": sorted(Path(path).name for path in files if re.fullmatch(r"src/\w+\.c", path)),
         "tests": sorted(Path(path).name for path in files if re.fullmatch(r"selftest/\w+\.c", path)),

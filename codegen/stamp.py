@@ -21,6 +21,7 @@ from boresight.runtime.manifest import cache_folder
 PACKAGE = Path(__file__).resolve().parent.parent  # of the layers: the checkout, or boresight/ where it is installed
 FRONT = Path(boresight.__file__).parent  # where the public names are; in the checkout it has links to the layers
 GENERATOR = tuple(PACKAGE / "codegen" / name for name in ("functions", "text", "templates"))
+EXPORTED = PACKAGE / "codegen" / "templates" / "export"  # which no generated folder is made of
 DERIVED = PACKAGE / "derive" / "linear.py"  # what a model leaves open is made by it, before any C
 # What judges and shows a model, imported only when it is asked to, and words of errors: no C is made by it.
 BESIDE = re.compile(r"boresight\.(errors|derive\.(ledger|pages|papers\.\w+\.paper))\b")
@@ -29,7 +30,7 @@ BESIDE = re.compile(r"boresight\.(errors|derive\.(ledger|pages|papers\.\w+\.pape
 def made_from(model: Path | None, read: Iterable[Path] = ()) -> dict[str, str]:
     """Hashes of the generator and of a model's file, each with all of Boresight that it imports; a component has no
     model.  read: what else a file of one's own imports and reads."""
-    inside = (path for folder in GENERATOR for path in folder.rglob("*"))
+    inside = (path for folder in GENERATOR for path in folder.rglob("*") if EXPORTED not in path.parents)
     generator = {DERIVED, *(path for path in inside if path.suffix in (".py", ".j2"))}
     files = {"generator": reached(generator)}
     if model is not None:

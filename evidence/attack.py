@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from boresight import BoresightError
-from boresight.evidence.sources import Folder
+from boresight.codegen.folder import Folder
 from boresight.evidence.targets import HARNESS, PRECISIONS
 from boresight.runtime.compiler import compile_sources, run
 

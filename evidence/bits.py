@@ -12,8 +12,8 @@ from typing import Any
 
 import numpy as np
 
+from boresight.codegen.folder import Folder
 from boresight.evidence.machine import Machine
-from boresight.evidence.sources import Folder
 from boresight.evidence.targets import CLANG, GCC, HARNESS, M4F, M7, RV32, WARNINGS, Build, Target
 from boresight.runtime.compiler import PRECISIONS, compile_sources, run
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from boresight.evidence.sources import Folder, Source
+from boresight.codegen.folder import Folder, Source
 from boresight.evidence.targets import GCC, PRECISIONS, compile_units
 from boresight.runtime.compiler import run
 from boresight.runtime.library import Library, Unit

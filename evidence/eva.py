@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from boresight.codegen.folder import Folder, Source
 from boresight.codegen.functions.samples import generator
 from boresight.codegen.functions.tape import evaluate
 from boresight.codegen.functions.unit import Unit
@@ -22,7 +23,6 @@ from boresight.codegen.functions.units import units
 from boresight.codegen.generate import load_model
 from boresight.codegen.text.names import temporaries
 from boresight.evidence.calls import layout, points_of
-from boresight.evidence.sources import Folder, Source
 from boresight.evidence.targets import HARNESS
 from boresight.runtime.compiler import run
 
@@ -46,7 +46,7 @@ def eva(folder: Folder, out: Path, names: Collection[str] | None = None) -> dict
     """By printed unit: alarms, the kinds of those that there are, and the assumptions made; nothing of a component."""
     if folder.manifest.get("component"):
         return {}
-    made = {unit.name: unit for unit in units(load_model(folder.manifest["model"]))}
+    made = {unit.name: unit for unit in units(load_model(folder.target))}
     return {
         unit.name: of_unit(unit, made[unit.described["name"]], out)
         for unit in folder.chosen(names)

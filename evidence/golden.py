@@ -10,8 +10,8 @@ from collections.abc import Collection
 from pathlib import Path
 from typing import Any
 
+from boresight.codegen.folder import Folder
 from boresight.evidence.machine import Cost, Machine
-from boresight.evidence.sources import Folder
 from boresight.evidence.targets import (
     CLANG,
     CORES,

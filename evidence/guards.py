@@ -12,9 +12,9 @@ from typing import Any
 
 import numpy as np
 
+from boresight.codegen.folder import Folder, Source
 from boresight.codegen.functions.samples import generator
 from boresight.evidence.calls import Points, call, callable_units, layout, points_of
-from boresight.evidence.sources import Folder, Source
 from boresight.evidence.targets import GCC, HARNESS, PRECISIONS, WARNINGS
 from boresight.runtime.compiler import compile_sources, run
 from boresight.runtime.library import Unit

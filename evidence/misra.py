@@ -5,20 +5,11 @@ import shutil
 from pathlib import Path
 from typing import Any
 
-from boresight.evidence.sources import Folder
+from boresight.codegen.folder import Folder
 from boresight.runtime.compiler import run
 
 MISSING = "" if shutil.which("cppcheck") else "cppcheck is not installed"
 FINDING = re.compile(r"^misra-c2012-(\S+) (\S+)$")
-
-# Rules that the C deviates from on purpose, each with its reason.
-DEVIATED = {
-    "15.5": "a guard returns at once: what follows may rely on it, and an output is written by no later line",
-    "20.10": "BS_REAL joins a literal and its suffix, BS_FORM a name and its ending: the one way to print each once",
-    "5.5": "a macro gives each function the ending of its precision and form, so that they never link by mistake",
-    "2.5": "the headers offer the same macros to every model, and the indices of all states; no folder uses all",
-    "5.9": "a kernel's header stands in its unit's file and in the filter's, so that the call costs nothing",
-}
 
 
 def version() -> str:

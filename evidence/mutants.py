@@ -20,14 +20,15 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from pycparser import c_ast, c_generator, c_parser
+from pycparser import c_ast, c_generator
 
 from boresight import BoresightError
+from boresight.codegen.folder import Folder, Source
 from boresight.codegen.functions import tape
 from boresight.codegen.functions.mutants import SWAPS as SWAPPED
 from boresight.codegen.functions.samples import generator
 from boresight.evidence.calls import Points, call, callable_units, layout, points_of, shared_library
-from boresight.evidence.sources import Folder, Source
+from boresight.evidence.parsed import of_headers, parsed
 from boresight.evidence.targets import GCC, HARNESS, compile_units
 from boresight.runtime.compiler import PRECISIONS, compile_sources, run
 from boresight.runtime.library import Unit
@@ -46,37 +47,11 @@ LIBRARY = {"sqrt", "atan2", "fabs", *tape.LIBRARY}
 CALLS = {name: other for name, other in SWAPPED.items() if name in LIBRARY}
 REAL = {"bs_real", "double"}
 PROBES = {"bs_probe"}  # it sees what a compiler makes of the C, which no self-test may change
-# what the headers of the system would say
-WORDS = "typedef unsigned int uint32_t; typedef unsigned long uint64_t, size_t;"
-
-
-def parsed(unit: Source, precision: str = "double") -> Any:
-    """The unit with the headers of its folder, preprocessed for this precision.
-
-    The elementary functions of a printed one are the library's, so that they can be told by name; a filter is held
-    against its parts bit by bit, and keeps its own.
-    """
-    text, ours = [WORDS], False
-    library = [*PRECISIONS[precision], *(["-DBORESIGHT_LIBM"] if unit.described else [])]
-    for line in run(["gcc", "-E", "-std=c99", *library, "-I", unit.folder.include, unit.path]).splitlines():
-        mark = re.match(r'# (\d+) "([^"]*)"', line)
-        if mark:
-            ours = Path(mark[2]).is_relative_to(unit.folder.path)
-            if ours:
-                text.append(f'#line {mark[1]} "{mark[2]}"')
-        elif ours:
-            text.append(line)
-    return c_parser.CParser().parse("\n".join(text) + "\n", filename=str(unit.path))
 
 
 @cache
 def lines_of(file: str) -> list[str]:
     return Path(file).read_text().splitlines()
-
-
-def of_headers(function: Any) -> bool:
-    """Whether it stands in a header that the folder's units share."""
-    return Path(function.coord.file).parent.name == "include"
 
 
 def inmost(declared: Any) -> tuple[Any, int, tuple[str, ...]]:
@@ -283,7 +258,7 @@ class Mutator(c_generator.CGenerator):
 
 def candidates(unit: Source, precision: str = "double") -> list[str]:
     """Every mutant that there could be, in words."""
-    tree = parsed(unit, precision)
+    tree = parsed(unit, precision, named=unit.described is not None)
     mutator = Mutator(unit, Types(tree), None)
     mutator.visit(tree)
     return mutator.candidates
@@ -296,7 +271,7 @@ def mutated(unit: Source, most: int, precision: str = "double") -> tuple[str, li
     known = set(candidates(unit)) if precision != "double" else set()
     new = [number for number, word in enumerate(words) if SUFFIX.sub("", word) not in known]
     picked = sorted(new[i] for i in generator("mutants", unit.name).permutation(len(new))[:most].tolist())
-    tree = parsed(unit, precision)
+    tree = parsed(unit, precision, named=unit.described is not None)
     mutator = Mutator(unit, Types(tree), {number: i for i, number in enumerate(picked)})
     text = mutator.visit(tree)
     return "#include <math.h>\nextern int evidence_mutant;\n" + text, [words[number] for number in picked], len(new)

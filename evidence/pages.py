@@ -10,6 +10,7 @@ from typing import Any
 from unicodedata import combining
 from xml.etree import ElementTree
 
+from boresight.codegen.folder import Folder
 from boresight.codegen.generate import load_model, source_of
 from boresight.codegen.stamp import PACKAGE, hashed, reached
 from boresight.derive.pages.booklet import pdf_from_latex
@@ -17,7 +18,7 @@ from boresight.derive.pages.model import model_page
 from boresight.derive.pages.page import paper_page
 from boresight.derive.pages.render import write
 from boresight.derive.papers import paper
-from boresight.evidence.sources import Derivations, Folder
+from boresight.evidence.sources import Derivations
 
 WIDTHS = (60, 100)
 MISSING = "" if shutil.which("pdflatex") else "pdflatex is not here"

@@ -4,21 +4,27 @@ import json
 from pathlib import Path
 from typing import Any
 
-from boresight.evidence.sources import Derivations, Drawn, Examples, Flights, Folder
+from boresight.codegen import proof
+from boresight.codegen.folder import Folder
+from boresight.evidence.sources import Derivations, Drawn, Examples, Flights
 
-PLACE = Path(__file__).resolve().parent / "results"
+PLACE = proof.RESULTS
 OPEN = PLACE / "open.txt"  # which results are of another text than what is here now, a line each
+
+
+def place(of: Folder | Derivations | Drawn | Examples | Flights) -> Path:
+    return proof.place(of) if isinstance(of, Folder) else PLACE / f"{of.name}.json"
 
 
 def read(folder: Folder | Derivations | Drawn | Examples | Flights) -> dict[str, Any]:
     """By kind of evidence: `sources`, by unit a hash of all that its result depends on, `tools`, `units` by name, and
     of a folder `folder`, the hash of all its C that was there when each was found to be of it.  Empty if nothing is
     committed."""
-    path = PLACE / f"{folder.name}.json"
+    path = place(folder)
     return dict(json.loads(path.read_text())) if path.is_file() else {}
 
 
 def write(folder: Folder | Derivations | Drawn | Examples | Flights, results: dict[str, Any]) -> None:
-    PLACE.mkdir(exist_ok=True)
-    text = json.dumps(results, indent=1, sort_keys=True) + "\n"
-    (PLACE / f"{folder.name}.json").write_text(text)
+    path = place(folder)
+    path.parent.mkdir(exist_ok=True)
+    path.write_text(json.dumps(results, indent=1, sort_keys=True) + "\n")

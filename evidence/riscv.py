@@ -4,9 +4,9 @@ from collections.abc import Collection
 from pathlib import Path
 from typing import Any
 
+from boresight.codegen.folder import Folder
 from boresight.evidence.golden import note
 from boresight.evidence.machine import Machine
-from boresight.evidence.sources import Folder
 from boresight.evidence.targets import GCC, PRECISIONS, RV32, build, run_on_host
 
 

@@ -10,13 +10,13 @@ from typing import Any
 
 import numpy as np
 
+from boresight.codegen.folder import Folder, Source
 from boresight.codegen.functions.samples import generator
 from boresight.codegen.functions.tape import evaluate
 from boresight.codegen.functions.unit import Unit
 from boresight.codegen.functions.units import units
 from boresight.codegen.generate import load_model
 from boresight.evidence.calls import call, callable_units, points_of, shared_library
-from boresight.evidence.sources import Folder, Source
 from boresight.runtime.library import Unit as CompiledUnit
 
 RUNS, CORNERS, CHUNK = 100_000, 2_000, 4_000
@@ -26,7 +26,7 @@ def rounding(folder: Folder, out: Path, names: Collection[str] | None = None) ->
     """By printed unit: runs, violations of the bound, and of each output what `of_unit` gives; no component has any."""
     if folder.manifest.get("component"):
         return {}
-    model = load_model(folder.manifest["model"])
+    model = load_model(folder.target)
     made = {unit.name: unit for unit in units(model)}
     compiled = callable_units(folder, shared_library(folder, "float", out), "float")
     return {

@@ -1,21 +1,23 @@
 """The table of docs/evidence.md, from the committed results."""
 
 from collections import Counter
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from boresight.codegen import proof
+from boresight.codegen.folder import Source, folders
 from boresight.derive.ledger.mutation import ALIAS, SAME, SECOND_ORDER, UNEXPLAINED
 from boresight.evidence import results
 from boresight.evidence.bits import MODEL, NOT_FLOWN
-from boresight.evidence.misra import DEVIATED
 from boresight.evidence.proofs import kept as proved
-from boresight.evidence.sources import Drawn, Flights, Source, derivations, folders
+from boresight.evidence.sources import Drawn, Flights, derivations
 
 PAGE = Path(__file__).resolve().parent.parent / "docs" / "evidence.md"
 BEGIN, END = "<!-- from here on written by make evidence -->\n", "<!-- to here -->\n"
 HEAD = (
     *("unit", "operations", "bytes", "M4F float", "M7 float", "M7 double", "bits", "M4F double"),
-    *("RISC-V", "mutants killed", "bad input", "rounding", "MISRA", "Eva", "trace"),
+    *(column.title for column in proof.COLUMNS if column.kind != "golden"),
 )
 STEPS = (
     *("paper", "steps", "evaluated", "prose", "mutants", "refuted"),
@@ -252,72 +254,19 @@ def row(unit: Source, of: dict[str, dict[str, Any]]) -> tuple[str, ...]:
     def paid(where: str) -> str:
         return f"{cost[where][0]} ({cost[where][1]} B)" if where in cost else "-"
 
+    def words(column: str, of_unit: Callable[[dict[str, Any]], str]) -> str:
+        return of_unit(of[column]) if of.get(column) else "-"
+
     return (
         unit.name if unit.described or not main else f"{unit.name}: {main}",
         str(golden.get("operations") or "-"),
         str(golden.get("text", {}).get("cortex-m4f float", "-")),
-        *(paid(where) for where in ("cortex-m4f float", "cortex-m7 float", "cortex-m7 double")),
-        bits(builds, ("cortex-m4f float", "cortex-m7 float", "cortex-m7 double")),
-        bits(builds, ("cortex-m4f double",)),
-        bits(of.get("riscv", {}).get("builds", {}), ("riscv32 float", "riscv32 double")),
-        killed(of.get("mutants", {})),
-        refused(of.get("guards", {})),
-        rounds(of.get("rounding", {})),
-        rules(of.get("misra", {})),
-        alarms(of.get("eva", {})),
-        traced(of.get("trace", {})),
+        *(paid(where) for where in proof.CORES),
+        proof.bits(builds, proof.CORES),
+        proof.bits(builds, ("cortex-m4f double",)),
+        *(words(column.kind, column.text) for column in proof.COLUMNS if column.kind != "golden"),
     )
 
 
 def worst(cost: dict[str, list[int]]) -> int:
     return max((instructions for instructions, _ in cost.values()), default=0)
-
-
-def bits(builds: dict[str, Any], where: tuple[str, ...]) -> str:
-    """Equal bits, or by how many units in the last place they differ at most; and failures, if there are any."""
-    found = [builds[name] for name in where if name in builds]
-    if not found:
-        return "-"
-    failed = sum(build["failures"] for build in found)
-    off = max(build["ulps"] for build in found)
-    word = "equal" if all(build["bits"] for build in found) else f"{max(off, 0.01):.2g} ulp"
-    return word + (f", {failed} fail" if failed else "")
-
-
-def killed(of: dict[str, Any]) -> str:
-    if not of:
-        return "-"
-    meant = of["tried"] - of["equivalent"]
-    return f"{of['killed']} of {meant} ({100 * of['killed'] / max(1, meant):.1f} %), {of['equivalent']} equivalent"
-
-
-def refused(of: dict[str, Any]) -> str:
-    if not of:
-        return "-"
-    left = len({word.split(", ", 1)[1] for word in of["not_taken"]})
-    return f"{of['tried']}, {len(of['wrong'])} wrong" + (f", {left} lines open" if left else "")
-
-
-def rounds(of: dict[str, Any]) -> str:
-    if not of:
-        return "-"
-    loose = f", {of['loose']:.2g}x" if of["loose"] else ""
-    return f"{of['relative']:.1e}{loose}" + (f", {of['violations']} broken" if of["violations"] else "")
-
-
-def rules(of: dict[str, Any]) -> str:
-    """Rules broken beyond those deviated."""
-    if not of:
-        return "-"
-    beyond = {rule: count for rule, count in of["rules"].items() if rule not in DEVIATED}
-    return ", ".join(f"{rule} x{count}" for rule, count in sorted(beyond.items())) or "0"
-
-
-def alarms(of: dict[str, Any]) -> str:
-    return f"{of['alarms']}" + (f" ({len(of['assumed'])} assumed)" if of["assumed"] else "") if of else "-"
-
-
-def traced(of: dict[str, Any]) -> str:
-    if not of:
-        return "-"
-    return f"{of['statements']} to {of['outputs']}" + (f", {len(of['missing'])} open" if of["missing"] else "")

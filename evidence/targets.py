@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.evidence.sources import Folder
+from boresight.codegen.folder import Folder
 from boresight.runtime import compiler
 from boresight.runtime.compiler import PRECISIONS, compile_sources, run
 

@@ -14,9 +14,9 @@ from pathlib import Path
 from typing import Any
 
 from boresight import BoresightError
+from boresight.codegen.folder import Folder, Source, folders
 from boresight.codegen.text.statements import CALLS
 from boresight.derive.papers import DERIVATIONS, PAPERS, paper
-from boresight.evidence.sources import Folder, Source, folders
 
 FUNCTION = re.compile(r"^(?:static|BS_INSIDE) void (\w+)\(([^)]*)\)\n\{\n(.*?)\n\}$", re.MULTILINE | re.DOTALL)
 PARAMETER = re.compile(r"(\w+)(?:\[\d+\])?(?:,|$)")

@@ -5,18 +5,18 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from boresight.codegen.folder import Folder
 from boresight.codegen.generate import source_of
 from boresight.codegen.mechanics import MechanicsCheck
 from boresight.codegen.stamp import PACKAGE, hashed, reached
 from boresight.codegen.verify import Check, FirstOrderCheck, UnitCheck, verify
-from boresight.evidence.sources import Folder
 
 OF = {UnitCheck: "bits and 50 digits", FirstOrderCheck: "first order"}
 
 
 def verified(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
     """By function: what was checked, and of each whether it holds; of what is not checked why."""
-    return by_unit(verify(folder.manifest["model"]))
+    return by_unit(verify(folder.target))
 
 
 def by_unit(checks: Sequence[Check]) -> dict[str, dict[str, Any]]:
@@ -33,7 +33,7 @@ def by_unit(checks: Sequence[Check]) -> dict[str, dict[str, Any]]:
 
 def made_of(folder: Folder) -> dict[str, str]:
     """One hash: of the model and of what verifies it, as Python, and of the C."""
-    model = source_of(folder.manifest["model"])
+    model = source_of(folder.target)
     assert model, f"{folder.name} is of no model"
     python = hashed(reached({model.resolve(), (PACKAGE / "codegen" / "verify.py").resolve()}))
     return {folder.name: hashlib.sha256(f"{python}\n{folder.code}".encode()).hexdigest()}

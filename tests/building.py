@@ -37,12 +37,12 @@ def spoil(folder, path, old, new):
     (folder / "manifest.json").write_text(json.dumps(manifest))
 
 
-def exported_c(model, out, precision="double"):
+def exported_c(model, out, precision="double", places=()):
     """The folder `out`: a committed one as `export` writes it, who first makes it again to see that it is up to date;
     that it does so is tested once."""
     from boresight.codegen.export import exported
 
-    exported(folder_of(model), out, precision, "")
+    exported(folder_of(model), out, precision, model, places)
     return out
 
 

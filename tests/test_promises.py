@@ -14,11 +14,11 @@ from conftest import ROOT
 
 from boresight.codegen import generate as g
 from boresight.codegen import verify as v
+from boresight.codegen.folder import folders
 from boresight.codegen.functions.units import units
 from boresight.codegen.text import files
 from boresight.evidence import results
-from boresight.evidence.kinds import KINDS, kinds_for
-from boresight.evidence.sources import folders
+from boresight.evidence.kind import KINDS, kinds_for
 from boresight.evidence.verified import by_unit
 
 LIVE = ("strapdown", "stationary-detector", "euler-matching", "velocity-attitude")  # a component each, small, large

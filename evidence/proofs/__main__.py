@@ -6,12 +6,12 @@ import time
 from functools import cache
 from typing import Any
 
+from boresight.codegen.folder import Folder, Source, folders
 from boresight.codegen.functions.unit import Unit
 from boresight.codegen.functions.units import units
 from boresight.codegen.generate import load_model
 from boresight.evidence.proofs import coq, kept, prover, search
 from boresight.evidence.proofs.script import cone
-from boresight.evidence.sources import Folder, Source, folders
 from boresight.evidence.table import PAGE, page
 
 Known = tuple[float | None, float | None, str]  # bound, worst error found, why there is none

@@ -10,8 +10,8 @@ from math import inf
 from pathlib import Path
 from typing import Any
 
+from boresight.codegen.folder import Folder, Source
 from boresight.derive.within import within
-from boresight.evidence.sources import Folder, Source
 
 PLACE = Path(__file__).resolve().parent.parent / "results" / "proofs"
 WITHIN = 10  # times the worst error found, by which a bound may be larger

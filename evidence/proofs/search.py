@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from boresight.codegen.folder import Source
 from boresight.codegen.functions.samples import generator
 from boresight.codegen.functions.tape import COMPUTE, LIBRARY, Tape, computed
 from boresight.codegen.functions.unit import Unit
@@ -16,7 +17,6 @@ from boresight.derive.model import Variable
 from boresight.evidence.calls import points_of
 from boresight.evidence.proofs.script import cone
 from boresight.evidence.rounding import CHUNK, CORNERS, RUNS
-from boresight.evidence.sources import Source
 
 KEPT, BRED, GENERATIONS = 100, 1000, 60
 FAR, AGAIN, FEW = 8, 4, 20  # where a bound is so many times larger, so many more searches, from so few points each

@@ -13,8 +13,8 @@ from pathlib import Path
 import numpy as np
 from make_recording import SLAVE, Setup, record
 
+from boresight.codegen.folder import Folder
 from boresight.evidence.machine import Machine
-from boresight.evidence.sources import Folder
 from boresight.evidence.targets import M4F, M7, OPTIMISED, WARNINGS, Build, Target, symbol_table, text_size
 from boresight.runtime.compiler import run
 

@@ -12,11 +12,12 @@ from building import exported_c, passed, run
 from conftest import PENDULUM
 from tools import given, needs, tool
 
-from boresight import __version__
-from boresight.codegen import export as exporting
-from boresight.codegen.export import export
+from boresight import BoresightError, __version__
+from boresight.codegen import proof
+from boresight.codegen.export import PLACES, export
+from boresight.codegen.folder import Folder
 from boresight.codegen.text.identity import model_hash, public_functions
-from boresight.runtime.manifest import folder_of, read_manifest, sources, sources_hash
+from boresight.runtime.manifest import folder_of, read_manifest
 from boresight.runtime.status import Status
 
 IN_CXX = [build for std in ("c++17", "c++20") for build in (given("g++", std), given("clang++", std))]
@@ -360,36 +361,121 @@ def test_the_manifest_lists_every_file_with_its_hash(model, tmp_path):
 
 @pytest.fixture
 def results(tmp_path, monkeypatch):
-    monkeypatch.setattr(exporting, "RESULTS", tmp_path / "results")
+    monkeypatch.setattr(proof, "RESULTS", tmp_path / "results")
     (tmp_path / "results").mkdir()
     return tmp_path / "results" / "strapdown.json"
 
 
-def test_the_evidence_is_of_exactly_this_c(results, tmp_path):
-    source = folder_of("strapdown")
-    digest = sources_hash(sources(source, read_manifest(source)["files"]))
-    units = {"sd_step": {"alarms": 0}}
-    kinds = {"eva": {"folder": digest, "tools": "25.0", "units": units}}
-    results.write_text(json.dumps(kinds | {"misra": {"folder": "0" * 64, "tools": "2.10", "units": units}}))
+def entry(sources, tools="", result=None):
+    return {"sources": sources, "tools": tools, "units": dict.fromkeys(sources, result)}
+
+
+def test_the_evidence_is_of_exactly_this_c_unit_by_unit(results, tmp_path):
+    folder = Folder(folder_of("strapdown"))
+    result = {"alarms": 0, "kinds": {}, "assumed": {}}
+    now = {unit.name: unit.hash(tested=False) for unit in folder.units}
+    eva = entry(now | {"sd_earth": "0" * 64}, "25.0", result)
+    misra = entry({"strapdown": "0" * 64}, "2.10") | {"folder": "0" * 64}
+    results.write_text(json.dumps({"eva": eva, "misra": misra}))
     exported_c("strapdown", tmp_path / "out")
-    said = json.loads((tmp_path / "out" / "evidence.json").read_text())
-    assert said["evidence"] == {"eva": {"tools": "25.0", "units": units}}
-    assert said["hash"] == json.loads((tmp_path / "out" / "manifest.json").read_text())["hash"]
-    assert "eva" in (tmp_path / "out" / "README.md").read_text()
+    written = json.loads((tmp_path / "out" / "evidence.json").read_text())
+    assert written["evidence"] == {"eva": {"tools": "25.0", "units": dict.fromkeys(now.keys() - {"sd_earth"}, result)}}
+    assert written["hash"] == json.loads((tmp_path / "out" / "manifest.json").read_text())["hash"]
+    assert written["verdict"] == "not made of this C"  # the lowest: most kinds are not made
+    assert written["not_made"]["Eva"] == "sd_earth" and written["not_made"]["MISRA"] == "all"
+    page = (tmp_path / "out" / "EVIDENCE.html").read_text()
+    assert all(f"<code>{name}</code>" in page for name in now) and "http" not in page.replace("http-equiv", "")
+    assert "EVIDENCE.html" in (tmp_path / "out" / "README.md").read_text()
+
+
+@pytest.mark.parametrize(
+    ("result", "verdict"),
+    [
+        ({"tried": 9, "wrong": [], "not_taken": []}, "HELD"),
+        ({"tried": 9, "wrong": [], "not_taken": ["double, line 3: 1 of 2 branches"]}, "LISTED"),
+        ({"tried": 9, "wrong": ["nav null: status 0"], "not_taken": []}, "WRONG"),
+        (None, "NOT_MADE"),
+    ],
+)
+def test_the_verdict_is_the_lowest_of_the_columns(result, verdict):
+    (column,) = (column for column in proof.COLUMNS if column.kind == "guards")
+    assert column.verdict(result).name == verdict
+    assert proof.lowest({"a": column.verdict(result), "b": proof.Verdict.HELD}).name == verdict
 
 
 def test_other_c_has_no_evidence_and_says_why(results, tmp_path):
-    results.write_text(json.dumps({"eva": {"folder": "0" * 64, "tools": "25.0", "units": {}}}))
+    results.write_text(json.dumps({"eva": entry({"sd_step": "0" * 64})}))
     exported_c("strapdown", tmp_path / "out")
-    said = json.loads((tmp_path / "out" / "evidence.json").read_text())
-    assert said["evidence"] == "none" and "other C" in said["why"]
-    assert f"none: {said['why']}" in (tmp_path / "out" / "README.md").read_text()
+    written = json.loads((tmp_path / "out" / "evidence.json").read_text())
+    assert written["evidence"] == "none" and "other C" in written["why"]
+    assert f"none: {written['why']}" in (tmp_path / "out" / "README.md").read_text()
 
 
-def test_a_model_of_ones_own_has_no_evidence_and_says_why(pendulum_folder, tmp_path):
+def test_a_model_of_ones_own_has_none_until_it_is_made(pendulum_folder, tmp_path):
     export(PENDULUM, tmp_path / "out", "double", pendulum_folder)
-    said = json.loads((tmp_path / "out" / "evidence.json").read_text())
-    assert said["evidence"] == "none" and "model of your own" in said["why"]
+    written = json.loads((tmp_path / "out" / "evidence.json").read_text())
+    assert written["evidence"] == "none" and f"'boresight evidence {PENDULUM}'" in written["make"]
+
+
+def test_the_bill_of_materials_brings_nothing_of_others(tmp_path):
+    exported_c("strapdown", tmp_path / "out", "float")
+    bill = json.loads((tmp_path / "out" / "sbom.json").read_text())
+    assert bill["bomFormat"] == "CycloneDX" and bill["components"] == []
+    digest = json.loads((tmp_path / "out" / "manifest.json").read_text())["hash"]
+    assert bill["metadata"]["component"]["hashes"] == [{"alg": "SHA-256", "content": digest}]
+
+
+# ---- the places where it is built
+
+
+@pytest.fixture(scope="module")
+def everywhere(quickly, tmp_path_factory):
+    return exported_c("strapdown", tmp_path_factory.mktemp("everywhere") / "out", "float", tuple(PLACES))
+
+
+def test_what_other_tools_read_of_an_export_they_can_read(everywhere):
+    import yaml
+
+    assert {path for needed in PLACES.values() for path in needed} <= {
+        str(path.relative_to(everywhere)) for path in everywhere.rglob("*")
+    }
+    library = json.loads((everywhere / "library.json").read_text())
+    assert "-ffp-contract=off" in library["build"]["flags"] and (everywhere / "include" / library["headers"]).is_file()
+    assert yaml.safe_load((everywhere / "idf_component.yml").read_text())["version"] == __version__
+    assert yaml.safe_load((everywhere / "zephyr" / "module.yml").read_text())["build"]["cmake"] == "zephyr"
+    for place in ("zephyr", "px4"):
+        named = re.findall(r"\.\./(src/\w+\.c)", (everywhere / place / "CMakeLists.txt").read_text())
+        assert {everywhere / name for name in named} == set((everywhere / "src").glob("*.c"))
+
+
+def test_arduino_finds_the_headers_in_src_alone(everywhere, tmp_path):
+    (library,) = (everywhere / "arduino").iterdir()
+    lines = (library / "library.properties").read_text().splitlines()
+    assert {"name", "version", "sentence", "architectures", "includes"} <= {line.split("=")[0] for line in lines}
+    for path in sorted((library / "src").glob("*.c")):
+        done = run("gcc", "-std=c99", *EXACT, f"-I{library / 'src'}", "-c", path, "-o", tmp_path / "a.o")
+        assert done.returncode == 0, done.stderr
+
+
+@needs("cmake")
+def test_esp_idf_takes_the_folder_as_a_component(everywhere, tmp_path):
+    """The branch of ESP-IDF by a stand-in of its one command."""
+    stand_in = tmp_path / "CMakeLists.txt"
+    stand_in.write_text(
+        "cmake_minimum_required(VERSION 3.16)\nproject(app C)\nset(ESP_PLATFORM 1)\nset(COMPONENT_LIB made)\n"
+        'function(idf_component_register)\n  cmake_parse_arguments(A "" "" "SRCS;INCLUDE_DIRS" ${ARGN})\n'
+        "  add_library(made STATIC ${A_SRCS})\n  target_include_directories(made PUBLIC ${A_INCLUDE_DIRS})\n"
+        f"endfunction()\nadd_subdirectory({everywhere} made)\n"
+    )
+    run(tool("cmake"), "-S", tmp_path, "-B", tmp_path / "build")
+    assert run(tool("cmake"), "--build", tmp_path / "build").returncode == 0
+    assert list((tmp_path / "build").rglob("libmade.a"))
+
+
+def test_an_unknown_place_is_refused_before_anything_is_written(tmp_path):
+    with pytest.raises(BoresightError, match="'mbed'; choose of cmake, arduino"):
+        export("strapdown", tmp_path / "out", places=("mbed",))
+    assert not (tmp_path / "out").exists()
 
 
 # ---- other people's builds
@@ -439,7 +525,9 @@ def test_make_installs_what_pkg_config_finds(folders, tmp_path):
         path.name for path in (folders("strapdown", "float") / "include").iterdir()
     }
     described = (place / "lib" / "pkgconfig" / "strapdown_f32.pc").read_text()
-    assert "@" not in described and "prefix=/opt/b\n" in described and f"Version: {__version__}\n" in described
+    assert (
+        "@" not in described and "prefix=${pcfiledir}/../..\n" in described and f"Version: {__version__}\n" in described
+    )
     (tmp_path / "main.c").write_text(
         "#include \"strapdown.h\"\nint main(void)\n{\n    return sd_identity()[0] != 's';\n}\n"
     )

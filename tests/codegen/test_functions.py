@@ -14,6 +14,7 @@ from sonde import SONDE, b, v, y
 
 from boresight import BoresightError
 from boresight.codegen.difference import compared
+from boresight.codegen.folder import Folder
 from boresight.codegen.functions import tape
 from boresight.codegen.functions.convert import FUNCTIONS, to_casadi
 from boresight.codegen.functions.singular import refuse_singular
@@ -25,7 +26,6 @@ from boresight.derive.model import Measurement
 from boresight.evidence import rounding
 from boresight.evidence.calls import callable_units, shared_library
 from boresight.evidence.mutants import candidates
-from boresight.evidence.sources import Folder
 from boresight.evidence.targets import GCC, compile_units
 from boresight.evidence.trace import trace
 from boresight.runtime.compiler import run

@@ -12,13 +12,13 @@ import pytest
 import sympy as sp
 from flint import arb, ctx
 
+from boresight.codegen.folder import Folder, folders
 from boresight.codegen.functions.convert import to_casadi
 from boresight.codegen.functions.identities import domains, identified, numbers
 from boresight.codegen.functions.maker import UnitMaker
 from boresight.codegen.functions.tape import bounded, tape
 from boresight.codegen.functions.units import measurement
 from boresight.codegen.generate import load_model
-from boresight.evidence.sources import Folder, folders
 from boresight.evidence.trace import OUTPUT, STATEMENT, statements
 
 x, y, z = SYMBOLS = sp.symbols("x y z", real=True)

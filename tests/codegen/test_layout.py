@@ -5,13 +5,13 @@ import re
 import pytest
 from conftest import ROOT
 
+from boresight.codegen.folder import Folder
 from boresight.codegen.functions.units import units
 from boresight.codegen.generate import load_model
 from boresight.codegen.text import files
 from boresight.codegen.text.layout import WIDTH, laid_out
 from boresight.codegen.text.statements import LONGEST, SHORTEST
 from boresight.codegen.text.views import view
-from boresight.evidence.sources import Folder
 from boresight.evidence.trace import STATEMENT, single
 
 FOLDERS = [Folder(path.parent) for path in sorted((ROOT / "generated").glob("*/manifest.json"))]

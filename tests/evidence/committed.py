@@ -2,9 +2,9 @@
 
 from tools import lacks
 
+from boresight.codegen.folder import Folder, folders
 from boresight.evidence import results
-from boresight.evidence.kinds import KINDS, is_small
-from boresight.evidence.sources import Folder, folders
+from boresight.evidence.kind import KINDS, is_small
 
 NAMES = [folder.name for folder in folders()]
 # What costs with the third power of the states is not made of the largest.

@@ -5,8 +5,8 @@ import shutil
 import pytest
 from committed import committed, folder_of
 
+from boresight.codegen.folder import folders
 from boresight.evidence.attack import FORMS, SANITIZERS, attacked, calls_h, driver, functions
-from boresight.evidence.sources import folders
 from boresight.evidence.targets import HARNESS
 from boresight.runtime.compiler import PRECISIONS, run
 

@@ -4,12 +4,13 @@ import pytest
 from tools import needs
 
 from boresight import BoresightError
+from boresight.codegen.folder import folders
 from boresight.codegen.generate import COMPONENTS
 from boresight.derive.pages.render import render
 from boresight.derive.papers import paper
 from boresight.evidence import results
 from boresight.evidence.pages import pages, written
-from boresight.evidence.sources import Derivations, derivations, folders
+from boresight.evidence.sources import Derivations, derivations
 
 MODELS = [folder for folder in folders() if folder.manifest["model"] not in COMPONENTS]
 

@@ -12,6 +12,7 @@ import sympy as sp
 from committed import folder_of
 from tools import needs
 
+from boresight.codegen.folder import folders
 from boresight.codegen.functions.tape import Step, Tape, computed
 from boresight.codegen.functions.units import units
 from boresight.codegen.generate import load_model
@@ -20,7 +21,6 @@ from boresight.derive.model import Variable
 from boresight.evidence.calls import call, callable_units, points_of, shared_library
 from boresight.evidence.proofs import coq, forms, kept, prover, script, search
 from boresight.evidence.results import OPEN
-from boresight.evidence.sources import folders
 from boresight.evidence.targets import GCC, compile_units
 
 MODELS = [folder for folder in folders() if kept.wanted(folder)]

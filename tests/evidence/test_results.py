@@ -5,10 +5,12 @@ from pathlib import Path
 import pytest
 from committed import folder_of
 
+from boresight.codegen.folder import Folder
 from boresight.derive import models
-from boresight.evidence import kinds, results
-from boresight.evidence.kinds import KINDS, all_kinds, kinds_for, of_another_text, still_open
-from boresight.evidence.sources import Derivations, Folder
+from boresight.evidence import results
+from boresight.evidence.kind import KINDS, kinds_for, of_another_text, printed, tested
+from boresight.evidence.kinds import all_kinds, still_open
+from boresight.evidence.sources import Derivations
 
 PAIRS = [(kind, subject) for kind, subject in all_kinds() if kind.name not in ("flown", "tried")]  # of these: elsewhere
 ALL = {subject.name: [kind for kind, other in PAIRS if other.name == subject.name] for _, subject in PAIRS}
@@ -60,7 +62,7 @@ def test_a_changed_statement_makes_its_unit_stale_and_what_includes_it(em_copy):
     kernel = em_copy / "src" / "em_F_kernel.h"
     kernel.write_text(kernel.read_text().replace("-omega_in_n[1]", "omega_in_n[1]"))
     found = changed(vouched(em_copy))
-    of_c = {kind.name for kind in KINDS} - {"bits", "pages"}  # a page is of the model, not of its C
+    of_c = {kind.name for kind in KINDS} - {"bits"}
     assert of_c == found.keys()
     assert found["rounding"] == found["eva"] == found["trace"] == {"em_F"}
     assert found["golden"] == found["guards"] == found["mutants"] == {"em_F", "em_filter", "em_live"}
@@ -82,13 +84,13 @@ def test_a_unit_is_stale_by_what_it_names(em_copy, path, old, new, stale):
     assert old in text
     (em_copy / path).write_text(new.join(text.rsplit(old, 1)))
     folder, before = vouched(em_copy), folder_of("euler_matching")
-    was, now = kinds.tested(before), kinds.tested(folder)
+    was, now = tested(before), tested(folder)
     found = {name for name in now if was[name] != now[name]}
     if stale is None:
         assert {"em_euler_H", "em_math", "em_filter"} <= found and not {"em_F", "em_covariance"} & found
     else:
         assert found == stale
-    assert (kinds.printed(folder) == kinds.printed(before)) == (stale is not None)
+    assert (printed(folder) == printed(before)) == (stale is not None)
 
 
 def test_one_more_measurement_is_one_more_result(em_copy):

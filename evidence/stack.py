@@ -1,0 +1,78 @@
+"""Stack of each entry point by the graph of calls, and what each unit takes of flash, for the cores that it ships to.
+
+gcc writes beside each object what every function puts on the stack and whom it calls.  The stack of an entry point is
+the deepest way through that graph over all units: a bound, whatever is called with.  Functions of the target's own
+library are named and not counted; the deepest of them is the user's to add.
+"""
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from boresight import BoresightError
+from boresight.codegen.folder import Folder
+from boresight.evidence.targets import CORES, PRECISIONS, WARNINGS, text_size
+from boresight.runtime.compiler import compile_sources
+
+NODE = re.compile(r'^node: \{ title: "([^"]*)" label: "([^"]*)"', re.MULTILINE)
+EDGE = re.compile(r'^edge: \{ sourcename: "([^"]*)" targetname: "([^"]*)"', re.MULTILINE)
+BYTES = re.compile(r"(\d+) bytes \((\S+)\)")
+INDIRECT = "__indirect_call"
+FLAGS = ("-Os", "-ffunction-sections", "-fdata-sections", "-fcallgraph-info=su")
+
+
+class Calls:
+    """Whom each function calls, and what it puts on the stack itself."""
+
+    def __init__(self, graphs: list[Path]):
+        self.own: dict[str, int] = {}
+        self.unit: dict[str, str] = {}
+        self.calls: dict[str, set[str]] = {}
+        for graph in graphs:
+            text = graph.read_text()
+            for title, label in NODE.findall(text):
+                if found := BYTES.search(label):
+                    if found[2] != "static":
+                        raise BoresightError(f"{title}: its stack is {found[2]}, so that no bound can be given")
+                    self.own[title], self.unit[title] = int(found[1]), graph.stem
+            for caller, called in EDGE.findall(text):
+                self.calls.setdefault(caller, set()).add(called)
+
+    def entries(self) -> Iterator[str]:
+        """Functions that other files may call: those of one file alone have its path in their title."""
+        return (title for title in self.own if ":" not in title)
+
+    def deepest(self, function: str, above: tuple[str, ...] = ()) -> int:
+        """Bytes of a call and of all below it."""
+        if function in above or function == INDIRECT:
+            raise BoresightError(f"{above[-1]} calls {function}: no bound on its stack can be given")
+        below = (self.deepest(called, (*above, function)) for called in self.calls.get(function, ()))
+        return self.own.get(function, 0) + max(below, default=0)
+
+    def library(self, function: str) -> set[str]:
+        """Functions of the target's library that are called below this one."""
+        found = {called for called in self.calls.get(function, ()) if called not in self.own}
+        return found.union(*(self.library(called) for called in self.calls.get(function, ())))
+
+
+def stack(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
+    """By unit: of each entry point its stack by target, in bytes; the unit's flash; of both by -Os.  `library` names
+    what of the target's library is called and not counted."""
+    found: dict[str, dict[str, Any]] = {unit.name: {"stack": {}, "flash": {}, "library": []} for unit in folder.units}
+    for core in CORES:
+        for precision in PRECISIONS:
+            if precision == "double" and not core.double:
+                continue
+            name, place = f"{core.name} {precision}", out / f"{core.name}-{precision}"
+            place.mkdir()
+            command = [core.compiler, *WARNINGS, *core.flags, *PRECISIONS[precision], *FLAGS, "-I", folder.include]
+            objects = compile_sources(command, {unit.path: () for unit in folder.units}, place)
+            calls = Calls(sorted(place.glob("*.ci")))
+            for unit, path in objects.items():
+                found[unit]["flash"][name] = text_size(path)
+            for entry in calls.entries():
+                of = found[calls.unit[entry]]
+                of["stack"].setdefault(entry.removesuffix("_f32"), {})[name] = calls.deepest(entry)
+                of["library"] = sorted({*of["library"], *calls.library(entry)})
+    return found

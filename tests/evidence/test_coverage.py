@@ -1,0 +1,115 @@
+"""Coverage of the self-test, and stack by the graph of calls: against cases whose answer is known."""
+
+import shutil
+
+import pytest
+from committed import LIVE, folder_of, spoilt
+from tools import needs
+
+from boresight import BoresightError
+from boresight.evidence.coverage import Decision, coverage, shown_alone, was
+from boresight.evidence.golden import run_with_costs
+from boresight.evidence.stack import FLAGS, Calls
+from boresight.evidence.targets import M4F, build
+
+T, F, NOT = 1, 0, None
+
+
+def decision(*ways):
+    """Of conditions that were true, false or not evaluated, and an outcome."""
+    made = Decision("file.c", "function", "text", len(ways[0][0]))
+    for conditions, outcome in ways:
+        evaluated = sum(1 << k for k, value in enumerate(conditions) if value is not NOT)
+        values = sum(1 << k for k, value in enumerate(conditions) if value)
+        made.ways.add((evaluated, values, outcome))
+    return made
+
+
+@pytest.mark.parametrize(
+    ("ways", "alone"),
+    [
+        # a && b
+        ([((T, T), 1), ((T, F), 0), ((F, NOT), 0)], [True, True]),
+        ([((T, T), 1), ((F, NOT), 0)], [True, False]),
+        ([((T, F), 0), ((F, NOT), 0)], [False, False]),
+        # a || b
+        ([((T, NOT), 1), ((F, T), 1), ((F, F), 0)], [True, True]),
+        ([((T, NOT), 1), ((F, T), 1)], [False, False]),
+        # (a || b) && c: four ways do, the usual table; without b true, b is not shown
+        ([((F, F, NOT), 0), ((T, NOT, T), 1), ((F, T, T), 1), ((F, T, F), 0)], [True, True, True]),
+        ([((F, F, NOT), 0), ((T, NOT, T), 1), ((T, NOT, F), 0)], [True, False, True]),
+    ],
+)
+def test_a_condition_is_covered_where_it_alone_decides(ways, alone):
+    made = decision(*ways)
+    assert [shown_alone(made, k) for k in range(made.conditions)] == alone
+
+
+def test_a_branch_is_taken_where_its_condition_was_evaluated():
+    made = decision(((T, T), 1), ((F, NOT), 0))
+    assert [was(made, k, value) for k in (0, 1) for value in (1, 0)] == [True, True, True, False]
+
+
+def test_what_the_self_test_leaves_out_is_seen(tmp_path):
+    """Without one call with a null pointer, that condition is never true."""
+    whole = coverage(folder_of(LIVE), fresh(tmp_path / "whole"))["sd_step"]
+    copy = shutil.copytree(folder_of(LIVE).path, tmp_path / LIVE)
+    left = "failures += (sd_step(&nav, 0, got_lon_lat_height, got_v_n, got_q_b2n_wxyz) != BS_NULL_POINTER);"
+    less = coverage(spoilt(copy, "selftest/test_sd_step.c", left, ""), fresh(tmp_path / "less"))["sd_step"]
+    for precision in ("double", "float"):
+        (hit, of), (lines, all_lines) = whole[precision]["conditions"], whole[precision]["lines"]
+        assert hit == of > 10 and lines == all_lines > 50 and not whole[precision]["open"]
+        assert less[precision] == whole[precision] | {
+            "branches": [2 * of - 1, 2 * of],
+            "conditions": [of - 1, of],
+            "open": [less[precision]["open"][0]],
+        }
+        assert less[precision]["open"][0].startswith("sd_step, condition 2 is never true: if ((nav == NULL)")
+
+
+def fresh(path):
+    path.mkdir()
+    return path
+
+
+def graph(path, nodes, edges):
+    lines = [
+        f'node: {{ title: "{name}" label: "{name}\\nfile.c:1:1\\n{size} bytes ({how})" }}' for name, size, how in nodes
+    ]
+    lines += [f'edge: {{ sourcename: "{a}" targetname: "{b}" label: "file.c:2:3" }}' for a, b in edges]
+    path.write_text("\n".join(lines))
+    return Calls([path])
+
+
+def test_the_stack_is_that_of_the_deepest_way(tmp_path):
+    nodes = [("top", 16, "static"), ("file.c:left", 100, "static"), ("right", 40, "static"), ("below", 80, "static")]
+    calls = graph(
+        tmp_path / "a.ci", nodes, [("top", "file.c:left"), ("top", "right"), ("right", "below"), ("below", "sqrt")]
+    )
+    assert {name: calls.deepest(name) for name in calls.entries()} == {"top": 136, "right": 120, "below": 80}
+    assert calls.library("top") == {"sqrt"}
+
+
+@pytest.mark.parametrize(
+    ("nodes", "edges", "words"),
+    [
+        ([("a", 8, "static"), ("b", 8, "static")], [("a", "b"), ("b", "a")], "no bound"),
+        ([("a", 8, "static")], [("a", "__indirect_call")], "no bound"),
+        ([("a", 8, "dynamic")], [], "is dynamic"),
+    ],
+)
+def test_what_has_no_bound_is_refused(nodes, edges, words, tmp_path):
+    with pytest.raises(BoresightError, match=words):
+        graph(tmp_path / "a.ci", nodes, edges).deepest("a")
+
+
+@needs("arm-none-eabi-gcc")
+def test_what_is_painted_on_an_emulated_core_is_not_above_the_bound(tmp_path):
+    made = build(folder_of(LIVE), M4F, "float", tmp_path, *FLAGS)
+    calls = Calls(sorted(tmp_path.rglob("*.ci")))
+    _, costs = run_with_costs(made, [unit.name for unit in folder_of(LIVE).units])
+    painted = {name: cost.stack for of in costs.values() for name, cost in of.items()}
+    assert len(painted) > 3 and max(painted.values()) > 100
+    for name, most in painted.items():
+        room = 64 if calls.library(name) else 0  # memset, sqrtf and their like, which the bound leaves out
+        assert most <= calls.deepest(name) + room, name
