@@ -28,18 +28,18 @@ from boresight.runtime.compiler import compile_sources, run
 LOGICAL = ("&&", "||")
 MARKS = "int coverage_mark(int, int, int); int coverage_decide(int, int);\n"
 QUIET = ("gcc", "-std=gnu99", "-O1", "-w", "-ffp-contract=off")
-Way = tuple[int, int, int]  # the conditions that were evaluated, those that were true, and what came of it
+Evaluation = tuple[int, int, int]  # the conditions that were evaluated, those that were true, and what came of it
 
 
 @dataclass
 class Decision:
-    """function: where it stands.  text: its line.  conditions: how many may change.  ways: how it was taken."""
+    """function: where it stands.  text: its line.  conditions: how many may change.  evaluations: how it was taken."""
 
     file: str
     function: str
     text: str
     conditions: int = 0
-    ways: set[Way] = field(default_factory=set)
+    evaluations: set[Evaluation] = field(default_factory=set)
 
 
 class Marker(c_generator.CGenerator):
@@ -173,12 +173,12 @@ def counted(decisions: list[Decision], lines: dict[str, dict[int, bool]], files:
 
 def was(decision: Decision, k: int, value: int) -> bool:
     """Whether a condition was ever evaluated to this."""
-    return any(evaluated >> k & 1 and (values >> k & 1) == value for evaluated, values, _ in decision.ways)
+    return any(evaluated >> k & 1 and (values >> k & 1) == value for evaluated, values, _ in decision.evaluations)
 
 
 def shown_alone(decision: Decision, k: int) -> bool:
     """Whether two ways differ in this condition and in the outcome, and in no other that both evaluated."""
-    for a, b in itertools.combinations(decision.ways, 2):
+    for a, b in itertools.combinations(decision.evaluations, 2):
         both, differ = a[0] & b[0], a[1] ^ b[1]
         if both >> k & 1 and both & differ == 1 << k and a[2] != b[2]:
             return True
@@ -200,8 +200,8 @@ def decisions_of(folder: Folder, units: list[Source], precision: str, out: Path)
     own = compile_sources([*QUIET, *PRECISIONS[precision], "-I", folder.include], texts, out)
     run_self_test(folder, precision, own, out)
     for line in (out / "coverage.txt").read_text().splitlines():
-        number, *way = map(int, line.split())
-        decisions[number].ways.add((way[0], way[1], way[2]))
+        number, evaluated, values, outcome = map(int, line.split())
+        decisions[number].evaluations.add((evaluated, values, outcome))
     return merged(decisions)
 
 
@@ -211,7 +211,7 @@ def merged(decisions: list[Decision]) -> list[Decision]:
     for (*_, function), group in itertools.groupby(decisions, lambda d: (d.file, d.function)):
         for i, decision in enumerate(group):
             key = (decision.file, function, str(i))
-            found.setdefault(key, decision).ways.update(decision.ways)
+            found.setdefault(key, decision).evaluations.update(decision.evaluations)
     return list(found.values())
 
 

@@ -107,14 +107,14 @@ def test_sdist_and_wheel_hold_the_package_and_an_installed_one_flies(built, tmp_
         "from boresight.codegen.generate import default_folder; "
         "assert str(default_folder('euler-matching')) == 'generated/euler_matching'; "
         "from boresight.codegen.new import new; from pathlib import Path; new('mine', 'ins', Path()); "
-        "from boresight.codegen.export import evidence; from boresight.runtime.manifest import folder_of as at; "
-        "from json import loads; folder = at('euler-matching'); "
-        "print(*evidence(folder, loads((folder / 'manifest.json').read_text()), ''))"
+        "from boresight.codegen import proof; from boresight.codegen.folder import Folder; "
+        "from boresight.runtime.manifest import folder_of; import boresight.evidence.own; "
+        "print('kept:', *proof.kept(Folder(folder_of('euler-matching'))))"
     )
     env = {**os.environ, "PYTHONPATH": str(site)}
     done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, env=env, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
-    assert done.stdout.split()[:3] == ["model", "hash", "evidence"]
+    assert done.stdout.startswith("kept: ") and "trace" in done.stdout
     assert (tmp_path / "mine.py").is_file() and (tmp_path / "fly_mine.py").is_file()
 
 
@@ -130,7 +130,7 @@ def test_a_wheel_holds_what_a_user_uses(built):
     assert folders == {path.parent.name for path in (ROOT / "generated").glob("*/manifest.json")}
     results = {path.stem for path in (package / "evidence" / "results").iterdir()}
     assert results == folders & {path.stem for path in (ROOT / "evidence" / "results").glob("*.json")}
-    assert {path.name for path in (package / "evidence").glob("*.py")} == {"__init__.py", "sources.py", "trace.py"}
+    assert not {"kinds.py", "spoilt.py", "flights", "proofs"} & {path.name for path in (package / "evidence").iterdir()}
     assert not any((package / name).exists() for name in ("generated", "studies/explorations", "examples/flight"))
 
 

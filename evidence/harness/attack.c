@@ -426,7 +426,7 @@ static int judge(int function, int status, int null, int spoilt, int64_t call)
 static void spoil(void)
 {
     const int which = below(4);
-    if (which == 0) {
+    if ((which == 0) && (ATTACK_CARRIED > 0)) { /* a total state carries no nav */
         const attack_struct *const box = &carried[below(ATTACK_CARRIED > 0 ? ATTACK_CARRIED : 1)];
         box->values[below(box->size)] = hostile();
     } else if (which == 1) {

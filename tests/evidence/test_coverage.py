@@ -21,7 +21,7 @@ def decision(*ways):
     for conditions, outcome in ways:
         evaluated = sum(1 << k for k, value in enumerate(conditions) if value is not NOT)
         values = sum(1 << k for k, value in enumerate(conditions) if value)
-        made.ways.add((evaluated, values, outcome))
+        made.evaluations.add((evaluated, values, outcome))
     return made
 
 

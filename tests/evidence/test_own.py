@@ -1,0 +1,43 @@
+"""The evidence of a model of one's own, as a user makes it and exports it."""
+
+import json
+import shutil
+
+import pytest
+
+from boresight import BoresightError, export, generate
+from boresight.codegen import proof
+from boresight.evidence import own
+
+NAME = "pendulum.py:PENDULUM"
+
+
+@pytest.fixture
+def model(quickly, tmp_path, monkeypatch, request):
+    """The example in a folder of the user's, generated there."""
+    shutil.copy(request.config.rootpath / "examples" / "pendulum.py", tmp_path)
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(own, "QUICK", ("trace", "coverage"))
+    generate(NAME)
+    return tmp_path
+
+
+def test_it_is_made_kept_by_unit_and_exported(model, capsys):
+    folder = own.make_own(NAME, quick=True)
+    assert "not made of this C" in capsys.readouterr().out  # the other columns
+    kept = proof.kept(folder)
+    assert kept.keys() == {"trace", "coverage"} and "pd_F" in kept["coverage"]["units"]
+    own.make_own(NAME, quick=True)
+    assert "trace: kept" in capsys.readouterr().out
+    export(NAME, "c")
+    written = json.loads((model / "c" / "evidence.json").read_text())
+    assert written["evidence"] == kept and written["not_made"]["MISRA"] == "all"
+    path = model / "generated" / "pendulum" / "selftest" / "test_pd_F.c"
+    path.write_text(path.read_text() + "/* edited */\n")
+    with pytest.raises(BoresightError, match="run 'boresight generate"):
+        own.make_own(NAME, quick=True)
+
+
+def test_a_built_in_model_has_its_own(model):
+    with pytest.raises(BoresightError, match="'boresight export strapdown' writes it"):
+        own.make_own("strapdown")
