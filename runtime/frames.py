@@ -5,6 +5,7 @@ NED, ENU, NWU, ... for navigation.
 """
 
 from collections.abc import Sequence
+from itertools import permutations
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from boresight.runtime.array import Array
 
 BODY = {"F": (0, 1.0), "B": (0, -1.0), "R": (1, 1.0), "L": (1, -1.0), "D": (2, 1.0), "U": (2, -1.0)}
 NAVIGATION = {"N": (0, 1.0), "S": (0, -1.0), "E": (1, 1.0), "W": (1, -1.0), "D": (2, 1.0), "U": (2, -1.0)}
+AXES = ("front", "right", "down")
 ANGLES = ("roll", "pitch", "yaw")
 
 
@@ -31,14 +33,60 @@ def navigation_to_ned(frame: str) -> Array:
 
 
 def _triad(frame: str, letters: dict[str, tuple[int, float]], kind: str, examples: str) -> Array:
+    T = _signed(frame, letters)
+    if np.linalg.det(T) != 1.0:
+        text = f"{frame!r} is not a right-handed {kind} frame; name its three axes, as {examples}"
+        if np.linalg.det(T) == -1.0 and kind == "navigation":
+            order = " ".join(WORDS[letter] for letter in frame)
+            text += f'; where columns are in this order, keep a right-handed frame and add order = "{order}" to them'
+        raise BoresightError(text)
+    return T
+
+
+WORDS = {"N": "north", "S": "south", "E": "east", "W": "west", "U": "up", "D": "down",
+         "F": "front", "B": "back", "R": "right", "L": "left"}  # fmt: skip
+
+
+def columns_to_ned(order: str) -> Array:
+    """(3, 3) matrix that takes columns in an order such as "north east up", left-handed or not, to NED."""
+    return _columns(order, NAVIGATION, "north east up")
+
+
+def columns_to_frd(order: str) -> Array:
+    """(3, 3) matrix that takes columns in an order such as "front right up", left-handed or not, to FRD."""
+    return _columns(order, BODY, "front right up")
+
+
+def _signed(frame: str, letters: dict[str, tuple[int, float]]) -> Array:
+    """(3, 3) of the signs of three letters; of no full rank where they are not three axes."""
     T = np.zeros((3, 3))
     if len(frame) == 3 and set(frame) <= set(letters):
         for column, letter in enumerate(frame):
             row, sign = letters[letter]
             T[row, column] = sign
-    if np.linalg.det(T) != 1.0:
-        raise BoresightError(f"{frame!r} is not a right-handed {kind} frame; name its three axes, as {examples}")
     return T
+
+
+def _columns(order: str, letters: dict[str, tuple[int, float]], example: str) -> Array:
+    known = {WORDS[letter]: letter for letter in letters}
+    T = _signed("".join(known.get(word, "?") for word in order.lower().split()), letters)
+    if abs(np.linalg.det(T)) != 1.0:
+        raise BoresightError(
+            f"the order {order!r} must name three different axes, as {example!r}; of {', '.join(known)}"
+        )
+    return T
+
+
+def every_body() -> dict[str, Array]:
+    """The 24 right-handed body frames by name, each with its matrix to FRD."""
+    names = ["".join(name) for name in permutations(BODY, 3)]
+    return {name: body_to_frd(name) for name in names if np.linalg.det(_signed(name, BODY)) == 1.0}
+
+
+def every_order() -> dict[str, Array]:
+    """The 48 orders of columns by name, as "north east up", each with its matrix to NED."""
+    signed = {name: _signed("".join(name), NAVIGATION) for name in permutations(NAVIGATION, 3)}
+    return {" ".join(WORDS[letter] for letter in name): T for name, T in signed.items() if np.linalg.det(T) != 0.0}
 
 
 def euler_from_angles(

@@ -10,8 +10,9 @@ import numpy as np
 from boresight.errors import BoresightError, did_you_mean
 from boresight.runtime import frames, rotation
 from boresight.runtime.array import Array
-from boresight.runtime.recording import motion, patterns, tags
+from boresight.runtime.recording import axes, motion, patterns, tags
 from boresight.runtime.recording.delay import attitude_steps, clocks_apart, drift
+from boresight.runtime.recording.rows import wild
 from boresight.runtime.recording.types import Finding, Inertial, Master, Recording
 from boresight.runtime.units import ARCMIN, DEG, FOOT, HOUR, UNITS
 from boresight.runtime.units import STANDARD_GRAVITY as G
@@ -55,7 +56,8 @@ def check(recording: Recording) -> list[Finding]:
         raise BoresightError(
             f"{recording.name}: allow: {unknown[0]!r} is no judgement of the check{close}; there are {', '.join(NAMES)}"
         )
-    out = [Finding("note", "recording", note) for note in recording.notes]
+    out = [Finding("warning", "recording", line) for line in recording.left_out]
+    out += [Finding("note", "recording", note) for note in recording.notes]
     out += _check_time("imu", recording.imu.time, gap_level="error")
     out += _check_finite("imu", gyro=recording.imu.gyro, accel=recording.imu.accel)
     master = recording.master
@@ -69,6 +71,10 @@ def check(recording: Recording) -> list[Finding]:
     parts += [part for part in vars(master).values() if part is not None] if master else []
     times = [recording.imu.time] + ([master.time] if master else [])
     if all(np.isfinite(part).all() for part in parts) and all((np.diff(time) > 0).all() for time in times):
+        if (spoilt := wild(*recording.imu.rates())).any():
+            many = "1 sample is" if spoilt.sum() == 1 else f"{spoilt.sum()} samples are"
+            text = f"{many} beyond any sensor's range, first row {np.argmax(spoilt)}: spoilt"
+            return [*out, Finding("error", "imu", f'{text}; bad_rows = "drop" leaves them out')]
         out += patterns.of_samples(recording.imu)
         still = patterns.of_master(recording.imu, master) if master else []
         out += still
@@ -76,11 +82,33 @@ def check(recording: Recording) -> list[Finding]:
         if master and not any(one.name == "still" for one in still):
             out += _check_master(master)
             out += _check_pair(recording.imu, master, calibrated="gyro_bias" in recording.reference)
+    out = _proposed(out, recording)
     out = [
         Finding("warning", f.where, f"{f.text} (allowed: {f.name})", f.name) if f.name in recording.allow else f
         for f in out
     ]
+    out = [replace(f, name="") if f.name == "side" else f for f in out]
     return sorted(out, key=lambda finding: ("error", "warning", "note").index(finding.level))
+
+
+def _proposed(findings: list[Finding], recording: Recording) -> list[Finding]:
+    """The findings, with the axes beside them in which the columns would fit."""
+    imu, master = recording.imu, recording.master
+    names = {one.name for one in findings if one.level == "error" or one.name == "side"}
+    if names & axes.NAMES and "imu" in recording.axes and not names & {"norm", "clock", "still"}:
+        M = recording.axes["imu"]
+        force = imu.rates()[1].mean(axis=0) @ M
+        _, slave, turn = attitude_increments(imu, master) if master else (None, None, None)
+        fits = axes.bodies(force, None if slave is None else slave @ M, turn)
+        declared = next(name for name, one in frames.every_body().items() if np.array_equal(one, M))
+        findings = axes.proposed(findings, axes.of_body(force, fits, declared), axes.NAMES)
+    if "path" in names and "velocity" in recording.axes and master and master.v_n is not None:
+        T = recording.axes["velocity"]
+        fits = axes.orders(master, master.v_n @ T)
+        declared = next(name for name, one in frames.every_order().items() if np.array_equal(one, T))
+        if fits and declared not in fits:
+            findings = axes.proposed(findings, f'order = "{fits[0]}" beside the velocity fits', {"path"})
+    return findings
 
 
 def shown(recording: Recording, *, as_json: bool = False) -> int:
@@ -99,11 +127,11 @@ def _check_time(where: str, time: Array, gap_level: Literal["warning", "error"])
     where = f"{where}.time"
     if not np.isfinite(time).all():
         rows = np.flatnonzero(~np.isfinite(time))
-        text = f"{len(rows)} tags are missing or not finite, first in row {rows[0]}; remove those rows"
+        text = f'{len(rows)} tags are missing or not finite, first in row {rows[0]}; bad_rows = "drop" leaves them out'
         return [Finding("error", where, text)]
     step = np.diff(time)
     out = []
-    if text := tags.disorder(time):
+    if text := tags.disorder(time, where):
         out.append(Finding("error", where, text))
     elif text := tags.coarse(time):
         advice = 'write them in double precision, or say clock = "regular"'
@@ -119,6 +147,10 @@ def _check_time(where: str, time: Array, gap_level: Literal["warning", "error"])
             advice = (
                 f'; bridge them (bridge = "{np.ceil(lost * 1e3 - 1e-6):g} ms"), or cut the recording there (from, to)'
             )
+        far = np.flatnonzero(step > max(60.0, 1000 * dt))
+        if len(far) and len(far) <= 3:
+            set_by = ", ".join(tags.set_by(time[k], step[k] - dt) for k in far)
+            advice += f"; or, if the clock was set and nothing is missing, steps = [{set_by}] in {where}"
         # As many tags are too near as are too far: they scatter, and nothing is missing.
         if np.sum(step < 0.5 * dt) > gap.sum() / 2 > 1:
             advice = '; the tags scatter: if the clock is regular, say so (clock = "regular")'
@@ -137,8 +169,8 @@ def _check_finite(where: str, **parts: Array | None) -> list[Finding]:
     for name, part in parts.items():
         if part is not None and not np.isfinite(part).all():
             rows = np.flatnonzero(~np.isfinite(part).all(axis=1))
-            remedy = "remove or bridge them" if where == "imu" else "remove them"
-            text = f"{len(rows)} rows are not finite, first row {rows[0]}; {remedy}"
+            remedy = "bridge them, or " if where == "imu" else ""
+            text = f'{len(rows)} rows are not finite, first row {rows[0]}; {remedy}bad_rows = "drop" leaves them out'
             out.append(Finding("error", f"{where}.{name}", text))
     return out
 
@@ -173,6 +205,10 @@ def _check_imu(imu: Inertial, master: Master | None) -> list[Finding]:
     if 0.8 * G < norm < 1.2 * G and down > 0.5 * G:
         text = f"the mean specific force along body down is {down:+.3f} m/s^2; at rest it is -{G:.2f}"
         out.append(Finding("error", "imu.accel", text + ": check imu.body or the sign", "down"))
+    side = int(np.argmax(np.abs(f.mean(axis=0))))
+    if master is None and 0.8 * G < norm < 1.2 * G and side != 2:
+        text = f"the mean specific force is along {frames.AXES[side]}: it lies on its side, or imu.body is another one"
+        out.append(Finding("warning", "imu.accel", text, "side"))
     fastest = float(np.abs(gyro).max())
     typical = float(np.median(np.linalg.norm(gyro, axis=1)))
     if fastest > 70 or typical > 5:
@@ -290,7 +326,7 @@ def _check_velocity(master: Master) -> list[Finding]:
     fallen, sunk = fallen - fallen.mean(), height.mean() - height
     if np.std(fallen) > 1.0 and np.std(sunk + fallen) < np.std(sunk - fallen) / 3:
         text = f"the height goes against the vertical velocity, which alone moves by {np.ptp(fallen):.1f} m"
-        hint = ": check which of them is up and which down (in metres all axes are those of navigation)"
+        hint = ': check which of them is up and which down; order = "north east up" beside its columns says so'
         return [Finding("error", "master.position", text + hint, "path")]
     level = np.linalg.norm(moved[:2])
     if level > 20 and np.linalg.norm(np.cross(moved, summed)) < 0.05 * np.linalg.norm(moved) * np.linalg.norm(summed):
@@ -342,7 +378,10 @@ def _check_steps(master: Master) -> list[Finding]:
         text = (
             f"the master's clock steps by {dt[k] - usual:+.3f} s at {master.time[k]:.3f} s{tags.apart(dt[k] - usual)}"
         )
-        text += ", while the position goes on; bring both parts to one clock, or cut the recording there (from, to)"
+        steps = tags.set_by(float(master.time[k]), float(dt[k] - usual))
+        text += (
+            f", while the position goes on; steps = [{steps}] in master.time takes it off, or cut it there (from, to)"
+        )
         return [Finding("error", "master.time", text, "clock")]
     if dt[k] > 3 * usual:
         return []
@@ -391,7 +430,8 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
     if common <= 0:
         spans = f"{master.time[0]:.3f} to {master.time[-1]:.3f} s, imu {start[0]:.3f} to {end[-1]:.3f} s"
         off = master.time[0] - start[0]
-        text = f"master {spans}: no overlap, {off:+.3f} s apart{tags.apart(off)}; bring both to one clock"
+        known = f": {tags.shift(off)}" if tags.apart(off) else " (shift in master.time)"
+        text = f"master {spans}: no overlap, {off:+.3f} s apart{tags.apart(off)}; bring both to one clock{known}"
         return [Finding("error", "master.time", text)]
     out, delay = _check_clocks(imu, master)
     if any(one.level == "error" for one in out):
@@ -465,7 +505,7 @@ def _check_clocks(imu: Inertial, master: Master) -> tuple[list[Finding], float]:
         )
         text += f" the turns fit {gain:.3g} times better"
         if abs(delay) > 0.5:
-            return [Finding("error", "master.time", text, "clock")], delay
+            return [Finding("error", "master.time", f"{text}: {tags.shift(delay)}", "clock")], delay
         return [Finding("warning", "master.time", f"{text}; or replay with --delay-ms {delay * 1e3:.0f}")], delay
     slope, sigma, seconds = drift(imu, master)
     if abs(slope) > 8 * sigma and abs(slope) * seconds > 5e-3:

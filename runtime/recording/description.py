@@ -34,18 +34,35 @@ class Attitude(Column):
 
 
 class Velocity(Column):
-    """axes: of [master] navigation, or of [master] body."""
+    """axes: of [master] navigation, or of [master] body; order: of the columns, where it is another one."""
 
     axes: Literal["navigation", "body"] = "navigation"
+    order: str | None = None
 
 
 class Position(Column):
-    """Latitude, longitude and height in this order; `unit` is that of the angles.
+    """Latitude, longitude and height in this order, or in `order`; `unit` is that of the angles.
 
     Where `unit` is one of length: metres in the axes of [master] navigation from [master] origin.
     """
 
     height_unit: str = "m"
+    order: str | None = None
+
+
+class Step(Part):
+    """A clock that was set: what to take off all tags that follow a tag, as `--check` shows it."""
+
+    after: float | str
+    by: float | str
+
+
+class Time(Column):
+    """wraps: the time after which a counter begins at 0 again; shift: what is added to every tag."""
+
+    wraps: float | str | None = None
+    steps: list[Step] = []
+    shift: float | str = 0.0
 
 
 class Origin(Part):
@@ -62,21 +79,30 @@ class Source(Part):
     file: str | None = None
 
 
-class ImuPart(Source):
+class Timed(Source):
+    """Where rows stand in time: by tags, or by a rate from `start` on; and rows that are none of the sensor's."""
+
+    time: Time | None = None
+    rate: float | str | None = None
+    start: float | str = 0.0
+    clock: Literal["as tagged", "regular"] = "as tagged"
+    repeats: Literal["keep", "drop"] = "keep"
+    interpolated_from: float | str | None = None
+
+
+class ImuPart(Timed):
     kind: Literal["rates", "increments"]
     time_marks: Literal["start", "middle", "end", "point"]
     body: str
-    clock: Literal["as tagged", "regular"] = "as tagged"
-    time: Column
+    interval: Column | None = None  # of increments: what each of them covers, where tags are further apart
     gyro: Column
     accel: Column
     temperature: Column | None = None
 
 
-class MasterPart(Source):
+class MasterPart(Timed):
     body: str
     navigation: str
-    time: Column
     attitude: Attitude
     velocity: Velocity | None = None
     position: Position | None = None
@@ -131,7 +157,8 @@ class Description(Part):
     file: str | None = None
     delimiter: str = ","
     decimal: Literal[".", ","] = "."
-    header: bool = True
+    header: bool | int = True  # or how many lines it has
+    bad_rows: Literal["refuse", "drop"] = "refuse"
     begin: float | datetime | str | None = Field(None, alias="from")
     end: float | datetime | str | None = Field(None, alias="to")
     bridge: float | str = 0.0
@@ -172,6 +199,8 @@ def keys(place: list[str]) -> list[str]:
     """What may stand at a place of a description, as ["imu", "gyro"]."""
     part: Any = Description
     for name in place:
+        if name.isdigit():  # of a list
+            continue
         kind = part.model_fields[name].annotation
         part = next((one for one in get_args(kind) if one is not type(None)), kind)
     return [field.alias or name for name, field in part.model_fields.items()]

@@ -4,11 +4,11 @@ from typing import Literal
 
 import numpy as np
 
+from boresight.runtime import frames
 from boresight.runtime.array import Array
 from boresight.runtime.recording.types import Finding, Inertial, Master
 from boresight.runtime.units import DEG
 
-AXES = ("front", "right", "down")
 LONGEST = 30  # rows
 
 
@@ -40,17 +40,19 @@ def of_samples(imu: Inertial) -> list[Finding]:
     copied, rows = _together(same[measured[1:]])
     if between > 0.3:
         text = f"{between:.0%} of the samples lie on the line between their neighbours: interpolated from about "
-        text += f"{rate * (1 - between):.3g} Hz; write the samples as the sensor gave them"
+        from_hz = f"{rate / round(1 / (1 - between)) if between < 0.99 else rate * (1 - between):.4g} Hz"
+        text += f'{from_hz}; interpolated_from = "{from_hz}" in imu keeps the samples of the sensor'
         out.append(Finding("error", "imu", text, "interpolated"))
     elif copied > 0.3:
         text = f"{copied:.0%} of the samples repeat the one before: the slave is held at {rate * (1 - copied):.3g} Hz"
-        out.append(Finding("error", "imu", f"{text}; write each sample once, with its own tag", "copies"))
+        out.append(Finding("error", "imu", f'{text}; repeats = "drop" in imu keeps each sample once', "copies"))
     elif copied:
         first = imu.time[1:][measured[1:]][int(np.argmax(rows))]
         text = f"{rows.sum()} samples are copies of the one before, the first at {first:.3f} s: lost ones filled in"
-        out.append(Finding("error", "imu", f"{text}; leave these rows out, and bridge the gaps (bridge)", "copies"))
+        advice = f'repeats = "drop" in imu leaves them out, and bridge = "{1e3 / rate:.3g} ms" fills the gaps'
+        out.append(Finding("error", "imu", f"{text}; {advice}", "copies"))
     for name, sensor in (("gyro", imu.rates()[0]), ("accel", imu.rates()[1])):
-        for axis, label in enumerate(AXES):
+        for axis, label in enumerate(frames.AXES):
             out += _clipped(f"imu.{name}", label, sensor[1:, axis][~same.all(axis=1)], name)
     return out
 
@@ -82,7 +84,7 @@ def of_master(imu: Inertial, master: Master) -> list[Finding]:
     if 0.3 < held < 0.97:
         rate = 1 / float(np.median(np.diff(master.time)))
         text = f"{held:.0%} of its rows repeat the one before: it is held at {rate * (1 - held):.3g} Hz"
-        out.append(Finding("error", "master", f"{text}; write each row once, with its own time", "copies"))
+        out.append(Finding("error", "master", f'{text}; repeats = "drop" in master keeps each row once', "copies"))
     degrees = np.degrees(master.euler)
     for step in (1.0, 0.5, 0.1):
         places = degrees / step

@@ -16,16 +16,17 @@ from boresight.errors import BoresightError, did_you_mean, need
 from boresight.runtime import frames, rotation
 from boresight.runtime.array import Array
 from boresight.runtime.calibration import Calibration
-from boresight.runtime.recording import times
+from boresight.runtime.recording import rows, tags, times
 from boresight.runtime.recording.check import check
 from boresight.runtime.recording.mend import bridged, joined
-from boresight.runtime.recording.tables import kind_of, table
+from boresight.runtime.recording.tables import Table, kind_of, layout, table
 from boresight.runtime.recording.types import Inertial, Master, Recording
 from boresight.runtime.units import UNITS, quantity
 
 if TYPE_CHECKING:
-    from boresight.runtime.recording.description import Column, Description, Known, MasterPart
+    from boresight.runtime.recording.description import Column, Description, Known, MasterPart, Timed
 
+PLACE = ("latitude", "longitude", "altitude", "ref_lat", "ref_lon", "ref_alt")  # fields that say where an origin is
 BUILT_IN = Path(__file__).parent / "built_in"
 EXAMPLE = Path(__file__).parent / "example" / "simulated.npz"  # its truth is known; made by a simulator of flights
 
@@ -150,7 +151,7 @@ def _read(
     """What `read` returns, unjudged.  join: rates at instants become increments between them."""
     from boresight.runtime.recording import description
 
-    tables: dict[Path, dict[str, Array]] = {}
+    tables: dict[Path, Table] = {}
     if found.suffix == ".toml":
         described = description.load(found)
         default = _beside(found, described.file) if described.file else None
@@ -170,17 +171,20 @@ def _read(
         file = _beside(found, section.file) if section.file else default
         if file is None:
             raise BoresightError(f'{found}: no data file is named; add file = "NAME" at the top or in each section')
+        text = (described.delimiter, described.decimal, described.header)
         if file not in tables:
-            tables[file] = table(
-                file, delimiter=described.delimiter, decimal=described.decimal, header=described.header
-            )
-        return _Source(file, tables[file])
+            tables[file] = table(file, *text, bad_rows=described.bad_rows)
+        return _Source(file, tables[file], text)
 
     at = source(described.imu)
-    since = at.epoch("imu.time", described.imu.time)
+    since = at.epoch("imu.time", described.imu.time) if described.imu.time and not described.imu.rate else 0
     notes = [f"times count from {times.shown(since)}, if the file's count from 1970"] if since else []
-    imu = _imu(described, at, since, notes)
-    master = _master(described, source(described.master), since, notes) if described.master else None
+    left_out: list[str] = []
+    imu = _imu(described, at, since, notes, left_out)
+    master = None
+    if described.master:
+        master = _master(described, source(described.master), imu.time, since, notes, left_out)
+    left_out = [line for held in tables.values() for line in held.left_out] + left_out
     span = [
         times.instant(value, since, f"{found}: {key}") if value is not None else None
         for key, value in (
@@ -193,7 +197,12 @@ def _read(
         imu, master = _cut(found, imu, master, low, high)
         notes.append(f"cut to {imu.time[0]:.3f} s to {imu.time[-1]:.3f} s")
     if regular or described.imu.clock == "regular":
-        imu, line = _fitted(imu)
+        time, line = _fitted("imu", imu.time)
+        imu = replace(imu, time=time)
+        notes.append(line)
+    if master and described.master and described.master.clock == "regular":
+        time, line = _fitted("master", master.time)
+        master = replace(master, time=time)
         notes.append(line)
     limit = described.bridge if bridge is None else bridge
     limit = float(quantity(limit, "time")[0]) if isinstance(limit, str) else limit
@@ -214,6 +223,8 @@ def _read(
         reference=_reference(described, source(described.reference)) if described.reference else {},
         epoch=since,
         notes=tuple(notes),
+        left_out=tuple(left_out),
+        axes=_named_axes(described),
         allow=(*described.allow, *allow),
         noise=described.noise.model_dump(exclude_none=True) if described.noise else {},
         temperature=_temperature(described.imu, at, since),
@@ -231,11 +242,22 @@ def template(path: str | None = None) -> str:
     columns = table(found)
     maps = [file for file in sorted(BUILT_IN.glob("*.toml")) if kind_of(found) in description.load(file).serves]
     described = (maps[0] if maps else BUILT_IN / "template.toml").read_text(encoding="utf-8")
+    if (lines_of := described.find("[master.origin]")) >= 0 and not all(
+        name in columns for name in _origins(described)
+    ):
+        described = (
+            described[:lines_of] + "[master.origin]\nlatitude = 47.4                  # deg, where it was: yours\n"
+        )
     held = [f"#   {name} {'x'.join(map(str, values.shape))}" for name, values in columns.items()]
     lines = [line for line in described.splitlines() if not line.startswith(("serves", "file"))]
     named = [f'file = "{found.name}"', ""]
     at = next(i for i, line in enumerate(lines) if line.startswith("["))
     return "\n".join([*lines[:at], *named, *lines[at:], "", f"# What {found.name} holds:", *held, ""])
+
+
+def _origins(described: str) -> list[str]:
+    """The columns of an origin in a map of topics, where it stands last."""
+    return [line.split('"')[1] for line in described.partition("[master.origin]")[2].splitlines() if '"' in line]
 
 
 def _beside(description: Path, file: str) -> Path:
@@ -259,6 +281,11 @@ def _built_in(path: Path, columns: dict[str, Array]) -> "Description":
                 return described
     toml = path.with_suffix(".toml").name
     lacks = f"it lacks {lacking[0]}" if lacking else "its columns are not described"
+    if lacking and all("/" in name and name.rpartition("/")[2] in PLACE for name in lacking):
+        lacks += ", and so no place; with origin = { latitude = 47.4 } (deg, where it was) in place of [master.origin]"
+        toml = path.with_suffix(".toml").name
+        begins = f"'boresight replay --template {path.name}' begins {toml}, with that line to be filled in"
+        raise BoresightError(f"{path}: {lacks} it flies: {begins}")
     raise BoresightError(
         f"{path}: {lacks}; write {toml} beside it: 'boresight replay --template {path.name}' begins it"
     )
@@ -269,23 +296,52 @@ def _built_in(path: Path, columns: dict[str, Array]) -> "Description":
 
 @dataclass(frozen=True)
 class _Source:
-    """A file's columns."""
+    """A file's columns; text: delimiter, decimal and header that a file of text was read with."""
 
     path: Path
     table: dict[str, Array]
+    text: tuple[str, str, bool | int] = (",", ".", True)
 
     def array(self, what: str, name: str) -> Array:
-        # A column of a matrix may be named as "imu[0]": that is how mat files are usually laid out.
+        # A column of a matrix may be named as "imu[0]", its row as "imu.T[0]": so mat files are usually laid out.
         base, _, index = name.partition("[") if name not in self.table else (name, "", "")
+        turned = base not in self.table and base.endswith(".T")
+        base = base.removesuffix(".T") if turned else base
         if base not in self.table:
-            raise BoresightError(f"{self.path}: {what}: there is no column {name!r}; {self._has(name)}")
-        values = self.table[base]
+            hint = layout(self.path, *self.text)
+            raise BoresightError(f"{self.path}: {what}: there is no column {name!r}; {hint or self._has(name)}")
+        values = self.table[base].T if turned else self.table[base]
         if index:
             number = index.rstrip("]")
             if values.ndim != 2 or not number.isdecimal() or int(number) >= values.shape[1]:
-                raise BoresightError(f"{self.path}: {what}: {name!r} does not exist: {base} has shape {values.shape}")
+                advice = ""
+                if values.ndim == 2 and number.isdecimal() and int(number) < values.shape[0]:
+                    advice = f'; samples run along its second axis: write "{base}.T[{number}]"'
+                text = f"{name!r} does not exist: {base} has shape {values.shape}{advice}"
+                raise BoresightError(f"{self.path}: {what}: {text}")
             values = values[:, int(number)]
         return values
+
+    def number(self, what: str, name: str) -> float:
+        """The first finite number of a column."""
+        values = np.ravel(self.numbers(what, name).astype(float))
+        values = values[np.isfinite(values)]
+        if len(values) == 0:
+            raise BoresightError(f"{self.path}: {what}: {name!r} holds no number; give one")
+        return float(values[0])
+
+    def rate(self, what: str, rate: float | str) -> float:
+        """Hz: a number, a quantity, or a number of the file."""
+        if isinstance(rate, str) and (rate in self.table or " " not in rate.strip()):
+            return rows.positive(self.number(what, rate), f"{self.path}: {what}", "frequency")
+        return rows.positive(rate, f"{self.path}: {what}", "frequency")
+
+    def no_time(self, section: str) -> BoresightError:
+        """What to write where there are no tags, with a rate that the file holds."""
+        held = [name for name, values in self.table.items() if np.size(values) == 1 and _of_rates(name)]
+        found = f'rate = "{self.number(section, held[0]):.6g} Hz" ({held[0]!r} holds it)' if held else 'rate = "100 Hz"'
+        text = "has no time: name its column, time = { columns = ..., unit = ... }; or, where the file has none and "
+        return BoresightError(f"{self.path}: {section} {text}the samples are regular, {found}")
 
     def _has(self, name: str) -> str:
         """What there is: the fields of the topic, else the topics, else the columns."""
@@ -300,7 +356,8 @@ class _Source:
     def numbers(self, what: str, name: str) -> Array:
         values = self.array(what, name)
         if not (np.issubdtype(values.dtype, np.number) and np.isrealobj(values)):
-            raise BoresightError(f"{self.path}: {what}: column {name!r} is not numeric; {_advice(values)}")
+            hint = layout(self.path, *self.text) or _advice(values)
+            raise BoresightError(f"{self.path}: {what}: column {name!r} is not numeric; {hint}")
         return values
 
     def column(self, what: str, column: "Column", kind: str, width: int) -> Array:
@@ -308,10 +365,14 @@ class _Source:
         factor = self.factor(what, column.unit, kind)
         names = [column.columns] if isinstance(column.columns, str) else column.columns
         parts = [self.numbers(what, name).astype(float) for name in names]
+        parts = [part.ravel() if len(parts) > 1 and 1 in part.shape[1:] else part for part in parts]
         out = np.stack(parts, axis=-1) if len(parts) > 1 and len({p.shape for p in parts}) == 1 else parts[0]
         if out.ndim != 2 or out.shape[1] != width or len(parts) not in (1, width):
             shapes = ", ".join(f"{name} {part.shape}" for name, part in zip(names, parts, strict=True))
-            raise BoresightError(f"{self.path}: {what} needs {width} columns of one length; found {shapes}")
+            advice = ""
+            if len(parts) == 1 and out.ndim == 2 and out.shape[0] == width:
+                advice = f'; samples run along its second axis: write "{names[0]}.T"'
+            raise BoresightError(f"{self.path}: {what} needs {width} columns of one length; found {shapes}{advice}")
         return out * factor
 
     def factor(self, what: str, unit: str, kind: str) -> float:
@@ -323,7 +384,7 @@ class _Source:
             )
         return UNITS[kind][unit]
 
-    def tags(self, what: str, column: "Column") -> Array:
+    def stamps(self, what: str, column: "Column") -> Array:
         """(N,) the column of time as it stands in the file."""
         if column.unit != times.ISO:
             self.factor(what, column.unit, "time")
@@ -336,13 +397,13 @@ class _Source:
 
     def epoch(self, what: str, column: "Column") -> int:
         try:
-            return times.epoch(self.tags(what, column), column.unit)
+            return times.epoch(self.stamps(what, column), column.unit)
         except BoresightError as error:
             raise self._here(what, error) from None
 
     def time(self, what: str, column: "Column", since: int) -> Array:
         """(N,) s since the recording's epoch."""
-        values = self.tags(what, column)
+        values = self.stamps(what, column)
         own = self.epoch(what, column)
         if bool(own) != bool(since):
             dates = (what, "imu.time") if own else ("imu.time", what)
@@ -359,7 +420,11 @@ class _Source:
         for name, part in parts.items():
             if part is not None and len(part) != len(time):
                 text = f"{section}.{name} has {len(part)} rows and {section}.time {len(time)}"
-                raise BoresightError(f"{self.path}: {text}; they must agree, or {name} has a time of its own")
+                wide = [key for key, held in self.table.items() if held.shape == (len(part), len(time))]
+                advice = f"they must agree, or {name} has a time of its own"
+                if wide:
+                    advice = f'{wide[0]} is {len(part)} x {len(time)}: write "{wide[0]}.T[0]" for its first row'
+                raise BoresightError(f"{self.path}: {text}; {advice}")
         if len(time) < 2:
             raise BoresightError(f"{self.path}: {section}.time has {len(time)} rows; at least 2 are needed")
 
@@ -383,6 +448,12 @@ class _Source:
         return values * factor
 
 
+def _of_rates(name: str) -> bool:
+    """Whether a name is one that people give to a sampling rate."""
+    words = name.lower().replace("/", "_").replace("-", "_").split("_")
+    return bool({"rate", "fs", "hz", "frequency", "freq", "samplingrate", "samplerate"} & set(words))
+
+
 def _advice(values: Array) -> str:
     """What text in a column of numbers hints at."""
     if not values.size:
@@ -392,31 +463,37 @@ def _advice(values: Array) -> str:
         return f'it begins with {first!r}: decimal = "," reads it'
     if first[:4].isdigit() and ("-" in first or ":" in first):
         return f'it begins with {first!r}: unit = "iso" reads dates'
-    for row, value in enumerate(values):
+    text = []
+    for row, value in enumerate(values.tolist()):
         try:
             float(value)
         except (TypeError, ValueError):
-            return f"row {row} holds {value!r}; remove the text from it"
+            text.append(row)
+    if text and len(text) < len(values) / 2:
+        more = f", and {len(text) - 1} more such rows" if len(text) > 1 else ""
+        return f'row {text[0]} holds {values[text[0]]!r}{more}; remove them, or bad_rows = "drop" leaves them out'
     return f'it begins with {first!r}: decimal = "." reads it'
 
 
 # ---------------------------------------------------------------- sections
 
 
-def _imu(described: "Description", at: _Source, since: int, notes: list[str]) -> Inertial:
+def _imu(described: "Description", at: _Source, since: int, notes: list[str], left_out: list[str]) -> Inertial:
     part = described.imu
     kinds = ("angular rate", "acceleration") if part.kind == "rates" else ("angle", "velocity")
     if part.kind == "increments" and part.time_marks == "point":
         raise BoresightError(f"{at.path}: imu.time_marks: an increment has no instant; use start, middle or end")
     to_frd = _framed(at, "imu.body", frames.body_to_frd, part.body)
-    time = at.time("imu.time", part.time, since)
     values = {}
     for name, column, kind in (("gyro", part.gyro, kinds[0]), ("accel", part.accel, kinds[1])):
         values[name] = at.column(f"imu.{name}", column, kind, 3)
+        values[name][_absent(at, f"imu.{name}", column, len(values[name]), left_out)] = np.nan
+    time = _clock(at, "imu", part, len(values["gyro"]), since, notes)
+    for name, column in (("gyro", part.gyro), ("accel", part.accel)):
         if column.time is not None:
             if part.kind == "increments":
                 raise BoresightError(f"{at.path}: imu.{name}.time: increments cannot be moved to other tags; use rates")
-            own = _tagged(at, f"imu.{name}", column, part.time, since, values[name])
+            own, values[name] = _tagged(at, f"imu.{name}", column, part, since, values[name], slice(None), left_out)
             near = _near(own, time)
             values[name] = np.stack([np.interp(time, own, axis) for axis in values[name].T], axis=-1)
             values[name][~near] = np.nan
@@ -426,11 +503,58 @@ def _imu(described: "Description", at: _Source, since: int, notes: list[str]) ->
         inside = slice(int(np.argmax(both)), len(both) - int(np.argmax(both[::-1])))
         time, values = time[inside], {name: value[inside] for name, value in values.items()}
     at.same_length("imu", time, **values)
+    if part.interval is not None:
+        values = _own_intervals(at, part, time, values, notes)
     with np.errstate(invalid="ignore"):  # an infinite value is `check`'s to report
         gyro, accel = (value @ to_frd.T for value in values.values())
+    keep = rows.kept(part, "imu", described.bad_rows == "drop", time, np.hstack([gyro, accel]), left_out)
     # Samples at instants are joined once they are all there; until then only their tags count.
     marks = "end" if part.time_marks == "point" else part.time_marks
-    return Inertial(part.kind, marks, time, gyro, accel)
+    return Inertial("rates" if part.interval else part.kind, marks, time[keep], gyro[keep], accel[keep])
+
+
+def _clock(at: _Source, section: str, part: "Timed", count: int, since: int, notes: list[str]) -> Array:
+    """(N,) s: the tags of a section as its clock was meant, or those of its sampling rate."""
+    if part.rate is not None:
+        if part.time is not None:
+            raise BoresightError(f"{at.path}: {section} has a time and a rate; give one of them")
+        return rows.regular(part, section, count, at.rate(f"{section}.rate", part.rate), notes)
+    if part.time is None:
+        raise at.no_time(section)
+    return rows.mended(at.time(f"{section}.time", part.time, since), part.time, f"{section}.time", notes)
+
+
+def _own_intervals(at: _Source, part: Any, time: Array, values: dict[str, Array], notes: list[str]) -> dict[str, Array]:
+    """Increments as rates, by what each of them covers."""
+    if part.kind != "increments":
+        raise BoresightError(f"{at.path}: imu.interval is of increments, and these are rates; leave it out")
+    factor = at.factor("imu.interval", part.interval.unit, "time")
+    name = part.interval.columns
+    own = np.ravel(at.numbers("imu.interval", name if isinstance(name, str) else name[0]).astype(float)) * factor
+    at.same_length("imu", time, interval=own)
+    if not (own > 0).all():
+        raise BoresightError(
+            f"{at.path}: imu.interval: row {int(np.argmin(own > 0))} is {own.min():g} s; it must be > 0"
+        )
+    share = float(np.median(own)) / float(np.median(np.diff(time)))
+    text = f"increments cover {np.median(own) * 1e3:.4g} ms each, {share:.1%} of the time between tags"
+    notes.append(f"imu: {text}; made rates by their own interval")
+    return {name: value / own[:, None] for name, value in values.items()}
+
+
+def _absent(at: _Source, what: str, column: "Column", count: int, left_out: list[str]) -> Array:
+    """(N,) the rows of messages that say they have no such quantity: X_covariance[0] is -1, as ROS has it."""
+    name = column.columns
+    covariance = at.table.get(f"{name}_covariance") if isinstance(name, str) else None
+    if covariance is None or covariance.ndim != 2 or len(covariance) != count:
+        return np.zeros(count, bool)
+    absent: Array = covariance[:, 0] == -1
+    if absent.all():
+        text = f"{name} is given in no message ({str(name).rpartition('/')[2]}_covariance[0] = -1)"
+        raise BoresightError(f"{at.path}: {what}: {text}; name another topic, or leave this out")
+    if absent.any():
+        left_out.append(f"{what}: {absent.sum()} messages do not give it (its covariance[0] is -1)")
+    return absent
 
 
 def _temperature(part: Any, at: _Source, since: int) -> Array | None:
@@ -440,22 +564,42 @@ def _temperature(part: Any, at: _Source, since: int) -> Array | None:
     names = part.temperature.columns
     factor = at.factor("imu.temperature", part.temperature.unit, "temperature")
     values = at.numbers("imu.temperature", names if isinstance(names, str) else names[0]).astype(float) * factor
-    of = part.temperature.time or part.time.columns
-    time = at.time("imu.temperature.time", part.time.model_copy(update={"columns": of}), since)
+    if part.time is None or part.temperature.time is None:
+        time = _clock(at, "imu", part, len(values), since, [])
+    else:
+        time = at.time("imu.temperature.time", part.time.model_copy(update={"columns": part.temperature.time}), since)
     at.same_length("imu", time, temperature=values)
     both = np.column_stack([time, np.ravel(values)])
     return both[np.isfinite(both).all(axis=1)]
 
 
-def _tagged(at: _Source, what: str, column: "Column", of: "Column", since: int, values: Array) -> Array:
-    """(N,) s, a quantity's own tags."""
+def _tagged(
+    at: _Source,
+    what: str,
+    column: "Column",
+    section: "Timed",
+    since: int,
+    values: Array,
+    given: Any,
+    left_out: list[str],
+) -> tuple[Array, Array]:
+    """A quantity's own tags (N,) s, and its values at them: rows that are given, and once each."""
     assert column.time is not None
-    own = at.time(f"{what}.time", of.model_copy(update={"columns": column.time}), since)
+    if section.time is None:
+        raise BoresightError(f"{at.path}: {what}.time: the section has a rate and no time; give it a time")
+    of = section.time.model_copy(update={"columns": column.time})
+    own = rows.mended(at.time(f"{what}.time", of, since), of.model_copy(update={"steps": []}), f"{what}.time", [])
     if len(own) != len(values):
         raise BoresightError(f"{at.path}: {what} has {len(values)} rows and its time {len(own)}; they must agree")
+    own, values = own[given], values[given]
+    if (np.diff(own) <= 0).any():
+        twice = rows.twins(own, values)
+        own, values = own[~twice], values[~twice]
+        if twice.any():
+            left_out.append(f"{what}: {twice.sum()} equal rows, alike in every column, are left out")
     if len(own) < 2 or not (np.diff(own) > 0).all():
         raise BoresightError(f"{at.path}: {what}.time: the tags do not increase; sort the rows, keep one of each")
-    return own
+    return own, values
 
 
 def _near(own: Array, time: Array) -> Array:
@@ -466,37 +610,47 @@ def _near(own: Array, time: Array) -> Array:
     return near
 
 
-def _master(described: "Description", at: _Source, since: int, notes: list[str]) -> Master:
+def _master(
+    described: "Description", at: _Source, slave: Array, since: int, notes: list[str], left_out: list[str]
+) -> Master:
     part = described.master
     assert part is not None
     to_ned = _framed(at, "master.navigation", frames.navigation_to_ned, part.navigation)
     to_frd = _framed(at, "master.body", frames.body_to_frd, part.body)
-    time = at.time("master.time", part.time, since)
-    q = _attitude(at, part, to_ned, to_frd)
-    lost = ~np.isfinite(q).all(axis=1)  # `check`'s to report
-    q[lost] = [1.0, 0.0, 0.0, 0.0]
+    q, absent = _attitude(at, part, to_ned, to_frd, left_out)
+    time = _clock(at, "master", part, len(q), since, notes)
+    if part.time is not None:
+        time = rows.alike(time, slave, part.time, "master.time")
+    lost = ~np.isfinite(q).all(axis=1) & ~absent  # `check`'s to report
+    q[lost | absent] = [1.0, 0.0, 0.0, 0.0]
     velocity = None if part.velocity is None else at.column("master.velocity", part.velocity, "velocity", 3)
     position = None
     if part.position is not None:
         local = part.position.unit in UNITS["length"]
         position = at.column("master.position", part.position, "length" if local else "angle", 3)
         if local:
+            order = part.position.order
+            axes = _framed(at, "master.position", frames.columns_to_ned, order) if order else to_ned
             with np.errstate(invalid="ignore"):
-                position = _geodetic(at, part.origin, position @ to_ned.T, notes)
+                position = _geodetic(at, part.origin, position @ axes.T, notes)
         else:
+            position = position[:, _place_order(at, part.position.order)]
             factor = at.factor("master.position", part.position.height_unit, "length")
             position[:, 2] *= factor / UNITS["angle"][part.position.unit]
-    whole = np.ones(len(time), dtype=bool)
+    whole: Array = np.ones(len(time), dtype=bool)
+    if part.attitude.time is None and len(absent) == len(time):
+        whole &= ~absent
     moved = []
     for name, column in (("attitude", part.attitude), ("velocity", part.velocity), ("position", part.position)):
         if column is None or column.time is None:
             continue
-        values = {"attitude": q, "velocity": velocity, "position": position}[name]
+        values = {"attitude": np.column_stack([q, lost]), "velocity": velocity, "position": position}[name]
         assert values is not None
-        own = _tagged(at, f"master.{name}", column, part.time, since, values)
+        given = ~absent if name == "attitude" else slice(None)
+        own, values = _tagged(at, f"master.{name}", column, part, since, values, given, left_out)
         whole &= _near(own, time)
         if name == "attitude":
-            q, lost = _turned_between(own, values, time), np.interp(time, own, lost) > 0
+            q, lost = _turned_between(own, values[:, :4], time), np.interp(time, own, values[:, 4]) > 0
         else:
             values = np.stack([np.interp(time, own, axis) for axis in values.T], axis=-1)
             velocity, position = (values, position) if name == "velocity" else (velocity, values)
@@ -510,30 +664,58 @@ def _master(described: "Description", at: _Source, since: int, notes: list[str])
     if velocity is not None:
         assert part.velocity is not None
         with np.errstate(invalid="ignore"):
-            if part.velocity.axes == "body":
-                v_n = np.einsum("kij,kj->ki", rotation.matrix_from_quaternion(q), velocity @ to_frd.T)
-            else:
-                v_n = velocity @ to_ned.T
+            body = part.velocity.axes == "body"
+            axes = to_frd if body else to_ned
+            if part.velocity.order:
+                convert = frames.columns_to_frd if body else frames.columns_to_ned
+                axes = _framed(at, "master.velocity", convert, part.velocity.order)
+            v_n = velocity @ axes.T
+            if body:
+                v_n = np.einsum("kij,kj->ki", rotation.matrix_from_quaternion(q), v_n)
     if position is None and part.origin is not None:
         position = np.tile(_origin(at, part.origin), (len(time), 1))
         notes.append("master.position: taken as that of master.origin all the time")
     euler = rotation.euler_from_matrix(rotation.matrix_from_quaternion(q))
     euler[lost] = np.nan
     master = Master(time, euler, v_n, position)
-    return master if whole.all() else master.cut(whole)
+    master = master if whole.all() else master.cut(whole)
+    values = np.hstack([values for values in (master.euler, master.v_n, master.position) if values is not None])
+    keep = rows.kept(part, "master", described.bad_rows == "drop", master.time, values, left_out)
+    return master if keep.all() else master.cut(keep)
 
 
-def _attitude(at: _Source, part: "MasterPart", to_ned: Array, to_frd: Array) -> Array:
-    """(N, 4) quaternions FRD to NED from what the file has; nan where it has none."""
+def _place_order(at: _Source, order: str | None) -> list[int]:
+    """Where latitude, longitude and height stand among three columns."""
+    names = ["latitude", "longitude", "height"]
+    given = (order or " ".join(names)).lower().replace("altitude", "height").split()
+    if sorted(given) != sorted(names):
+        raise BoresightError(f"{at.path}: master.position: the order {order!r} must hold {', '.join(names)} once each")
+    return [given.index(name) for name in names]
+
+
+def _attitude(
+    at: _Source, part: "MasterPart", to_ned: Array, to_frd: Array, left_out: list[str]
+) -> tuple[Array, Array]:
+    """(N, 4) quaternions FRD to NED from what the file has, nan where it has none; where it says that there is none."""
     column = part.attitude
     if column.order in ("wxyz", "xyzw"):
         q = at.column("master.attitude", column, "quaternion", 4)
+        absent = _absent(at, "master.attitude", column, len(q), left_out)
+        zero = (q == 0).all(axis=1) & ~absent
+        if zero.all():
+            raise BoresightError(
+                f"{at.path}: master.attitude: every quaternion is 0 0 0 0: no orientation is given; name another column"
+            )
+        if zero.any():
+            left_out.append(f"master.attitude: {zero.sum()} quaternions are 0 0 0 0: no orientation is given there")
+        absent |= zero
+        q[absent] = np.nan
         if np.any(np.abs(np.linalg.norm(q, axis=1) - 1) > 0.01):
             raise BoresightError(f"{at.path}: master.attitude: the quaternions are not of length 1; check the columns")
         q = q if column.order == "wxyz" else np.roll(q, 1, axis=1)
         whole = np.isfinite(q).all(axis=1)
         q[whole] = rotation.quaternion_from_matrix(to_ned @ rotation.matrix_from_quaternion(q[whole]) @ to_frd.T)
-        return q
+        return q, absent
     # Angles are those of an aircraft in any axes, but somebody may have turned about the axes that are named.
     meant = f"{at.path}: master.attitude: three angles in {part.body} and {part.navigation}"
     if "B" in part.body:
@@ -549,7 +731,7 @@ def _attitude(at: _Source, part: "MasterPart", to_ned: Array, to_frd: Array) -> 
         )
     except BoresightError as error:
         raise BoresightError(f"{at.path}: master.attitude: {error}; or name a quaternion, wxyz or xyzw") from None
-    return rotation.quaternion_from_euler(euler)
+    return rotation.quaternion_from_euler(euler), np.zeros(len(euler), bool)
 
 
 def _turned_between(own: Array, q: Array, time: Array) -> Array:
@@ -567,11 +749,7 @@ def _origin(at: _Source, origin: Any) -> Array:
     for name in ("latitude", "longitude", "height"):
         value = getattr(origin, name)
         if isinstance(value, str):
-            values = np.ravel(at.numbers(f"master.origin.{name}", value).astype(float))
-            values = values[np.isfinite(values)]
-            if len(values) == 0:
-                raise BoresightError(f"{at.path}: master.origin.{name}: {value!r} holds no number; give one")
-            value = values[0]
+            value = at.number(f"master.origin.{name}", value)
         out.append(float(value))
     if abs(out[0]) > 90:
         raise BoresightError(f"{at.path}: master.origin.latitude is {out[0]:g} deg; it must be within +-90")
@@ -612,13 +790,19 @@ def _cut(path: Path, imu: Inertial, master: Master | None, low: float, high: flo
     return out, None if master is None else master.cut(within)
 
 
-def _fitted(imu: Inertial) -> tuple[Inertial, str]:
+def _fitted(where: str, time: Array) -> tuple[Array, str]:
     """The tags of a regular clock on their line."""
     from boresight.runtime.clock import regular  # not every recording needs SciPy's splines
 
-    line = regular(imu.time)
-    text = f"imu: tags of a regular clock of {1 / line.interval_s:.6g} Hz, put on its line; they scattered by "
-    return replace(imu, time=line.time), text + f"{line.jitter_s * 1e3:.3f} ms"
+    text = f"{where}: tags of a regular clock of {{:.6g}} Hz, put on its line; they scattered by {{:.3f}} ms"
+    if grain := tags.grain(time):
+        number = np.arange(len(time))
+        interval, begin = np.polyfit(number, time, 1)
+        line = begin + interval * number
+        if np.abs(time - line).max() <= grain:
+            return line, text.format(1 / interval, np.std(time - line) * 1e3)
+    fitted = regular(time)
+    return fitted.time, text.format(1 / fitted.interval_s, fitted.jitter_s * 1e3)
 
 
 def _calibrated(described: "Description", at: _Source, imu: Inertial, notes: list[str]) -> Inertial:
@@ -662,6 +846,16 @@ def _reference(described: "Description", at: _Source) -> dict[str, Array]:
         for name, known in given.items()
         if known is not None
     }
+
+
+def _named_axes(described: "Description") -> dict[str, Array]:
+    """The matrices of `Recording.axes`; those of a master without velocity in navigation axes are left out."""
+    axes = {"imu": frames.body_to_frd(described.imu.body)}
+    master = described.master
+    if master and master.velocity and master.velocity.axes == "navigation":
+        order = master.velocity.order
+        axes["velocity"] = frames.columns_to_ned(order) if order else frames.navigation_to_ned(master.navigation)
+    return axes
 
 
 def _framed(at: _Source, what: str, convert: Any, frame: str) -> Array:

@@ -3,6 +3,7 @@
 import numpy as np
 
 from boresight.runtime.array import Array
+from boresight.runtime.recording.rows import alone
 
 WIDTHS = (16, 24, 32)  # bits of counters
 TICKS = {"s": 1.0, "ms": 1e-3, "10 us": 1e-5, "us": 1e-6, "ns": 1e-9}
@@ -14,51 +15,92 @@ def listed(times: Array) -> str:
     return f"{shown} s" + (f" and {len(times) - 3} more" if len(times) > 3 else "")
 
 
-def disorder(time: Array) -> str:
-    """Why tags (N,) repeat or go backwards, and what to do; "" where they increase."""
+def disorder(time: Array, where: str = "time") -> str:
+    """Why tags (N,) of `where` repeat or go backwards, and what to write; "" where they increase."""
     step = np.diff(time)
     back, same = step < 0, step == 0
     if not (back | same).any():
         return ""
     usual = float(np.median(step[step > 0])) if (step > 0).any() else 0.0
     if digits := coarse(time):
-        return f"the tags have lost digits: {digits}; write them in double precision"
+        return f'the tags have lost digits: {digits}; write them in double precision, or say clock = "regular"'
     if not back.any():
         text = f"{same.sum()} tags are repeated at {listed(time[:-1][same])}"
-        return f"{text}; sort the rows and keep one for each instant"
+        advice = 'where the samples are regular and came in groups, clock = "regular"'
+        return f"{text}, with other values: sort the rows and keep one for each instant; or, {advice}"
     first = f"{back.sum()} tags go backwards after {listed(time[:-1][back])}"
     for bits in WIDTHS:
         for unit, tick in TICKS.items():
             span = 2.0**bits * tick
             if span > 4 * usual and (np.abs(step[back] + span - usual) < 0.6 * usual).all():
-                return f"{first}: a counter of {bits} bits wraps, in {unit}; add {span:g} s from there on, do not sort"
+                text = f'a counter of {bits} bits wraps, in {unit}: wraps = "{span:.10g} s" in {where}'
+                return f"{first}: {text}; do not sort"
+    lone = alone(time)
+    rest = np.diff(time[~lone])
+    if lone.any() and (rest > 0).all():
+        rows = ", ".join(map(str, np.flatnonzero(lone)[:3]))
+        text = f"{lone.sum()} tags stand off their neighbours (row {rows}): spoilt"
+        return f'{first}: {text}; bad_rows = "drop" leaves these rows out, do not sort'
+    for name, span in SPANS.items():
+        if (np.abs(step[back] + span - usual) < max(0.6 * usual, 1e-6)).all():
+            return f'{first}: {name}: wraps = "{span:g} s" in {where}; do not sort'
     ordered = np.sort(time)
     shuffled = np.abs(time - ordered) > 0
     if not same.any() and (np.diff(ordered) > 0.5 * usual).all() and (np.abs(step[back]) < 100 * usual).all():
         return f"{first}: {shuffled.sum()} rows are out of order; sort the rows"
     lost = float(-step[back].min() + usual)
-    return f"{first}: the clock was set back, by {lost:.6g} s; cut the recording there (from, to), do not sort"
+    steps = ", ".join(set_by(time[k], step[k] - usual) for k in np.flatnonzero(back)[:3])
+    text = f"the clock was set back, by {lost:.6g} s; cut the recording there (from, to), do not sort"
+    return f"{first}: {text}; or, if nothing is missing, steps = [{steps}] in {where}"
+
+
+SPANS = {"the time of a day begins at midnight": 86400.0, "the time of a week begins on Sunday": 604800.0,
+         "the time of an hour begins at its full": 3600.0, "the time of a minute begins at its full": 60.0}  # fmt: skip
+
+
+def set_by(after: float, by: float) -> str:
+    """A step of a clock, as a description has it."""
+    return f'{{ after = "{after:.6f} s", by = "{by:+.6g} s" }}'
 
 
 def coarse(time: Array) -> str:
-    """What tags in single precision have in common, or "".
+    """What tags in single precision have in common, or ""."""
+    least = grain(time)
+    return (
+        f"all differences are multiples of 2^{round(np.log2(least))} s, as in single precision (float32)"
+        if least
+        else ""
+    )
 
-    Their differences are whole multiples of 2^-k, though the interval is none.
-    """
+
+def grain(time: Array) -> float:
+    """s, of which all differences of tags are multiples: 2^-k, though the interval is none; 0 where there is none."""
     step = np.diff(time)
     if (step > 0).sum() < 10:
-        return ""
+        return 0.0
     kinds = np.unique(step)
     sizes = np.concatenate([kinds, np.diff(kinds)])
     least = float(sizes[sizes > 0].min())
     power = np.log2(least)
     usual = float(np.median(step[step > 0]))
     if power != round(power) or not usual / 16 < least or not (step % least == 0).all():
-        return ""
+        return 0.0
     # an interval of 2^-k itself is a healthy clock's
     if np.mean(step != np.median(step)) < 0.1:
-        return ""
-    return f"all differences are multiples of 2^{round(power)} s, as in single precision (float32)"
+        return 0.0
+    return least
+
+
+def shift(seconds: float) -> str:
+    """The key that brings a master to the slave's clock where it is so late, s."""
+    size = abs(seconds)
+    exact = [known for known in CLOCKS if abs(size - known) < 0.3]
+    if not exact and 0.4 < size / 3600 < 15:
+        exact = [round(size / 1800) * 1800.0]
+    if not exact and size > 0.9 and abs(size - round(size)) < 0.05:
+        exact = [float(round(size))]
+    value = -np.sign(seconds) * (exact[0] if exact else round(size, 3))
+    return f'shift = "{value:+.10g} s" in master.time'
 
 
 def apart(seconds: float) -> str:

@@ -106,6 +106,8 @@ class Recording:
     "misalignment" rad (mu, C_b2n = C_m2n exp([mu x])), "lever_arm" m (master to slave); each (3,).
     epoch: s, from which the times are counted where the file has dates (since 1970, of UNIX time), else 0.
     notes: what was done to the file's numbers: bridged, cut, converted, taken off.
+    left_out: what of the file is not in it: rows that stand twice, messages of unknown type, each line with its count.
+    axes: what took the file's columns to FRD ("imu") and to NED ("velocity"), (3, 3) each; for proposals of the check.
     noise: what the description has of the noises, by name and with their units, as "0.15 deg/sqrt(h)".
     temperature: (N, 2) s and degC (or K) of the slave, where the file has it.
     allow: names of findings that are no errors here.
@@ -118,6 +120,8 @@ class Recording:
     title: str = ""
     epoch: int = 0
     notes: tuple[str, ...] = ()
+    left_out: tuple[str, ...] = ()
+    axes: Mapping[str, Array] = field(default_factory=dict)
     allow: tuple[str, ...] = ()
     noise: Mapping[str, str] = field(default_factory=dict)
     temperature: Array | None = None

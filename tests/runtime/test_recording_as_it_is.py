@@ -405,7 +405,7 @@ def test_text_that_is_not_what_is_said_is_told_by_its_cause(describe, tmp_path, 
     [
         ((TOP, "tittle = 'drive'"), ["tittle is not a key", "did you mean 'title'", "bridge"]),
         (("kind =", "kinds ="), ["imu.kinds is not a key", "did you mean 'kind'", "time_marks"]),
-        (("navigation =", "frame ="), ["master.frame is not a key", "there are file, body, navigation"]),
+        (("navigation =", "frame ="), ["master.frame is not a key", "there are file, time, rate"]),
         (('"euler", unit', '"euler", units'), ["master.attitude.units", "did you mean 'unit'", "yaw_positive"]),
         (("gyro = {", "gyros = {"), ["imu.gyros", "did you mean 'gyro'"]),
         (('"rad/s"', '"deg/sec"'), ["imu.gyro", "'deg/sec'", "did you mean 'deg/s'"]),

@@ -382,3 +382,103 @@ def test_a_template_names_the_file_and_what_it_holds(tmp_path, capsys):
     assert status == 0 and "#   omega 500x3" in out.out and 'file = "a.npz"' in out.out and "time_marks" in out.out
     out, status = said(capsys, "--template")
     assert status == 0 and "[imu]" in out.out
+
+
+# ---------------------------------------------------------------- logs that are not whole
+
+
+def ros2_written(folder, spoil=()):
+    """A bag by the library that reads it: an Imu at 50 Hz with orientation, a topic of unknown type; rows to spoil."""
+    from rosbags.rosbag2 import Writer
+    from rosbags.rosbag2.enums import StoragePlugin
+    from rosbags.typesys import Stores, get_typestore
+
+    store = get_typestore(Stores.ROS2_HUMBLE)
+    imu, header, stamp = (store.types[name] for name in (
+        "sensor_msgs/msg/Imu", "std_msgs/msg/Header", "builtin_interfaces/msg/Time"))  # fmt: skip
+    vector, quaternion = store.types["geometry_msgs/msg/Vector3"], store.types["geometry_msgs/msg/Quaternion"]
+    none = np.zeros(9)
+    none[0] = -1
+    with Writer(folder, version=9, storage_plugin=StoragePlugin.SQLITE3) as bag:
+        known = bag.add_connection("/imu/data", imu.__msgtype__, typestore=store)
+        other = bag.add_connection(
+            "/secret", "acme_msgs/msg/Thing", msgdef="acme_msgs/Other what", rihs01="RIHS01_" + "0" * 64
+        )
+        for k in range(len(T)):
+            at = BEGAN + round(T[k] * 1e9)
+            message = imu(
+                header(stamp(at // 10**9, at % 10**9), "imu"), quaternion(0.0, 0.0, 0.0, 0.0), none,
+                vector(*map(float, GYRO[k])), np.zeros(9), vector(*map(float, FORCE[k])), np.zeros(9),
+            )  # fmt: skip
+            raw = bytes(store.serialize_cdr(message, imu.__msgtype__))
+            bag.write(known, at, raw[: len(raw) // 2] if k in spoil else raw)
+            if k % 50 == 0:
+                bag.write(other, at, b"\x00\x01\x00\x00\x07\x00\x00\x00")
+    return folder
+
+
+def test_topics_of_unknown_type_and_spoilt_messages_are_left_out_and_counted(tmp_path):
+    folder = ros2_written(tmp_path / "drive", spoil=(100, 300))
+    (tmp_path / "drive.toml").write_text(ALONE)
+    recording = read(tmp_path / "drive.toml")
+    measured = (recording.imu.doubt == 0).all(axis=1)  # the others were bridged
+    assert list(np.flatnonzero(~measured)) == [100, 300]
+    np.testing.assert_allclose(recording.imu.gyro[measured], GYRO[measured], atol=1e-9)
+    left = " ".join(recording.left_out)
+    assert "1 topics of unknown type: /secret (acme_msgs/msg/Thing)" in left
+    assert "/imu/data: 2 messages that cannot be read" in left and str(folder.name) in left
+
+
+ALONE = """file = "drive"
+bridge = "25 ms"
+[imu]
+kind = "rates"
+time_marks = "end"
+body = "FRD"
+time = { columns = "/imu/data/header.stamp", unit = "ns" }
+gyro = { columns = "/imu/data/angular_velocity", unit = "rad/s" }
+accel = { columns = "/imu/data/linear_acceleration", unit = "m/s^2" }
+"""
+
+
+def test_an_imu_that_gives_no_orientation_is_no_master(tmp_path):
+    ros2_written(tmp_path / "drive")
+    (tmp_path / "drive.toml").write_text(
+        ALONE
+        + """[master]
+body = "FLU"
+navigation = "ENU"
+time = { columns = "/imu/data/header.stamp", unit = "ns" }
+attitude = { columns = "/imu/data/orientation", unit = "1", order = "xyzw" }
+"""
+    )
+    with pytest.raises(BoresightError, match=r"orientation_covariance\[0\] = -1\); name another topic"):
+        read(tmp_path / "drive.toml")
+
+
+def test_a_bag_without_a_place_says_what_to_write_and_the_template_has_the_line(tmp_path, capsys):
+    folder = ros2(tmp_path / "drive")
+    base = sqlite3.connect(folder / "drive.db3")
+    base.execute("DELETE FROM messages WHERE topic_id = 3")
+    base.execute("DELETE FROM topics WHERE id = 3")
+    base.commit()
+    base.close()
+    with pytest.raises(BoresightError, match=r"origin = \{ latitude = 47.4 \}.*--template"):
+        read(folder)
+    out, _ = said(capsys, "--template", folder)
+    assert "latitude = 47.4" in out.out and "NavSatFix" not in out.out.partition("# What")[0].partition("[imu]")[2]
+    (tmp_path / "mine.toml").write_text(out.out.replace("latitude = 47.4", "latitude = 47.4\nlongitude = 8.5"))
+    is_the_drive(read(tmp_path / "mine.toml"))
+
+
+@pytest.mark.parametrize("kind", ["ulg", "bin"])
+@pytest.mark.parametrize("fill", [b"\xff", b"\x00", b"D"])
+def test_a_log_with_one_spoilt_message_is_read_but_for_it(tmp_path, kind, fill):
+    path = ulog(tmp_path / "flight.ulg") if kind == "ulg" else dataflash(tmp_path / "flight.bin")
+    raw = bytearray(path.read_bytes())
+    at = len(raw) // 2
+    raw[at : at + 20] = fill * 20
+    path.write_bytes(raw)
+    recording = read(path, strict=False, bridge="100 ms")
+    assert abs(len(recording.imu.time) - len(T)) <= 3
+    assert recording.left_out
