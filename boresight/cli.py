@@ -1028,7 +1028,7 @@ def replay(
         sensors, name = (None, name) if sensors == Sensors() else (sensors, MODEL)
     settings: dict[str, Any] = {}
     if name == "azimuth-hold":
-        one = zero_velocity.STUDY
+        one, settings = zero_velocity.STUDY, dict(data.stops)
     elif name == "euler-matching":
         one = matched.STUDY
         settings = {"delay": delay_ms * 1e-3, "rate_hz": rate_hz, "measurement": measurement}

@@ -137,6 +137,19 @@ class ReferencePart(Source):
     lever_arm: Known | None = None
 
 
+class StopsPart(Part):
+    """Of a slave without a master, for detection and zero-velocity updates.
+
+    rest: from when to when it is known to stand still.  window: of the detectors.  sway: factor on the threshold, for
+    updates, since a loaded foot is never as quiet as a floor.  latitude: deg, where no file has it.
+    """
+
+    rest: list[float | str] | None = None
+    window: float | str | None = None
+    sway: float | None = None
+    latitude: float | None = None
+
+
 class NoisePart(Part):
     """What is known of the noises, each with its unit; the same as options of `boresight replay`."""
 
@@ -168,6 +181,7 @@ class Description(Part):
     calibration: CalibrationPart | None = None
     reference: ReferencePart | None = None
     noise: NoisePart | None = None
+    stops: StopsPart | None = None
 
 
 def load(path: Path) -> Description:

@@ -227,8 +227,24 @@ def _read(
         axes=_named_axes(described),
         allow=(*described.allow, *allow),
         noise=described.noise.model_dump(exclude_none=True) if described.noise else {},
+        stops=_stops(found, described, since, imu.dt),
         temperature=_temperature(described.imu, at, since),
     )
+
+
+def _stops(found: Path, described: "Description", since: int, dt: float) -> dict[str, Any]:
+    """[stops] as settings of the replay."""
+    part = described.stops
+    if part is None:
+        return {}
+    out = {"sway_factor": part.sway, "latitude_deg": part.latitude, "rest": None, "window": None}
+    if part.rest is not None:
+        if len(part.rest) != 2:
+            raise BoresightError(f'{found}: stops.rest holds {len(part.rest)} times; give two, as ["0 s", "12 s"]')
+        out["rest"] = tuple(times.instant(value, since, f"{found}: stops.rest") for value in part.rest)
+    if part.window is not None:
+        out["window"] = max(2, round(rows.positive(part.window, f"{found}: stops.window", "time") / dt))
+    return {name: value for name, value in out.items() if value is not None}
 
 
 def template(path: str | None = None) -> str:

@@ -109,6 +109,8 @@ class Recording:
     left_out: what of the file is not in it: rows that stand twice, messages of unknown type, each line with its count.
     axes: what took the file's columns to FRD ("imu") and to NED ("velocity"), (3, 3) each; for proposals of the check.
     noise: what the description has of the noises, by name and with their units, as "0.15 deg/sqrt(h)".
+    stops: what the description has of the stops, as settings of the replay: "rest" s, "window" samples, "sway_factor",
+    "latitude_deg".
     temperature: (N, 2) s and degC (or K) of the slave, where the file has it.
     allow: names of findings that are no errors here.
     """
@@ -124,6 +126,7 @@ class Recording:
     axes: Mapping[str, Array] = field(default_factory=dict)
     allow: tuple[str, ...] = ()
     noise: Mapping[str, str] = field(default_factory=dict)
+    stops: Mapping[str, Any] = field(default_factory=dict)
     temperature: Array | None = None
 
 
