@@ -437,6 +437,8 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
     if any(one.level == "error" for one in out):
         return out  # whatever else is off follows from it
     master = replace(master, time=master.time - delay)
+    if master.v_n is not None and (short := _check_cover(imu, master)):
+        return short + out
     gravity = [] if master.v_n is None else _check_gravity(imu, master)
     dt, slave, turn = attitude_increments(imu, master)
     if len(turn) < 10:
@@ -575,6 +577,15 @@ def gravity_in_ned(imu: Inertial, master: Master) -> Array:
     v = [np.array([np.interp(t, master.time, c) for c in master.v_n.T]) for t in (start[inside][0], end[inside][-1])]
     force: Array = np.einsum("kij,kj->i", C, dvel[inside]) / span - (v[1] - v[0]) / (end[inside][-1] - start[inside][0])
     return force
+
+
+def _check_cover(imu: Inertial, master: Master) -> list[Finding]:
+    """Increments that cover a part of the time between their tags alone, by what they have of gravity."""
+    share = -float(gravity_in_ned(imu, master)[2]) / G if imu.kind == "increments" else 1.0
+    if not 0.5 < share < 0.95:
+        return []
+    text = f"increments have {share:.1%} of gravity: do they cover less than the time between their tags?  interval ="
+    return [Finding("error", "imu", text + " { columns = ..., unit = ... } in imu says what each covers", "gravity")]
 
 
 def _check_gravity(imu: Inertial, master: Master) -> list[Finding]:

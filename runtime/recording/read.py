@@ -329,12 +329,11 @@ class _Source:
         values = self.table[base].T if turned else self.table[base]
         if index:
             number = index.rstrip("]")
+            if values.ndim == 2 and values.shape[0] < 25 and values.shape[1] > 10 * values.shape[0] and not turned:
+                text = f"{base} is {values.shape[0]} x {values.shape[1]}, and samples run along its second axis"
+                raise BoresightError(f'{self.path}: {what}: {text}: write "{base}.T[{number}]"')
             if values.ndim != 2 or not number.isdecimal() or int(number) >= values.shape[1]:
-                advice = ""
-                if values.ndim == 2 and number.isdecimal() and int(number) < values.shape[0]:
-                    advice = f'; samples run along its second axis: write "{base}.T[{number}]"'
-                text = f"{name!r} does not exist: {base} has shape {values.shape}{advice}"
-                raise BoresightError(f"{self.path}: {what}: {text}")
+                raise BoresightError(f"{self.path}: {what}: {name!r} does not exist: {base} has shape {values.shape}")
             values = values[:, int(number)]
         return values
 
@@ -436,11 +435,7 @@ class _Source:
         for name, part in parts.items():
             if part is not None and len(part) != len(time):
                 text = f"{section}.{name} has {len(part)} rows and {section}.time {len(time)}"
-                wide = [key for key, held in self.table.items() if held.shape == (len(part), len(time))]
-                advice = f"they must agree, or {name} has a time of its own"
-                if wide:
-                    advice = f'{wide[0]} is {len(part)} x {len(time)}: write "{wide[0]}.T[0]" for its first row'
-                raise BoresightError(f"{self.path}: {text}; {advice}")
+                raise BoresightError(f"{self.path}: {text}; they must agree, or {name} has a time of its own")
         if len(time) < 2:
             raise BoresightError(f"{self.path}: {section}.time has {len(time)} rows; at least 2 are needed")
 

@@ -149,6 +149,7 @@ def test_increments_whose_own_interval_is_shorter_than_their_tags_are_rates(tmp_
     own = np.full(len(w.columns["t"]), 0.02 * 4.0 / 4.4)
     w.columns |= {"dt": own, "gyro": w.columns["gyro"] * own[:, None], "accel": w.columns["accel"] * own[:, None]}
     w.replace(('"rates"', '"increments"'), ('"rad/s"', '"rad"'), ('"m/s^2"', '"m/s"'))
+    named(w.write(tmp_path), "90.5% of gravity: do they cover less than the time", "interval = {")
     w.replace((IMU, f'{IMU}interval = {{ columns = "dt", unit = "s" }}\n'))
     recording = healthy(w.write(tmp_path))
     is_what_was_flown(recording)
@@ -231,7 +232,7 @@ def test_samples_along_the_second_axis_are_named_by_their_row(tmp_path):
     w.columns["u"] = np.vstack([w.columns.pop("accel").T, w.columns.pop("gyro").T])  # 6 x N
     gyro, accel = [f"u[{k}]" for k in (3, 4, 5)], [f"u[{k}]" for k in (0, 1, 2)]
     w.replace(('columns = "gyro"', f"columns = {gyro}"), ('columns = "accel"', f"columns = {accel}"))
-    named(w.write(tmp_path), "u is 6 x 2500", '"u.T[0]"')
+    named(w.write(tmp_path), "u is 6 x 2500", '"u.T[3]"')
     w.toml = w.toml.replace("u[", "u.T[")
     is_what_was_flown(healthy(w.write(tmp_path)))
 
