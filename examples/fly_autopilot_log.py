@@ -5,7 +5,7 @@ python fly_autopilot_log.py [LOG.ulg]
 The filter is the generated C of autopilot.py.  It has what PX4's ekf2 had on the pad: the inertial sensor, heading from
 the magnetometer, height from the barometer, the receiver once it has a fix and, where the log says that the vehicle is
 at rest, five times a second a velocity of zero and, until there is a fix, the first place.  Its noises are the
-parameters in the log; as "seen" they are what the sensors of the log show.
+parameters in the log.
 """
 
 import sys
@@ -57,33 +57,19 @@ def sensors(path):
     }  # fmt: skip
 
 
-def noises(log, seen):
-    """Densities of the filter's noise, and one sigma of each measurement: of the log's parameters, or as it shows."""
+def densities(of):
+    """Densities of the filter's noise, of the log's parameters."""
+    sizes = {"gyro": of["GYR_NOISE"], "accel": of["ACC_NOISE"], "gyro_bias": of["GYR_B_NOISE"],
+             "accel_bias": of["ACC_B_NOISE"], "mag_i": of["MAG_E_NOISE"] * GAUSS, "mag_b": of["MAG_B_NOISE"] * GAUSS,
+             "wind": of["WIND_NOISE"]}  # fmt: skip
+    out = {f"{name}_noise": np.full(2 if name == "wind" else 3, size * np.sqrt(STEP)) for name, size in sizes.items()}
+    return out | {"terrain_noise": 0.0}
+
+
+def fly(library, log):
+    """Times (s), attitude, velocity and position (K, 10), and the covariance of their errors (K, 9, 9)."""
     of = {name.removeprefix("EKF2_"): value for name, value in log["parameters"].items()}
-    root = np.sqrt(STEP)
-    densities = {"gyro": of["GYR_NOISE"] * root, "accel": of["ACC_NOISE"] * root}
-    sigmas = {"heading": of["HEAD_NOISE"], "baro": of["BARO_NOISE"]}
-    if seen:
-        gyro, accel = log["imu"].rates()
-        measured = slice(None) if log["imu"].doubt is None else (log["imu"].doubt == 0).all(axis=1)
-        root = np.sqrt(log["imu"].dt)
-        densities = {
-            "gyro": gyro[measured].std(axis=0).mean() * root,
-            "accel": accel[measured].std(axis=0).mean() * root,
-        }
-        field = log["mag"][1]
-        sigmas = {"heading": field[:, 1].std() / np.hypot(*field.mean(axis=0)[:2]), "baro": log["baro"][1].std()}
-    walks = {"gyro_bias": of["GYR_B_NOISE"], "accel_bias": of["ACC_B_NOISE"], "mag_i": of["MAG_E_NOISE"] * GAUSS,
-             "mag_b": of["MAG_B_NOISE"] * GAUSS, "wind": of["WIND_NOISE"]}  # fmt: skip
-    axes = {"wind": 2}
-    noise = {f"{name}_noise": np.full(axes.get(name, 3), value * np.sqrt(STEP)) for name, value in walks.items()}
-    noise |= {f"{name}_noise": np.full(3, value) for name, value in densities.items()} | {"terrain_noise": 0.0}
-    return noise, sigmas, of
-
-
-def fly(library, log, seen=False):
-    """Times (s), estimates (K, 9) of attitude (error, rad), velocity and position, and their covariance (K, 9, 9)."""
-    noise, sigmas, of = noises(log, seen)
+    noise, heading_sigma, baro_sigma = densities(of), of["HEAD_NOISE"], of["BARO_NOISE"]
     imu = log["imu"]
     _, end, turn, gain = imu.increments
     begin = int(np.searchsorted(end, end[0] + 0.3))  # what levels it, and points it to magnetic north
@@ -102,8 +88,8 @@ def fly(library, log, seen=False):
     ground = log["baro"][1][0, 0]
     nav = {"q": q, "vel": np.zeros(3), "pos": np.zeros(3), "gyro_bias": np.zeros(3), "accel_bias": np.zeros(3),
            "mag_i": field, "mag_b": np.zeros(3), "wind": np.zeros(2), "terrain": 0.0}  # fmt: skip
-    tilt, turned = of["ANGERR_INIT"], sigmas["heading"]
-    start = [tilt, tilt, turned, *[0.5] * 3, 0.5, 0.5, sigmas["baro"], *[of["GBIAS_INIT"]] * 3, *[of["ABIAS_INIT"]] * 3,
+    tilt = of["ANGERR_INIT"]
+    start = [tilt, tilt, heading_sigma, *[0.5] * 3, 0.5, 0.5, baro_sigma, *[of["GBIAS_INIT"]] * 3, *[of["ABIAS_INIT"]] * 3,
              *[of["MAG_NOISE"] * GAUSS] * 6, 1.0, 1.0, 1.0]  # fmt: skip
     loop = CompiledFilter(library, nav, P=np.diag(np.square(start)))
 
@@ -125,10 +111,10 @@ def fly(library, log, seen=False):
             _, what, value = due.pop(0)
             if what == "mag":
                 off = heading(loop.nav["q"], value)
-                loop.update("yaw", R=[sigmas["heading"] ** 2], yaw=(off + np.pi) % (2 * np.pi) - np.pi)
+                loop.update("yaw", R=[heading_sigma**2], yaw=(off + np.pi) % (2 * np.pi) - np.pi)
             elif what == "baro":
                 down = [0.0, 0.0, ground - value[0]]
-                loop.update("position", R=[1.0, 1.0, sigmas["baro"] ** 2], gnss_pos=down, rows=[False, False, True])
+                loop.update("position", R=[1.0, 1.0, baro_sigma**2], gnss_pos=down, rows=[False, False, True])
             elif what == "still":
                 loop.update("velocity", R=[REST[0] ** 2] * 3, gnss_vel=np.zeros(3))
                 if end[k] < first:
@@ -195,7 +181,7 @@ def draw(of, path):
     import matplotlib.pyplot as plt
 
     figure, axes = plt.subplots(3, 3, figsize=(11, 8), sharex=True)
-    colours = ("#2166ac", "#e08214", "#4d4d4d")
+    colours = ("#2166ac", "#e08214")
     for row, (quantity, (part, unit)) in enumerate(JUDGED.items()):
         factor = np.degrees(1) if unit == "deg" else 1.0
         for column, axis in enumerate(("north", "east", "down")):
@@ -211,16 +197,15 @@ def draw(of, path):
         at.set_xlabel("time of the log, s")
     figure.suptitle("Errors from the ground truth; bands: one sigma", fontsize=10)
     figure.tight_layout()
-    figure.savefig(path, dpi=100)
+    figure.savefig(path, dpi=90)
     return path
 
 
 def flown(path, folder=None):
-    """Both flights of a log, judged: by the parameters of the log, and by noises as its sensors show them."""
+    """The flight of a log, judged, beside its own estimator."""
     library = load(generate(MODEL, folder).folder)
     log = sensors(path)
-    found = {"autopilot": fly(library, log), "autopilot, as seen": fly(library, log, seen=True)}
-    return judged(log, found)
+    return judged(log, {"autopilot": fly(library, log)})
 
 
 if __name__ == "__main__":

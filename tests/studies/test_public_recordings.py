@@ -103,9 +103,7 @@ def test_the_autopilot_flies_a_log_as_well_as_the_logs_own_estimator(quickly, sc
     assert size["autopilot", "attitude"] < 1.1 * size[theirs, "attitude"] < np.radians(0.2)
     assert size["autopilot", "velocity"] < 1.1 * size[theirs, "velocity"] < 2e-3
     assert size["autopilot", "position"] < 0.015
-    assert all(ratio["autopilot", quantity] < 1 for quantity in script["JUDGED"])
-    # the noises that its sensors show leave out what is not white: the declination is 0.3 deg off the field
-    assert ratio["autopilot, as seen", "attitude"] > 2
+    assert all(0.01 < ratio["autopilot", quantity] < 1 for quantity in script["JUDGED"])
     report = script["report"](of, since=2.0)
     assert f"{np.degrees(size[theirs, 'attitude']):.4f} deg" in report
     assert script["draw"](of, tmp_path / "log.png").stat().st_size > 20_000
