@@ -40,11 +40,15 @@ def best_delay(imu: Inertial, master: Master, span: float = 0.1, step: float = 0
     return float(best), float(np.sqrt(misfit[len(delays) // 2] / misfit[k]))
 
 
+NEAR_S = 0.1  # a filter's delay
+
+
 def clocks_apart(imu: Inertial, master: Master) -> tuple[float, float]:
     """s, by how much the master's tags are late, looked for over half of the recording; and what that is worth.
 
-    0 where it is less than 0.1 s or the turns do not decide: they must be explained to 95 % there, and four times
-    better than without.
+    Within NEAR_S it is a filter's delay, and worth 1.  Beyond, the turns must decide: fit 1.2 times better than at any
+    delay within, or, more than half a second away, be explained to 95 % and twice as well; for a motion that repeats
+    itself, as a walk or a swell, fits as well a period later.
     """
     start, end, dtheta, _ = imu.increments
     edges, angle = np.append(start[:1], end), np.vstack([np.zeros(3), np.cumsum(dtheta, axis=0)])
@@ -64,20 +68,23 @@ def clocks_apart(imu: Inertial, master: Master) -> tuple[float, float]:
         moving = slave - slave.mean(axis=0)
         return float(np.sum(left**2) / max(np.sum(moving**2), 1e-300))
 
-    here = unexplained(0.0)
-    if here < 0.02:  # it is near
-        near, gain = best_delay(imu, master, span=0.5, step=0.01)
-        return (near, gain) if abs(near) > 0.1 and gain > 1.2 else (0.0, 1.0)
-    reach = 0.5 * (master.time[-1] - master.time[0])
-    step = max(float(usual) / 2, 0.05)
-    coarse = np.arange(-int(reach / step), int(reach / step) + 1) * step
-    best = coarse[int(np.argmin([unexplained(delay) for delay in coarse]))]
-    for width in (step, step / 5, step / 25):
-        near = best + np.linspace(-width, width, 11)
-        best = near[int(np.argmin([unexplained(delay) for delay in near]))]
-    there = unexplained(best)
-    decided = abs(best) > 0.1 and there < 0.05 and there < here / 4
-    return (float(best), float(np.sqrt(here / there))) if decided else (0.0, 1.0)
+    def best(delays: Array) -> tuple[float, float]:
+        """The delay that explains most, and what it leaves."""
+        misfit = [unexplained(delay) for delay in delays]
+        return float(delays[int(np.argmin(misfit))]), min(misfit)
+
+    near, here = best(np.linspace(-NEAR_S, NEAR_S, 41))
+    near = near if here < 0.8 else 0.0  # noise alone has no delay
+    if here < 0.02:
+        far, there = best(np.arange(-50, 51) * 0.01)
+        decided = there < here / 1.2**2
+    else:
+        reach, step = 0.5 * (master.time[-1] - master.time[0]), max(float(usual) / 2, 0.05)
+        far, there = best(np.arange(-int(reach / step), int(reach / step) + 1) * step)
+        for width in (step, step / 5, step / 25):
+            far, there = best(far + np.linspace(-width, width, 11))
+        decided = there < 0.05 and there < here / 4
+    return (far, float(np.sqrt(here / there))) if decided and abs(far) > NEAR_S else (near, 1.0)
 
 
 def drift(imu: Inertial, master: Master) -> tuple[float, float, float]:

@@ -166,7 +166,9 @@ def check_vertical(master: Master) -> list[Finding]:
     climb = forward * np.sin((master.euler[1:, 1] + master.euler[:-1, 1]) / 2) * dt
     if len(dt) < 30 or np.sqrt(np.mean(climb**2)) < 0.02 * np.median(dt):
         return []
-    found, sigma = regressed(left[:, None], climb[:, None, None])
+    # what the rule of trapezoids misses of a swell goes with the bend of the velocity
+    bend = np.convolve(np.gradient(np.gradient(master.v_n[:, 2])), [0.5, 0.5], "valid") * dt
+    found, sigma = regressed(left[:, None], np.stack([climb, bend], axis=-1)[:, None])
     if not (abs(found[0] - 1) < 0.2 and sigma[0] < 0.1):
         return []
     text = "the height does not follow its vertical part, by the speed times the sine of the pitch: a level velocity"
