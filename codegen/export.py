@@ -21,7 +21,7 @@ from boresight.codegen.generate import generate, generated_folder, load_model, n
 from boresight.codegen.text.files import identity_files, rendered
 from boresight.codegen.text.names import snake
 from boresight.derive.model import Model
-from boresight.runtime import compiler
+from boresight.runtime import compiler, detector
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import Library, load
 from boresight.runtime.manifest import folder_of, read_manifest
@@ -319,6 +319,7 @@ def export_view(
         ],
         "memory": memory(manifest, folder, precision),
         "filter": described,
+        "quantiles": quantiles() if "component" in manifest else [],
         "over_nonzeros": described is not None and described["prediction"] == "non-zeros",
         "minute": flown,
         "why_not": why_not,
@@ -326,6 +327,19 @@ def export_view(
         "near": NEAR[precision],
         "cost": cost_of_float(manifest) if described and precision == "float" else "",
     }
+
+
+def quantiles() -> list[tuple[int, float, list[float]]]:
+    """Window, rate of false alarms, and what N times the squared statistic over its noise exceeds at that rate.
+
+    By gyro_mean, either spread, accel_mean and the likelihood ratio, whose statistic itself is meant.
+    """
+    of = ("gyro_mean", "gyro_std", "accel_mean", "likelihood_ratio")
+    return [
+        (N, rate, [N * detector.threshold(name, N, 1.0, 1.0, rate) ** (1 if name == of[3] else 2) for name in of])
+        for N in (10, 25, 50, 100)
+        for rate in (1e-2, 1e-3, 1e-4)
+    ]
 
 
 def memory(manifest: dict[str, Any], folder: Path, precision: str) -> list[tuple[str, int]]:

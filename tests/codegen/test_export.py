@@ -117,6 +117,39 @@ def test_what_has_no_filter_is_exported_with_its_self_test_and_precision(model, 
     assert not (tmp_path / "out" / "example").exists()
 
 
+def test_the_detectors_export_begins_with_c_that_decides_as_python_does(tmp_path):
+    """The C of its README alone, with the thresholds that stand in it; of its table each by the quantile itself."""
+    from scipy.stats import chi2
+
+    from boresight.runtime import detector
+
+    folder = tmp_path / "out"
+    exported_c("stationary-detector", folder)
+    text = (folder / "README.md").read_text()
+    rows = re.findall(r"^\| (\d+) \| ([\d.]+) \| ([\d.]+) \| ([\d.]+) \| ([\d.]+) \| ([\d.]+) \|$", text, re.M)
+    assert len(rows) == 12
+    for N, rate, *q in ([float(cell) for cell in row] for row in rows):
+        assert q == pytest.approx(chi2.isf(rate, [3, 3 * (N - 1), 1, 6 * N - 2]), abs=0.006)
+    rng = np.random.default_rng(2)
+    gyro, accel = 8e-4 * rng.standard_normal((600, 3)), [0, 0, -9.8] + 4e-3 * rng.standard_normal((600, 3))
+    gyro[200:300] += 0.05
+    code = text.split("```c\n")[1].split("```")[0]
+    code += (
+        "#include <stdio.h>\nint main(void)\n{\n    double w[3], f[3];\n    if (rest_begin(8e-4, 4e-3, 9.8) != BS_OK) {"
+    )
+    code += ' return 1; }\n    while (scanf("%lf %lf %lf %lf %lf %lf", w, w + 1, w + 2, f, f + 1, f + 2) == 6) {'
+    code += ' printf("%d\\n", rest_now(w, f)); }\n    return 0;\n}\n'
+    (folder / "main.c").write_text(code)
+    command = ["cc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off", "-Iinclude", "main.c"]
+    subprocess.run([*command, *(folder / "src").glob("*.c"), "-lm", "-o", "main"], cwd=folder, check=True)
+    lines = "\n".join(" ".join(map(repr, map(float, row))) for row in np.hstack([gyro, accel]))
+    done = subprocess.run([folder / "main"], input=lines, capture_output=True, text=True, check=True)
+    settings = detector.settings(50, 4e-3, 8e-4, 1e-3, gravity=9.8)
+    rest = detector.evaluate(settings, gyro, accel).rest_by("likelihood_ratio")
+    assert rest.any() and not rest[210:330].any()
+    np.testing.assert_array_equal([line == "1" for line in done.stdout.split()], rest)
+
+
 SHIP = """
 from sympy import Matrix
 
