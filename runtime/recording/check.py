@@ -463,8 +463,8 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
             out.append(Finding("note", "imu.gyro", text))
             continue
         wrong = high < 0.8 or low > 1.25 or found.correlation + least < 0.8
-        if wrong and noise_explains(turn[:, axis], slave, axis):
-            text = f"turns about {name}: it moves too little beside the master's noise to be judged"
+        if wrong and mounting_explains(turn[:, axis], slave, axis):
+            text = f"turns about {name}: it moves too little beside the noise and the mounting to be judged"
             out.append(Finding("note", "imu.gyro", text))
             continue
         factor = next((what for size, what in FACTORS.items() if abs(found.slope / size - 1) < 0.03), "")
@@ -568,11 +568,12 @@ def slope_of(x: Array, y: Array) -> Slope:
     )
 
 
-def noise_explains(x: Array, slave: Array, axis: int) -> bool:
-    """Whether x (N,), the master's turns about an axis, are the slave's (N, 3) about it and white noise of an attitude.
+def mounting_explains(x: Array, slave: Array, axis: int) -> bool:
+    """Whether x (N,), the master's turns about an axis, are the slave's (N, 3), turned a little, and noise.
 
-    The gyros are the cleaner ones: by them x must have a slope of 1 within three sigmas, of a mounting's angle at most
-    about the other axes, and what is left must be a difference of white noise, whose neighbours correlate by -1/2.
+    The gyros are the cleaner ones: by them x must have a slope of 1 within three sigmas and one of a mounting's angle
+    at most about the other axes.  What is left must be small, or a difference of the white noise of an attitude, whose
+    neighbours correlate by -1/2.
     """
     found, *_ = np.linalg.lstsq(slave, x, rcond=None)
     left = x - slave @ found
@@ -580,7 +581,8 @@ def noise_explains(x: Array, slave: Array, axis: int) -> bool:
     sigma = np.sqrt(np.diagonal(np.linalg.pinv(slave.T @ slave)) * size / count)
     off = np.abs(found - np.eye(3)[axis]) > np.where(np.arange(3) == axis, 0.2, 0.15) + 3 * sigma
     once, twice = (float(left[k:] @ left[:-k]) / size for k in (1, 2))
-    return not off.any() and abs(once + 0.5) < 3 * np.sqrt(0.5 / count) and abs(twice) < 3 * np.sqrt(1.5 / count)
+    white = abs(once + 0.5) < 3 * np.sqrt(0.5 / count) and abs(twice) < 3 * np.sqrt(1.5 / count)
+    return not off.any() and (white or size < 0.1 * float(x @ x))
 
 
 def gravity_in_ned(imu: Inertial, master: Master) -> Array:

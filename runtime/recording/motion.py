@@ -146,10 +146,14 @@ def _compass(imu: Inertial, master: Master) -> list[Finding]:
     delay, _ = best_delay(imu, master)
     turned, *mounted = (np.interp(master.time - delay, end, np.cumsum(rate))[inside] for rate in rates)
     heading, time = heading[inside], master.time[inside]
-    columns = [np.sin(heading), np.cos(heading), np.ones_like(time), time - time.mean(), *mounted]
-    found, sigma = regressed((heading - turned)[:, None], np.stack(columns, axis=-1)[:, None])
+    columns = np.stack([np.sin(heading), np.cos(heading), np.ones_like(time), time - time.mean(), *mounted], axis=-1)
+    errs = heading - turned
+    found, sigma = regressed(errs[:, None], columns[:, None])
     size, unsure = float(np.hypot(*found[:2])), float(sigma[:2].max())
-    if size < max(2 * DEG, 6 * unsure):
+    bare, *_ = np.linalg.lstsq(columns[:, 2:], errs, rcond=None)
+    # over few headings a sine and a cosine are a line: they must explain most of what is left without them
+    explained = 1 - np.sum((errs - columns @ found) ** 2) / np.sum((errs - columns[:, 2:] @ bare) ** 2)
+    if size < max(2 * DEG, 6 * unsure) or explained < 0.5:
         return []
     text = f"its heading errs by {size / DEG:.1f} +- {unsure / DEG:.1f} deg times a sine and cosine of the heading, as"
     return [Finding("error", "master.attitude", text + " that of a compass beside iron does; calibrate it", "heading")]
@@ -169,7 +173,7 @@ def check_vertical(master: Master) -> list[Finding]:
     # what the rule of trapezoids misses of a swell goes with the bend of the velocity
     bend = np.convolve(np.gradient(np.gradient(master.v_n[:, 2])), [0.5, 0.5], "valid") * dt
     found, sigma = regressed(left[:, None], np.stack([climb, bend], axis=-1)[:, None])
-    if not (abs(found[0] - 1) < 0.2 and sigma[0] < 0.1):
+    if not (abs(found[0] - 1) < 0.2 and sigma[0] < 0.04):
         return []
     text = "the height does not follow its vertical part, by the speed times the sine of the pitch: a level velocity"
     return [Finding("error", "master.velocity", text + " declared as one of the body (axes)?", "path")]

@@ -51,24 +51,42 @@ def of_samples(imu: Inertial) -> list[Finding]:
         text = f"{rows.sum()} samples are copies of the one before, the first at {first:.3f} s: lost ones filled in"
         advice = f'repeats = "drop" in imu leaves them out, and bridge = "{1e3 / rate:.3g} ms" fills the gaps'
         out.append(Finding("error", "imu", f"{text}; {advice}", "copies"))
-    for name, sensor in (("gyro", imu.rates()[0]), ("accel", imu.rates()[1])):
+    unit = rate if imu.kind == "increments" else 1.0  # as delivered: the steps of a converter are none of dv / dt
+    for name, sensor in (("gyro", imu.gyro), ("accel", imu.accel)):
         for axis, label in enumerate(frames.AXES):
-            out += _clipped(f"imu.{name}", label, sensor[1:, axis][~same.all(axis=1)], name)
+            out += _clipped(f"imu.{name}", label, sensor[1:, axis][~same.all(axis=1)], name, unit)
     return out
 
 
-def _clipped(where: str, axis: str, values: Array, name: str) -> list[Finding]:
+def _clipped(where: str, axis: str, values: Array, name: str, unit: float) -> list[Finding]:
     levels, counts = np.unique(values, return_counts=True)
     if len(levels) < 10:
         return []
     for end, beside in ((0, 1), (-1, -2)):
         most = int(counts[end])
-        alone = abs(levels[end] - levels[beside]) > 1e-9 * abs(levels[end])  # not an even motion, to rounding
-        if most >= 8 and most > 4 * counts[beside] and levels[end] != 0 and alone:
-            size = f"{levels[end] / DEG:.4g} deg/s" if name == "gyro" else f"{levels[end]:.4g} m/s^2"
+        step = abs(levels[end] - levels[beside])
+        alone = step > 1e-9 * abs(levels[end])  # not an even motion, to rounding
+        often = most >= 8 and most > 4 * counts[beside] and levels[end] != 0 and alone
+        if often and _beyond(values, levels[end]) > 4 * step:
+            rail = levels[end] * unit
+            size = f"{rail / DEG:.4g} deg/s" if name == "gyro" else f"{rail:.4g} m/s^2"
             text = f"{axis}: {most} samples are {size} and none is beyond: the sensor saturates, or was clipped"
             return [Finding("error", where, text + "; cut the recording there (from, to)", "saturated")]
     return []
+
+
+def _beyond(values: Array, rail: float) -> float:
+    """How far beyond the end of their range samples would have gone, by the longest stay there and the slope before it.
+
+    The crest of a smooth motion, in the steps of a converter, goes no further than some steps.
+    """
+    there = np.flatnonzero(np.diff(np.concatenate([[False], values == rail, [False]]).astype(int)))
+    begins, ends = there[::2], there[1::2]
+    stay = np.minimum(ends - begins, begins)
+    if not (stay > 0).any():
+        return np.inf
+    begin, length = (int(part[stay.argmax()]) for part in (begins, stay))
+    return float(abs(rail - values[begin - length])) / 4  # half of the way, at a slope that falls to nothing
 
 
 def of_master(imu: Inertial, master: Master) -> list[Finding]:
