@@ -1,9 +1,9 @@
 """The noise of an inertial unit, from a log at rest: what a filter is given, with intervals and where each was read.
 
-A datasheet's line is read by `datasheet`.  How the fit is made: `allan`.
+A datasheet's line is read by `datasheet`; noises of a flight are found by `likeliest`.  How the fit is made: `allan`.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -15,11 +15,12 @@ from boresight import BoresightError
 from boresight.analysis.allan import FLOOR, TERMS, UNFIT, Fit, fitted
 from boresight.analysis.datasheet import datasheet
 from boresight.analysis.figures import BLUE, GREEN, ORANGE, figure
+from boresight.analysis.likelihood import likeliest
 from boresight.runtime.array import Array
 from boresight.runtime.recording.types import Finding, Recording
-from boresight.runtime.units import DEG, HOUR, MILLI_G, UNITS
+from boresight.runtime.units import DEG, HOUR, MILLI_G, UNITS, quantity
 
-__all__ = ["Identified", "datasheet", "fitted", "gauss_markov", "identify"]
+__all__ = ["Identified", "datasheet", "fitted", "gauss_markov", "identify", "likeliest"]
 
 AXES = ("front", "right", "down")
 SHORTEST_S = 60.0
@@ -315,8 +316,11 @@ class Identified:
             "findings": [vars(one) for one in self.findings], **fits, "lines": self.lines() if self.good else None,
         }  # fmt: skip
 
-    def draw(self, path: str | Path, made_from: str = "") -> Path:
-        """The measured curves with their intervals, the fit, and what a filter with the pasted lines expects."""
+    def draw(self, path: str | Path, made_from: str = "", stated: Mapping[str, str] | None = None) -> Path:
+        """The measured curves with their intervals, the fit, and what a filter with the pasted lines expects.
+
+        stated: [noise] of a description, of which it is drawn as well what a filter with that expects.
+        """
         T, sigmas = self.bias
         with figure(Path(path), 7.2, 3.6, made_from=made_from, ncols=2) as (_, panels):
             for (sensor, fits), axes in zip(self.sensors(), panels, strict=True):
@@ -332,6 +336,11 @@ class Identified:
                 bias = gauss_markov(tau, sigmas[sensor.name], T) if T and sensor.name in sigmas else 0.0
                 expected = np.sqrt(self.walk(fits) ** 2 / tau + bias) / factor
                 axes.plot(tau, expected, "--", color="black", lw=0.9, label="a filter with the lines to paste")
+                if sensor.name in (stated or {}):
+                    described = np.sqrt(predicted(sensor, stated or {}, tau)) / factor
+                    axes.plot(
+                        tau, described, ":", color="black", lw=1.2, label="a filter with [noise] of the description"
+                    )
                 axes.set(xscale="log", yscale="log", xlabel="average over, s", ylabel=f"Allan deviation, {unit}")
                 axes.set_title(f"{sensor.name}: measured, and fitted (lines)", loc="left")
                 worst = max(fits, key=lambda fit: float(fit.coefficients[1]))
@@ -349,6 +358,16 @@ class Identified:
                     )  # fmt: skip
                 axes.legend(loc="upper right")
         return Path(path)
+
+
+def predicted(sensor: Sensor, stated: Mapping[str, str], tau: Array) -> Array:
+    """(K,) Allan variance that a filter expects with [noise] of a description, which has the sensor's own; SI."""
+    variance: Array = quantity(stated[sensor.name], sensor.noise[0])[0] ** 2 / tau
+    wander, time = stated.get(f"{sensor.name}_instability"), stated.get("correlation")
+    if wander and time:
+        sigma = quantity(wander, "angular rate" if sensor is GYRO else "acceleration")[0]
+        variance = variance + gauss_markov(tau, sigma, quantity(time, "time")[0])
+    return variance
 
 
 def _row(name: str, cells: Sequence[str]) -> str:

@@ -1120,8 +1120,21 @@ def observe(
 def noise(
     log: Annotated[
         str | None,
-        typer.Argument(help="A log at rest: a recording, or the TOML file that describes one.", show_default=False),
+        typer.Argument(
+            help="A log at rest: a recording, or its description in TOML.  With --model: the folder of a Record.",
+            show_default=False,
+        ),
     ] = None,
+    model: Annotated[
+        str | None,
+        typer.Option(
+            metavar="MODEL | FILE.py:NAME",
+            help="Whose flight LOG is: the noises that make its innovations most likely.",
+            show_default=False,
+            autocompletion=completed(model_names),
+        ),
+    ] = None,
+    folder: Annotated[Path | None, typer.Option("--generated", help="Generated folder of a model of your own.")] = None,
     datasheet: Annotated[
         str | None,
         typer.Option(help='In place of a log, a line of a datasheet, as "ARW 0.15 deg/rt-hr".', show_default=False),
@@ -1145,16 +1158,24 @@ def noise(
     svg: Svg = False,
     as_json: AsJson = False,
 ) -> None:
-    """Find a unit's noises from a log at rest.
+    """Find a unit's noises from a log at rest, or those of a flight.
 
     Allan deviation with its intervals; quantisation, random walk, instability, rate random walk and ramp, where each
     was read, and the lines to paste into a recording's description.  Exits 1 if the log is not static, clipped,
     quantised, driven by temperature or otherwise no log of noise.  With --datasheet: what a line of a datasheet is to a
-    filter.
+    filter.  With --model: of a flight of any model that `Record` wrote to a folder, by the likelihood of its
+    innovations, each with its interval; -o draws their Allan deviation over the white one that the model predicts.
     """
     from boresight.analysis import noise as n
     from boresight.runtime.units import quantity
 
+    if model is not None:
+        if log is None or datasheet or begin or end or bridge or regular_clock or allow:
+            raise BoresightError(
+                "--model takes the folder of a Record, and of the other options -o, --svg and --json alone"
+            )
+        noise_of_flight(log, model, folder, out, svg, as_json)
+        return
     if (log is None) == (datasheet is None):
         raise BoresightError("name a log at rest, or a line of a datasheet with --datasheet")
     if datasheet is not None:
@@ -1182,12 +1203,35 @@ def noise(
     written = None
     if out is not None:
         made_from = f"noise {recording.name}, boresight {__version__}"
-        written = found.draw(out / f"noise.{'svg' if svg else 'png'}", made_from)
+        written = found.draw(out / f"noise.{'svg' if svg else 'png'}", made_from, recording.noise)
     if as_json:
         print_json(found.document() | {"figures": [str(written)] if written else []})
     else:
         terminal.page_text(found.report() + (f"\nwrote {written}" if written else "") + "\n")
     raise typer.Exit(0 if found.good else 1)
+
+
+def noise_of_flight(log: str, target: str, folder: Path | None, out: Path | None, svg: bool, as_json: bool) -> None:
+    """`boresight noise LOG --model MODEL`."""
+    from boresight import Record, terminal
+    from boresight.analysis.likelihood import likeliest
+
+    if out is not None:
+        require("replay")
+        make(out)
+    library = library_of(target, folder, None)
+    with terminal.working() as progress:
+        progress("reading")
+        found = likeliest(Record.open(log, library), progress=progress)
+    name = Path(log).name
+    where = None if out is None else out / f"noise-{name}.{'svg' if svg else 'png'}"
+    written = None if where is None else found.draw(where, f"noise {name}, {library.name}, boresight {__version__}")
+    if as_json:
+        print_json(
+            {"record": name, "model": library.name} | found.document() | {"figures": [str(written)] if written else []}
+        )
+    else:
+        terminal.page_text(found.report() + (f"\nwrote {written}" if written else "") + "\n")
 
 
 def make(folder: Path) -> Path:

@@ -21,7 +21,7 @@ from boresight.codegen.generate import generate, generated_folder, load_model, n
 from boresight.codegen.text.files import identity_files, rendered
 from boresight.codegen.text.names import snake
 from boresight.derive.model import Model
-from boresight.runtime import compiler, detector
+from boresight.runtime import compiler
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import Library, load
 from boresight.runtime.manifest import folder_of, read_manifest
@@ -334,9 +334,10 @@ def quantiles() -> list[tuple[int, float, list[float]]]:
 
     By gyro_mean, either spread, accel_mean and the likelihood ratio, whose statistic itself is meant.
     """
-    of = ("gyro_mean", "gyro_std", "accel_mean", "likelihood_ratio")
+    from scipy.stats import chi2
+
     return [
-        (N, rate, [N * detector.threshold(name, N, 1.0, 1.0, rate) ** (1 if name == of[3] else 2) for name in of])
+        (N, rate, [float(chi2.isf(rate, freedom)) for freedom in (3, 3 * (N - 1), 1, 6 * N - 2)])
         for N in (10, 25, 50, 100)
         for rate in (1e-2, 1e-3, 1e-4)
     ]

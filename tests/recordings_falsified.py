@@ -78,12 +78,13 @@ class Plan:
     velocity_noise: float = 0.02
     attitude_noise: float = 1.5e-4
     delay: float = 0.01
+    fine: int = 10  # steps to a sample of the slave
 
 
 def fly(plan, seed):
     """The recording of a plan: mean rates of the slave, and its master, each with its noise."""
     rng = np.random.default_rng(seed)
-    fine = 10
+    fine = plan.fine
     steps = round(plan.seconds * plan.imu_hz)
     h = 1 / plan.imu_hz / fine
     t = np.arange(steps * fine + 1) * h

@@ -60,7 +60,7 @@ def motion(kind, rng, seconds):
         def shaken(hz, size, k):
             return lambda t: np.radians(size) * np.clip(speed(t) / top, 0, 1) * np.sin(2 * np.pi * hz * t + phase[k])
 
-        back = np.sort(rng.uniform(stand + 6, stop - 4, count))
+        back = np.sort(rng.uniform(*sorted((stand + 6, stop - 4)), count))
         return speed, lambda t: begin + steps(t, back, turns, wide / 2), shaken(0.9, 0.8, 1), shaken(0.7, 0.5, 2), level
     if kind == "aircraft":
         v = rng.uniform(40, 180)
@@ -128,7 +128,7 @@ def healthy(seed):
         mounting=tuple(rng.normal(0, 1.2 * DEG, 3)), lever=tuple(rng.normal(0, 0.7, 3)),
         gyro_bias=tuple(rng.normal(0, bias, 3)), accel_bias=tuple(rng.normal(0, bias_f, 3)),
         gyro_noise=gyro * DEG / 60, accel_noise=accel, velocity_noise=sigma_v * rng.uniform(0.3, 1.5),
-        attitude_noise=sigma_a * rng.uniform(0.3, 1.5), delay=rng.uniform(0, 0.08),
+        attitude_noise=sigma_a * rng.uniform(0.3, 1.5), delay=rng.uniform(0, 0.08), fine=4,
     )  # fmt: skip
     made = fly(plan, seed)
     return formatted(made, rng, plan), f"{kind}, {grade}, {plan.imu_hz:g} and {plan.master_hz:g} Hz"
@@ -225,4 +225,5 @@ if __name__ == "__main__":
             wrong, warned = wrong + bool(errors), warned + bool(texts and not errors)
             for text in (errors or texts)[:1]:
                 print(f"{seed} ({what}, {made.notes['file']}): {text[:260]}", flush=True)
-    print(f"{wrong} of {count} healthy recordings are called wrong, {warned} have a warning")
+            if (seed + 1 - first) % 50 == 0:
+                print(f"{wrong} of {seed + 1 - first} are called wrong, {warned} have a warning", flush=True)

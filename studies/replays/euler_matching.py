@@ -132,7 +132,7 @@ def fit_noise(
     def flown(noises: Array) -> dict[str, Array]:
         return fly(leg, model, noises[:, :3], noises[:, 3:], measurement, every_sample=False)
 
-    noises, passes = most_likely(flown, first, free, NOISE_RANGE)
+    noises, _, passes = most_likely(flown, first, free, NOISE_RANGE)
     return noises[:3], noises[3:], passes
 
 

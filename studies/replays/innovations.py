@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
+from boresight.analysis.likelihood import damped_step
 from boresight.runtime.array import Array
 
 
@@ -54,8 +55,10 @@ def most_likely(
     *,
     enough: float = 0.02,
     progress: Callable[[str], None] | None = None,
-) -> tuple[Array, int]:
-    """The noises (n,) of greatest likelihood, and the passes that it took.
+) -> tuple[Array, Array, int]:
+    """The noises (n,) of greatest likelihood, a sigma of the logarithm of each, and the passes that it took.
+
+    The sigmas are of the information matrix, 0 of a noise that is kept.
 
     fly: noises (runs, n), flown side by side -> nu, S and, where some may be refused, used, each (K, runs, rows);
     noises are compared by what was used under all of them.  first: (n,) where it begins; those whose `free` (n,) is
@@ -67,7 +70,7 @@ def most_likely(
     where = np.flatnonzero(free)
     start = np.log(first)
     if len(where) == 0:
-        return np.exp(start), 0
+        return np.exp(start), np.zeros(len(start)), 0
     low, high = (np.where(free, np.log(limit), start) for limit in limits)
     h, radius, n = 0.05, 1.5, len(where)
     bump = h * np.eye(len(start))[where]
@@ -99,18 +102,7 @@ def most_likely(
         # Settled: the step, half of whose slope is what it promises, or no step however small makes it better.
         if -gradient @ (trial - centre)[where] < enough or radius < 1e-3:
             # A limit's logarithm does not come back as the limit: 9.999999999999994e-08 of 1e-7.
-            return np.where(free, np.clip(np.exp(centre), *limits), first), passes
+            sigma = np.zeros(len(start))
+            sigma[where] = np.sqrt(np.diagonal(np.linalg.pinv(information, hermitian=True)))
+            return np.where(free, np.clip(np.exp(centre), *limits), first), sigma, passes
     raise BoresightError("the choice of noises did not settle in 40 passes; give some of them, or look at --check")
-
-
-def damped_step(gradient: Array, information: Array, radius: float) -> Array:
-    """The step downhill, no component longer than RADIUS: damping turns a step that is too long towards the gradient.
-
-    Cutting the components instead would spoil the direction: where one noise hides another they must move together.
-    """
-    damping = 1e-3
-    while True:
-        step: Array = -np.linalg.solve(information + damping * np.eye(len(gradient)), gradient)
-        if np.abs(step).max() <= radius:
-            return step
-        damping *= 3

@@ -302,7 +302,7 @@ def run(
     if free.any():
         lasting(progress, f"{free.sum()} noises are to be chosen: {USUAL_PASSES} passes or so, about "
                 f"{USUAL_PASSES * 1.7 * pass_s:.0f} s")  # fmt: skip
-    noises, passes = most_likely(flown, noises, free, (low, high), enough=ENOUGH, progress=progress)
+    noises, unsure, passes = most_likely(flown, noises, free, (low, high), enough=ENOUGH, progress=progress)
     progress("last pass")
     track = fly(cut, model, noises, start, prior, delay_sigma, sensors, informs)
     both = {
@@ -317,7 +317,7 @@ def run(
         scored = fly(cut, load(MODEL), noises, start[0], prior, prior["delay"], probed, informs)["pass"]
         unheld, more = unmodelled(scored, prior), unknown(scored.loop.P, scored.score, assumed)[: len(model.states)]
     assert cut.master is not None
-    stated_noise = said_noise(noises, free, passes)
+    stated_noise = said_noise(noises, free, unsure, passes)
     return {
         "recording": recording.name,
         "title": recording.title,
@@ -435,8 +435,11 @@ def noise_vector(given: Mapping[str, Any]) -> tuple[Array, Array]:
     return np.concatenate(values), np.array(free)
 
 
-def said_noise(noises: Array, free: Array, passes: int) -> dict[str, Any]:
-    """By name: unit, parts, value, whether it was chosen, and whether it is more than the least that is looked for."""
+def said_noise(noises: Array, free: Array, unsure: Array, passes: int) -> dict[str, Any]:
+    """By name: unit, parts, value, whether it was chosen, and whether it is more than the least that is looked for.
+
+    low and high: 95 % of what was chosen, by one sigma of the logarithms, `unsure`.
+    """
     out: dict[str, Any] = {"passes": passes}
     for name, one in NOISES.items():
         mine = [i for i, part in enumerate(PARTS) if part is one]
@@ -444,6 +447,8 @@ def said_noise(noises: Array, free: Array, passes: int) -> dict[str, Any]:
             "unit": one.unit,
             "parts": list(one.parts),
             "value": (noises[mine] / UNITS[one.kind][one.unit]).tolist(),
+            "low": (noises[mine] * np.exp(-BAND * unsure[mine]) / UNITS[one.kind][one.unit]).tolist(),
+            "high": (noises[mine] * np.exp(BAND * unsure[mine]) / UNITS[one.kind][one.unit]).tolist(),
             "chosen": bool(free[mine].any()),
             "seen": (noises[mine] > 1.05 * one.limits[0]).tolist(),
         }
@@ -578,7 +583,7 @@ def report(result: Mapping[str, Any]) -> str:
         "- Neighbours: the largest correlation of one innovation with the next, which shows what is not modelled.",
         "- v, a: velocity and attitude.",
         "",
-        "Noises, one sigma:",
+        "Noises, one sigma; in brackets 95 % of those that were chosen, by the information in the innovations:",
         "",
         *(f"- {_noise(name, one)}" for name, one in noise.items() if name != "passes"),
         "",
@@ -683,7 +688,10 @@ def described(sensors: Sensors) -> str:
 
 
 def _noise(name: str, one: Mapping[str, Any]) -> str:
-    shown = (f"{v:.3g}" if seen else f"below {v:.1g}" for v, seen in zip(one["value"], one["seen"], strict=True))
+    shown = [
+        f"{v:.3g} ({low:.3g} to {high:.3g})" if seen and high > low else f"{v:.3g}" if seen else f"below {v:.1g}"
+        for v, low, high, seen in zip(one["value"], one["low"], one["high"], one["seen"], strict=True)
+    ]
     parts = "" if len(one["parts"]) == 1 else f"{' and '.join(one['parts'])}, "
     name, whence = name.replace("_", " "), "chosen" if one["chosen"] else "given"
     if whence == "given" and not any(one["seen"]):

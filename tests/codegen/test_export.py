@@ -119,8 +119,6 @@ def test_what_has_no_filter_is_exported_with_its_self_test_and_precision(model, 
 
 def test_the_detectors_export_begins_with_c_that_decides_as_python_does(tmp_path):
     """The C of its README alone, with the thresholds that stand in it; of its table each by the quantile itself."""
-    from scipy.stats import chi2
-
     from boresight.runtime import detector
 
     folder = tmp_path / "out"
@@ -129,7 +127,9 @@ def test_the_detectors_export_begins_with_c_that_decides_as_python_does(tmp_path
     rows = re.findall(r"^\| (\d+) \| ([\d.]+) \| ([\d.]+) \| ([\d.]+) \| ([\d.]+) \| ([\d.]+) \|$", text, re.M)
     assert len(rows) == 12
     for N, rate, *q in ([float(cell) for cell in row] for row in rows):
-        assert q == pytest.approx(chi2.isf(rate, [3, 3 * (N - 1), 1, 6 * N - 2]), abs=0.006)
+        limits = [detector.threshold(name, int(N), 1.0, 1.0, rate) for name in detector.DETECTORS]
+        assert N * limits[4] == pytest.approx(q[3], abs=0.006) and limits[1] == limits[3]
+        assert N * np.square(limits[:3]) == pytest.approx(q[:3], abs=0.006)
     rng = np.random.default_rng(2)
     gyro, accel = 8e-4 * rng.standard_normal((600, 3)), [0, 0, -9.8] + 4e-3 * rng.standard_normal((600, 3))
     gyro[200:300] += 0.05

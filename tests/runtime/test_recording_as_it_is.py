@@ -588,7 +588,7 @@ def test_a_noise_that_ends_at_its_limit_is_one_that_may_be_given():
         S = np.tile(noises**2, (5, 1, 1))
         return {"nu": 0 * S, "S": S}
 
-    noises, _ = most_likely(flat, np.full(2, 1e-6), np.array([True, True]), (1e-7, 0.03))
+    noises, *_ = most_likely(flat, np.full(2, 1e-6), np.array([True, True]), (1e-7, 0.03))
     np.testing.assert_array_equal(noises, 1e-7)
 
 

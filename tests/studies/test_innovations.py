@@ -37,7 +37,7 @@ def test_noises_are_chosen_by_what_is_used_under_all_of_them():
         return {"nu": off, "S": S, "used": np.broadcast_to(used, off.shape)}
 
     for first in (0.1, 0.3, 1.0):
-        found, _ = most_likely(flown, np.array([first]), np.array([True]), (1e-3, 1e2))
+        found, *_ = most_likely(flown, np.array([first]), np.array([True]), (1e-3, 1e2))
         assert found[0] == pytest.approx(0.3, rel=0.05), first
 
 
