@@ -23,7 +23,8 @@ STEPS = ("predict", "update", "feedback", "set_block", "inflate", "disable", "en
 BLOCKS = STEPS[3:]
 FOUND = ("nu", "S", "used", "nis", "inflated")  # of an Innovation
 TAKING = ("R", "rows", "considered", "jacobian")  # arrays that an update is called with beside its inputs
-OPTIONS = ("gate", "joint", "iterations", "inflate", "relinearize")
+LINEARISING = ("iterations", "relinearize")
+OPTIONS = ("gate", "joint", "inflate", *LINEARISING)
 CHUNK_BYTES, CHUNK_STEPS = 2**25, 1024  # what is kept as it came before it becomes arrays
 
 
@@ -56,14 +57,14 @@ class Record:
     """What a flight of a filter did, step by step; from now on, or of an earlier flight in a folder.
 
     It records each `predict`, `update`, `feedback`, `set_block`, `inflate`, `disable` and `enable` of
-    the filter.  A step that raises leaves nothing.  Where x or P is assigned, a new piece begins; of
-    an error state whose x alone is assigned, it is a feedback by hand.  Units and frames are those of
-    the filter.
+    the filter, and those of an `Epoch` of it.  A step that raises leaves nothing.  Where x or P is
+    assigned, a new piece begins; of an error state whose x alone is assigned, it is a feedback by
+    hand; see `withdrawn`.  Units and frames are those of the filter.
 
     Parameters
     ----------
     loop : Filter or CompiledFilter
-        Is flown as before.
+        Is flown as before, with the same bits.
     path : str or Path, optional
         A folder for Parquet files, so that the memory that is needed does not grow with the flight;
         in memory without.
@@ -74,7 +75,7 @@ class Record:
         Of the filter.
     names : (K,) array of str
         Of each step: "begin" of a piece, "predict", the measurement's, "feedback", "set_block",
-        "inflate", "disable" or "enable".
+        "inflate", "disable", "enable" or "withdrawn".
     time, piece : (K,) array
         s, the sum of `dt` of the predictions; and the number of the piece.
     x, P : (K, ..., n) and (K, ..., n, n) array
@@ -89,8 +90,8 @@ class Record:
 
     Notes
     -----
-    When not to use it: for an `Epoch`, whose steps are one call of C; it refuses a filter that is
-    recorded.  The live loop and `Transfer` have filters of their own.
+    When not to use it: for `Live` and `Transfer`, whose C gives P, but neither the transitions nor
+    what each correction took out.  An `Epoch` in which a run is refused ends a piece.
 
     Examples
     --------
@@ -108,6 +109,11 @@ class Record:
     """
 
     def __init__(self, loop: Filter, path: str | Path | None = None):
+        if not isinstance(loop, Filter):
+            raise BoresightError(
+                f"a {type(loop).__name__} cannot be recorded: it gives P, but neither its transitions nor what each "
+                "correction took out; fly the same messages by Filter, CompiledFilter or Epoch, or boresight replay"
+            )
         if loop.recorder is not None:
             raise BoresightError("this filter is recorded already; end that record by stop()")
         self.model, self.total, self.folder = loop.model, loop.total, None if path is None else Path(path)
@@ -125,6 +131,7 @@ class Record:
         self._steps: list[tuple[str, float, int, Any, dict[str, Any]]] = []
         self._raw = np.empty((0, 0, 0, 0))
         self._count, self._clock, self._piece, self._runs = 0, 0.0, -1, loop.x.shape[:-1]
+        self._last: dict[str, Array] | None = None
         loop.recorder = self
         for name in STEPS:
             setattr(loop, name, partial(self._step, name, getattr(loop, name)))
@@ -187,9 +194,6 @@ class Record:
         self._look()
         given = self._given(name, args, inputs)
         found = method(*args, **inputs)  # raises, and nothing is left
-        if name == "predict":
-            dt = inputs.get("dt", 0.0)
-            self._clock += dt if isinstance(dt, float) else float(np.ravel(dt)[0])
         if isinstance(found, Innovation):
             name = args[0] if args else inputs["measurement"]
             given |= {part: getattr(found, part) for part in FOUND}
@@ -199,6 +203,61 @@ class Record:
     def _passed(self, method: Any, **inputs: Any) -> None:
         self._look()  # after it the C has what was assigned
         method(**inputs)
+
+    def epoch(self, epoch: Any, fly: Any) -> int:
+        """Fly an `Epoch` step after step, with the bits of its one call; it calls this itself.
+
+        Parameters
+        ----------
+        epoch : Epoch
+            Of the filter.
+        fly : callable
+            Flies one of `epoch.steps()`, or all without an argument; returns how many runs were
+            refused.
+
+        Returns
+        -------
+        int
+            How many runs were refused: then the epoch is flown in one call and a new piece begins.
+        """
+        assert isinstance(self.loop, CompiledFilter)
+        self._look()
+        memory, found, status = self.loop.memory, [], np.zeros_like(epoch.status)
+        before = memory.settle(epoch.runs).numbers.copy()
+        for name, step in epoch.steps():
+            if name == "feedback":
+                given = self._given(name, (), {})
+            if fly(step):
+                memory.blocks.numbers[...] = before
+                memory.forget(memory.part)
+                refused: int = fly()
+                self._begin()
+                return refused
+            np.maximum(status, epoch.status, out=status)
+            if name in epoch.measured:
+                given = epoch.measured[name].recorded()
+            elif name == "predict":
+                given = {field: np.array(value) for field, value in epoch.predict.fields.items()}
+            if name != "strapdown":
+                state, runs, numbers = self._now()
+                found.append((name, given, (state, runs, numbers.copy())))
+        epoch.status[...] = status
+        for one in found:
+            self._add(*one)
+        return 0
+
+    def withdrawn(self) -> None:
+        """Go on in this piece after x and P were assigned what they were before the last measurements.
+
+        Of a run whose measurements were withdrawn; the others are as they were.  They count for
+        nothing then, in the smoother too.
+
+        Raises
+        ------
+        BoresightError
+            By `smooth`, where x or P of a run is something else.
+        """
+        self._add("withdrawn", {})
 
     def _given(self, name: str, args: tuple[Any, ...], inputs: dict[str, Any]) -> dict[str, Any]:
         """What a step was called with, in arrays of its own."""
@@ -225,15 +284,9 @@ class Record:
         nav: Any = self.loop.nav
         return ((n, nav.seen(n) if hasattr(nav, "seen") else nav[n]) for n in nav)
 
-    def _add(self, name: str, given: dict[str, Any]) -> None:
-        loop, state = self.loop, None
-        assert loop is not None
-        memory: Any = getattr(loop, "memory", None)
-        if memory is not None and memory.settled and not memory.lent and self._in_C:
-            runs, numbers = memory.runs, memory.blocks.numbers[:, : memory.part["P"].stop]
-        else:
-            state, runs = self._state()
-            numbers = self._raw[0] if len(self._raw) else np.empty((0, 0, 0))
+    def _add(self, name: str, given: dict[str, Any], now: Any = None) -> None:
+        """A step, of what the filter is now, or was."""
+        state, runs, numbers = self._now() if now is None else now
         if runs != self._runs or len(self._steps) == len(self._raw) or numbers.shape != self._raw.shape[1:]:
             self._close()
             self._runs = runs
@@ -241,10 +294,20 @@ class Record:
             self._raw = np.empty((max(1, min(CHUNK_STEPS, CHUNK_BYTES // size)), *numbers.shape))
         if state is None:
             self._raw[len(self._steps)] = numbers
+        if name == "predict":
+            dt = given.get("dt", 0.0)
+            self._clock += dt if isinstance(dt, float) else float(np.ravel(dt)[0])
         self._last = state
         self._steps.append((name, self._clock, self._piece, state, given))
         self._count += 1
         self._loaded = None
+
+    def _now(self) -> tuple[dict[str, Array] | None, tuple[int, ...], Array]:
+        """x, P and nav, where they do not lie among the numbers of the C; the runs; and these numbers, a view."""
+        memory: Any = getattr(self.loop, "memory", None)
+        if memory is not None and memory.settled and not memory.lent and self._in_C:
+            return None, memory.runs, memory.blocks.numbers[:, : memory.part["P"].stop]
+        return *self._state(), self._raw[0] if len(self._raw) else np.empty((0, 0, 0))
 
     def _begin(self) -> None:
         self._piece += 1
@@ -306,9 +369,10 @@ class Record:
         x, P, nav = self._stacked(states, raw, runs)
         alike: dict[Any, list[int]] = {}
         for i, (name, words) in enumerate(zip(names, given, strict=True)):
-            alike.setdefault((name, tuple((n, np.shape(v)) for n, v in words.items())), []).append(i)
+            shapes = tuple((n, np.shape(v), float(v) if n in LINEARISING else None) for n, v in words.items())
+            alike.setdefault((name, shapes), []).append(i)
         tables = [
-            Table(key[0], first + np.array(where), {n: np.array([given[i][n] for i in where]) for n, _ in key[1]})
+            Table(key[0], first + np.array(where), {n: np.array([given[i][n] for i in where]) for n, *_ in key[1]})
             for key, where in alike.items()
         ]
         return Chunk(list(names), np.array(time), np.array(piece), x, P, nav, tables)

@@ -6,6 +6,9 @@ A step takes x and P to A x and A P A' + Q.  With the gain C = P A' (A P A' + Q)
     Ps = (I - C A) P (I - C A)' + C (Ps_next + Q) C'
 
 which are sums of squares.  A measurement changes what is known of a state and not the state, so it is passed as it is.
+Nothing here asks for the best gain: x - x_filter - C (x_next - x_predicted) is linear in the error of x and the noise
+of this step, and what is added to it later, whatever the gains, comes from x_next and later noises.  So Ps is that of
+the error of xs where states are considered, too; it is then not the least that there is.
 A feedback changes the frame of the errors: A is the derivative of the errors after it by those before.
 """
 
@@ -15,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.analysis.record import BLOCKS, Record, Table, spread
+from boresight.analysis.record import BLOCKS, STEPS, Record, Table, spread
 from boresight.runtime.array import Array, wrapped
 
 STEP = 1e-3  # in the unit of a state, for differences of a feedback
@@ -81,13 +84,14 @@ def smooth(record: Record, *, lag_s: float | None = None) -> Smoothed:
     Raises
     ------
     BoresightError
-        A lag that is negative; a flight with considered states, whose smoother is another one.
+        A lag that is negative; x or P that was not what it was before `withdrawn` measurements.
 
     Notes
     -----
     Rows that were masked, gated or refused, and R that was raised, are what they were in flight.
     `set_block` and `enable` begin states that know nothing of before; `inflate` is process noise;
-    a ceiling of a variance adds nothing.  The inverse is that of the covariance scaled to unit
+    a ceiling of a variance adds nothing.  A considered state is smoothed by what corrects it
+    elsewhere; the covariance is right, but not the least.  The inverse is that of the covariance scaled to unit
     variances: of states with a variance, or, where these depend on each other, its pseudo-inverse
     over eigenvalues above n 2.2e-16 of the largest.
 
@@ -207,10 +211,15 @@ def changes(record: Record) -> dict[int, tuple[Array, Array, bool]]:
             for k, row in enumerate(table.rows):
                 at = np.searchsorted(rows, row)
                 steps[row] = kept[k][:, None] * Phi[at], kept[k][:, None] * Q[at] * kept[k], False
-    for name in np.unique(record.names):
-        if any(table.given.get("considered", np.zeros(1)).any() for table in record.tables(name)):
+    measures = ~np.isin(record.names, ("begin", "withdrawn", *STEPS))
+    for row in record.rows("withdrawn"):
+        x, P = record.x[row], record.covariance(row)
+        before = row - 1 - int(np.argmin(measures[row - 1 :: -1]))  # the last step that was no measurement
+        same = [(x == record.x[k]).all(-1) & (record.covariance(k) == P).all((-1, -2)) for k in (row - 1, before)]
+        if not np.logical_or(*same).all():
             raise BoresightError(
-                f"smooth: {name} left states as they were (considered); estimate them, or smooth another flight"
+                f"smooth: at {record.time[row]:g} s measurements were withdrawn, and x or P is not what it was before "
+                "them; assign both, or begin a new piece"
             )
     return steps
 

@@ -5,7 +5,7 @@ A readable loop spends most of its time on the way from Python to C and back; an
 """
 
 import ctypes
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from typing import Any
 
 import numpy as np
@@ -13,7 +13,7 @@ import numpy as np
 from boresight.errors import BoresightError, did_you_mean
 from boresight.runtime.arguments import whole
 from boresight.runtime.array import Array
-from boresight.runtime.filter.compiled import CompiledFilter
+from boresight.runtime.filter.compiled import INFLATE, RELINEARIZE, CompiledFilter
 from boresight.runtime.filter.memory import Blocks, Taking
 from boresight.runtime.library import Given, Library
 from boresight.runtime.status import Status
@@ -116,6 +116,18 @@ class Measured(Inputs):
         taken = self.gates, self.iterations, self.options, self.nu, self.S, self.nis, self.used
         ends = (part.ctypes.data for part in taken)
         self.taking = Taking(self.rows.ctypes.data, 0 if alike else m, *ends)
+
+    def recorded(self) -> dict[str, Any]:
+        """What the last call took and found, in arrays of its own, by the names of `Filter.update` and Innovation."""
+        gate, joint = (float(value) for value in self.gates)
+        options = int(self.options[0])
+        chosen = {"gate": gate, "joint": joint, "iterations": float(self.iterations[0]),
+                  "inflate": float(options & INFLATE > 0), "relinearize": float(options & RELINEARIZE > 0)}  # fmt: skip
+        return {
+            **{name: np.array(value) for name, value in self.fields.items()}, **chosen,
+            "nu": self.nu.copy(), "S": self.S.copy(), "nis": self.nis.copy(),
+            "used": self.used % 2 == 1, "inflated": self.used > 1,
+        }  # fmt: skip
 
 
 class Epoch(Fixed):
@@ -248,22 +260,48 @@ class Epoch(Fixed):
         memory = self.loop.memory
         if memory.lent or self._blocks is not memory.blocks:
             self._check()
+        if self.loop.recorder is not None:
+            return int(self.loop.recorder.epoch(self, self._fly))
+        return self._fly()
+
+    def _fly(self, step: Cycle | None = None) -> int:
+        """All of it, or one of `steps`."""
+        memory = self.loop.memory
+        if memory.lent or self._blocks is not memory.blocks:
             blocks = memory.settle(self.runs)
             if self._blocks is not blocks:
-                asked = ctypes.byref(self._cycle), ctypes.c_void_p.from_param(self.status.ctypes.data)
-                self._blocks, self._bound = blocks, memory.bind("epoch", *asked)
-        refused: int = self._bound()
+                self._blocks, self._bound = blocks, self._bind(self._cycle)
+        refused: int = self._bound() if step is None else self._bind(step)()
         if memory.copies:
             memory.forget(self._changed)
         return refused
+
+    def _bind(self, cycle: Cycle) -> Any:
+        status = ctypes.c_void_p.from_param(self.status.ctypes.data)
+        return self.loop.memory.bind("epoch", ctypes.byref(cycle), status)
+
+    def steps(self) -> Iterator[tuple[str, Cycle]]:
+        """Its parts one after the other, for a record: strapdown, predict, each measurement, feedback."""
+        whole, which, given, taking = self._cycle, self._which, self._given, self._taking
+
+        def part(samples: int = 0, predict: Any = None, count: int = 0, i: int = 0, correct: int = 0) -> Cycle:
+            at = (ctypes.addressof(array) + i * ctypes.sizeof(array._type_) for array in (which, given, taking))
+            return Cycle(samples, whole.strapdown, predict, count, *at, correct)
+
+        if whole.samples:
+            yield "strapdown", part(samples=whole.samples)
+        if whole.propagate:
+            yield "predict", part(predict=whole.propagate)
+        for i, name in enumerate(self.measured):
+            yield name, part(count=1, i=i)
+        if whole.correct:
+            yield "feedback", part(correct=1)
 
     @staticmethod
     def _corrects_all(loop: CompiledFilter) -> None:
         if loop.considered is not None or loop.disabled is not None:
             what = "considered" if loop.disabled is None else "disabled"
             raise BoresightError(f"an Epoch corrects every state; fly a filter with {what} states by its methods")
-        if loop.recorder is not None:
-            raise BoresightError("an Epoch is one call, of which no step is recorded; fly the filter by its methods")
 
     def _check(self) -> None:
         """Raise BoresightError where the loop has states that it does not correct, other runs, or too little in nav."""

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from conftest import ROOT
 
-from boresight import BoresightError, CompiledFilter, Epoch, Filter, Record, load
+from boresight import BoresightError, CompiledFilter, Epoch, Filter, Live, Record, load, smooth
 
 RADAR = {"gusts": [0.5, 0.01]}
 
@@ -206,18 +206,97 @@ def test_the_files_hold_the_same_and_memory_does_not_grow(radar, tmp_path, monke
         Record.open(tmp_path / "flight", load("euler-matching"))
 
 
-def test_a_recorded_filter_is_refused_twice_and_in_an_epoch_and_goes_on_when_it_is_stopped(radar):
+def test_a_recorded_filter_is_refused_twice_and_goes_on_when_it_is_stopped(radar):
     loop = start(CompiledFilter, radar)
-    epoch, record = Epoch(loop, 0, ("radar",), feedback=False), Record(loop)
+    record = Record(loop)
     with pytest.raises(BoresightError, match="recorded already"):
         Record(loop)
-    with pytest.raises(BoresightError, match="an Epoch is one call"):
-        epoch()
     record.stop()
     loop.predict(dt=0.5, **RADAR)
     assert record.names.tolist() == ["begin"] and loop.recorder is None and "predict" not in vars(loop)
     with pytest.raises(BoresightError, match="no measurement 'radar' was recorded"):
         record.innovation("radar")
+    with pytest.raises(BoresightError, match="a Live cannot be recorded: it gives P, but neither its transitions"):
+        Record(Live("velocity-attitude"))
+
+
+class ByMethods:
+    """An Epoch by the methods of its filter."""
+
+    def __init__(self, loop, nav):
+        self.loop, self.nav = loop, nav
+
+    def __call__(self, turns, noise, angles):
+        for turn in turns:
+            self.loop.strapdown(dtheta_ib_b=turn, omega_in_n=np.zeros(3), dt=0.5)
+        self.loop.predict(omega_in_n=np.zeros(3), gyro_noise=noise, dt=1.0)
+        euler = self.loop.call("euler_angles")
+        self.loop.update("euler_exact", np.full(3, 1e-6), iterations=2, gate=3.0, euler_b=euler, euler_m=angles)
+        self.loop.feedback()
+
+
+class InOneCall(ByMethods):
+    """Its angles come from the filter before the call, so that it stands between two epochs there."""
+
+    def __init__(self, loop, nav):
+        super().__init__(loop, nav)
+        self.move, self.take = Epoch(loop, 2, feedback=False), Epoch(loop, 0, ["euler_exact"], predict=False)
+
+    def __call__(self, turns, noise, angles):
+        self.move.strapdown["dtheta_ib_b"] = np.reshape(turns, (2, *(1,) * (self.loop.x.ndim - 1), 3))
+        self.move.strapdown["dt"], self.move.predict["dt"], self.move.predict["gyro_noise"] = 0.5, 1.0, noise
+        assert self.move() == 0
+        taken = self.take.measured["euler_exact"]
+        taken.gates[0], taken.iterations[0] = 3.0, 2
+        taken["R"], taken["euler_b"], taken["euler_m"] = 1e-6, self.loop.call("euler_angles"), angles
+        assert self.take() == 0
+
+
+@pytest.mark.parametrize("runs", [(), (3,)])
+def test_an_epoch_is_recorded_step_by_step_with_its_bits(runs, library):
+    records = []
+    for kind, recorded in ((ByMethods, True), (InOneCall, True), (InOneCall, False)):
+        rng, nav = np.random.default_rng(8), {"q_b2n_wxyz": [1, 0, 0, 0], "mu": np.zeros((*runs, 3))}
+        loop = CompiledFilter(library, nav, np.broadcast_to(np.eye(6) * 1e-4, (*runs, 6, 6)))
+        record = Record(loop) if recorded else None
+        fly = kind(loop, nav)
+        for _ in range(8):
+            fly(0.01 * rng.standard_normal((2, 3)), np.full(3, 1e-4), 0.01 * rng.standard_normal((*runs, 3)))
+        records.append((record, loop))
+    (one, loop), (other, there), (_, bare) = records
+    assert other.names.tolist() == one.names.tolist() == ["begin", *["predict", "euler_exact", "feedback"] * 8]
+    for name in ("time", "piece", "x", "P"):
+        assert np.array_equal(getattr(other, name), getattr(one, name)), name
+    assert all(np.array_equal(other.nav[name], one.nav[name]) for name in one.nav)
+    for get in (Record.taken, Record.Phi, Record.Q, *(lambda r, f=f: getattr(r, f)("euler_exact")
+                                                      for f in ("gain", "jacobian"))):  # fmt: skip
+        assert np.array_equal(get(other), get(one))
+    found = [record.innovation("euler_exact") for record in (one, other)]
+    assert all(np.array_equal(*(getattr(f, part) for f in found)) for part in ("nu", "S", "used", "nis", "inflated"))
+    assert not found[0].used.all()
+    assert np.array_equal(bare.x, there.x) and np.array_equal(bare.P, there.P)
+    assert np.array_equal(smooth(one).P, smooth(other).P)
+
+
+def test_an_epoch_that_refuses_a_run_ends_the_piece(library):
+    ends = []
+    for recorded in (True, False):
+        nav = {"q_b2n_wxyz": [1, 0, 0, 0], "mu": np.zeros((3, 3))}
+        loop = CompiledFilter(library, nav, np.broadcast_to(np.eye(6) * 1e-4, (3, 6, 6)))
+        record = Record(loop) if recorded else None
+        epoch = Epoch(loop, 1, feedback=False)
+        epoch.strapdown["dt"] = epoch.predict["dt"] = 1.0
+        refused = [epoch()]
+        epoch.predict["gyro_noise"][1] = np.nan
+        refused += [epoch(), epoch.refused()]
+        epoch.predict["gyro_noise"] = 1e-4
+        refused.append(epoch())
+        ends.append((refused, epoch.status.tolist(), loop.P))
+        if record is not None:
+            assert record.names.tolist() == ["begin", "predict", "begin", "predict"]
+            assert record.piece.tolist() == [0, 0, 1, 1] and record.time.tolist() == [0, 1, 1, 2]
+    assert ends[0][:2] == ends[1][:2] == ([0, 1, "run 1: BS_NOT_FINITE", 0], [0, 0, 0])
+    assert np.array_equal(ends[0][2], ends[1][2])
 
 
 def test_a_recorded_flight_has_the_bits_of_one_that_is_not(radar):

@@ -299,11 +299,63 @@ def test_a_restart_ends_a_piece_and_nothing_goes_across(vertical):
     assert np.array_equal(smooth(first, lag_s=2.0).P[count - 1], alone.P[-1])
 
 
-def test_considered_states_are_refused(vertical):
-    loop = CompiledFilter(vertical, {"height": 0.0, "speed": 0.0, "bias": 0.0}, np.eye(3))
-    record = Record(loop)
-    loop.update("altitude", 4.0, baro=1.0, considered=[False, False, True])
-    with pytest.raises(BoresightError, match="altitude left states as they were"):
+def test_with_considered_states_the_covariance_is_that_of_the_errors():
+    """Error by error: a flight for each source of unit variance is a column, and the squares of the columns add up."""
+    n, steps = 3, 12
+    Phi = np.array([[1, 0.5, 0.1], [0, 0.9, 0.3], [0, 0, 1]])
+    P0, q = np.diag([2.0, 1.0, 0.5]), np.diag([0.01, 0.04, 1e-3])
+    H = np.array([[1.0, 0.2, 0.5], [0, 1, -0.4]])
+    sources = n + steps * (n + 2)
+
+    def flown(unit):
+        start, noise = unit[:n], unit[n:].reshape(steps, n + 2)
+        loop = Filter(Linear(n), {}, P0, x=np.zeros(n))
+        record, x, truth = Record(loop), np.sqrt(np.diag(P0)) * start, []
+        truth.append(x)
+        for k, (w, v) in enumerate(zip(noise[:, :n], noise[:, n:], strict=True)):
+            x = Phi @ x + np.sqrt(np.diag(q)) * w
+            truth.append(x)
+            loop.predict(phi=Phi, q=q)
+            kept = [False, k == 2, k % 3 > 0]  # the third is corrected by each third measurement alone
+            loop.update("seen", [0.3, 0.2], z=H @ x + np.sqrt([0.3, 0.2]) * v, h=H, considered=kept)
+        found = smooth(record)
+        return found, found.x[np.append(0, record.rows("seen"))] - truth, record
+
+    columns = np.array([flown(unit)[1] for unit in np.eye(sources)])
+    found, _, record = flown(np.zeros(sources))
+    rows = np.append(0, record.rows("seen"))
+    assert np.allclose(np.einsum("ski,skj->kij", columns, columns), found.P[rows], rtol=0, atol=1e-13)
+    smaller = np.diagonal(found.P[rows], axis1=1, axis2=2) / np.diagonal(record.P[rows], axis1=1, axis2=2)
+    assert smaller[0].max() < 0.7 and smaller[6, 2] < 0.9
+
+
+@pytest.mark.parametrize("kind", [Filter, CompiledFilter])
+def test_measurements_that_are_withdrawn_count_for_nothing(vertical, kind):
+    """The flight goes on in its piece as if they had never come, of one run; the other has them."""
+    ends = []
+    for withdraw in (True, False):
+        loop = kind(vertical, {"height": np.full(2, 1e3), "speed": 0.0, "bias": 0.0}, np.diag([20.0, 3.0, 0.2]) ** 2)
+        record = Record(loop)
+        for k in range(6):
+            loop.strapdown(dv=9.81, dt=1.0)
+            loop.predict(accel_noise=0.02, bias_noise=0.003, dt=1.0)
+            x, P = loop.x.copy(), np.broadcast_to(loop.P, (2, 3, 3)).copy()
+            there = np.array([[k != 3 or withdraw], [True]])
+            loop.update("altitude", 4.0, baro=np.array([990.0, 980.0]), rows=there)
+            if k == 3 and withdraw:
+                off = np.array([True, False])
+                loop.x, loop.P = np.where(off[:, None], x, loop.x), np.where(off[:, None, None], P, loop.P)
+                record.withdrawn()
+            loop.feedback()
+        assert not record.piece.any()
+        done = smooth(record)
+        ends.append([part[np.isin(record.names, ("begin", "feedback"))] for part in (done.P, done.nav["height"])])
+    for one, other in zip(*ends, strict=True):
+        assert np.allclose(one, other, rtol=1e-12, atol=0)
+    loop.update("altitude", 4.0, baro=990.0)
+    loop.P = 2.0 * loop.P
+    record.withdrawn()
+    with pytest.raises(BoresightError, match="measurements were withdrawn, and x or P is not"):
         smooth(record)
 
 
