@@ -947,6 +947,9 @@ def replay(
     lever_arm: Annotated[
         str | None, typer.Option(help='From master to slave: front, right, down, as "-8, -2, 12 cm".')
     ] = None,
+    smooth: Annotated[
+        bool, typer.Option("--smooth", help="velocity-attitude: estimate each instant from all messages, too.")
+    ] = False,
     out: Out = None,
     svg: Svg = False,
     as_json: AsJson = False,
@@ -1012,6 +1015,8 @@ def replay(
     )
     if (noise or prior or lever_arm) and not name.startswith("velocity-attitude"):
         raise BoresightError(f"noises, biases and a lever arm are options of velocity-attitude; {name} takes none")
+    if smooth and not name.startswith("velocity-attitude"):
+        raise BoresightError(f"--smooth is an option of velocity-attitude; leave it out with {name}")
     options = (with_, grade, gyro_instability, accel_instability, correlation)
     if (estimate or any(options)) and not name.startswith("velocity-attitude"):
         raise BoresightError(f"sizes of the sensors' errors are options of velocity-attitude; {name} takes none")
@@ -1040,7 +1045,7 @@ def replay(
         settings |= {
             "noise": noise, "prior": {key: float(value[0]) for key, value in prior.items()},
             "lever_b": None if lever_arm is None else quantity(lever_arm, "length", 3), "delay": delay_ms * 1e-3,
-            "rate_hz": rate_hz, "sensors": sensors, "grade": grade,
+            "rate_hz": rate_hz, "sensors": sensors, "grade": grade, "smooth": smooth,
         }  # fmt: skip
     fly(one, Replay(data, settings), out, svg, as_json)
 

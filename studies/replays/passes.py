@@ -157,8 +157,7 @@ class Pass:
             for cut in range(self.ends[k], self.ends[k + 1], 2):
                 self.step(cut)
             if self.doubt[k].any():
-                more = np.concatenate([np.repeat(self.doubt[k] ** 2, 3), np.zeros(self.n - 6)])
-                self.loop.P = self.loop.P + np.diag(more)
+                self.loop.inflate(0, np.repeat(self.doubt[k] ** 2, 3))
             if self.same[k]:
                 self.verdict[k] = Verdict.REPEATED
             else:
@@ -229,6 +228,8 @@ class Pass:
         off = self.beyond()
         if off.any():  # one run that is driven off ends no batch
             loop.x, loop.P = np.where(off[..., None], 0.0, loop.x), np.where(off[..., None, None], before, loop.P)
+            if loop.recorder is not None:
+                loop.recorder.withdrawn()
             self.used[k][off] = False
         if self.score is not None:
             self.score.end(self.used[k].all(-1))

@@ -13,6 +13,7 @@ import numpy as np
 
 from boresight import BoresightError
 from boresight.analysis.figures import BLUE, GREY, ORANGE, Sheets
+from boresight.analysis.record import Record
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import CompiledFilter
@@ -25,6 +26,7 @@ from boresight.runtime.transfer.sensors import ADDED, CALIBRATION, GRADES, MODEL
 from boresight.runtime.units import MILLI_G, UNITS
 from boresight.studies.replays.innovations import consistency, minus_log_likelihood, most_likely
 from boresight.studies.replays.passes import HALF_SPAN_S, Pass
+from boresight.studies.replays.smoothed import Quantity, backwards, draw_smoothed, smoothed_lines, summary
 from boresight.studies.study import Progress, Replay, Study, lasting
 
 ROWS = ("velocity north", "velocity east", "velocity down", "attitude north", "attitude east", "attitude down")
@@ -122,6 +124,7 @@ def fly(
     delay_sigma: Any,
     sensors: Sensors | None = None,
     informs: Array | None = None,
+    recorded: bool = False,
 ) -> dict[str, Any]:
     """One pass of the filter over a recording whose master lies inside the slave's data, by HOLD_S at both ends.
 
@@ -130,14 +133,15 @@ def fly(
     sensors: what a model with states for it carries of scale factors, axes, instability, bending and the lever arm.
     informs: as of `Pass`.
     Returns, first axis the K messages: time (K,) s, nu, S and used (K, ..., 6), estimate and sigma (K, ..., n), verdict
-    (K, ...); and pass, how the filter ended, where they are one: runs that begin with one delay are flown side by side.
+    (K, ...); and pass, how the filter ended, and its record where that is asked for, where they are one: runs that
+    begin with one delay are flown side by side.
     """
     runs = np.broadcast_shapes(np.shape(noises)[:-1], np.shape(start)[:-1], np.shape(delay_sigma))
     noises, start = (np.broadcast_to(part, (*runs, np.shape(part)[-1])) for part in (noises, start))
     delay_sigma = np.broadcast_to(delay_sigma, runs)
     delays, which = np.unique(start[..., 15], return_inverse=True)
     if len(delays) == 1:
-        return _fly(recording, model, noises, start, prior, delay_sigma, sensors, informs)
+        return _fly(recording, model, noises, start, prior, delay_sigma, sensors, informs, recorded)
     each = [np.flatnonzero(which.ravel() == i) for i in range(len(delays))]
     tracks = [_fly(recording, model, noises[i], start[i], prior, delay_sigma[i], sensors, informs) for i in each]
     common = sorted(set.intersection(*(set(track["time"]) for track in tracks)))
@@ -151,7 +155,7 @@ def fly(
 
 def _fly(
     recording: Recording, model: Any, noises: Array, start: Array, prior: Mapping[str, float], delay_sigma: Array,
-    sensors: Sensors | None, informs: Array | None,
+    sensors: Sensors | None, informs: Array | None, recorded: bool = False,
 ) -> dict[str, Any]:  # fmt: skip
     imu, master = recording.imu, recording.master
     assert master is not None and master.v_n is not None and master.position is not None
@@ -190,6 +194,7 @@ def _fly(
     nav |= {name: np.broadcast_to(constants.pop(name), (*P.shape[:-2], 3)) for name in sorted(kept)}
     loop = CompiledFilter(model, nav, P)
     score = Score(loop.P.shape[:-2]) if sensors is not None and sensors.probed else None
+    record = Record(loop) if recorded else None
     messages = {"time": master.time, "v_m_n": master.v_n, "q_m2n_wxyz": q, "position": master.position}
     track = Pass(loop, imu, float(end[i - 1]), messages, tau, constants, R, considered, score, informs).fly()
     return {
@@ -198,6 +203,7 @@ def _fly(
         "estimate": estimates(track.nav, start),
         "sigma": np.sqrt(track.variance),
         "pass": track,
+        "record": record,
     }
 
 
@@ -245,6 +251,7 @@ def run(
     sensors: Sensors | None = None,
     assumed: Sensors | None = ASSUMED,
     grade: str | None = None,
+    smooth: bool = False,
     progress: Callable[[str], None] = lambda line: None,
 ) -> dict[str, Any]:
     """Replay a recording with the delay as a state and without it; what came out, as a dict that json can write.
@@ -254,6 +261,7 @@ def run(
     believed.  delay: s, where its estimate begins.  rate_hz: use the master no more often than this.
     grade: of the slave, as of `sensors.GRADES`; a noise is held against what its sensors have.
     sensors: what is carried.  assumed: scale factors and axes that widen each sigma where none are carried; None: none.
+    smooth: a last pass is recorded and smoothed.
     It is flown twice: what the first pass ends with is where the others begin, with the same sigmas, so that they are
     linear about it.  Fields: docs/recordings.md.  Raises BoresightError if the recording cannot be replayed.
     """
@@ -306,7 +314,7 @@ def run(
     progress("last pass")
     track = fly(cut, model, noises, start, prior, delay_sigma, sensors, informs)
     both = {
-        name: {part: values[:, i] for part, values in track.items() if part not in ("time", "pass")}
+        name: {part: values[:, i] for part, values in track.items() if part not in ("time", "pass", "record")}
         for i, name in enumerate(("with", "without"))
     }
     bare = sensors or Sensors(lever=prior["lever"] if "d_lever_x" in model.states else 0.0)
@@ -316,6 +324,13 @@ def run(
         probed = replace(bare, probed=True)
         scored = fly(cut, load(MODEL), noises, start[0], prior, prior["delay"], probed, informs)["pass"]
         unheld, more = unmodelled(scored, prior), unknown(scored.loop.P, scored.score, assumed)[: len(model.states)]
+    found = states(model, track["time"], both, recording.reference, prior, more)
+    back: dict[str, Any] = {}
+    if smooth:
+        progress("smoother")
+        back = backwards(fly(cut, model, noises, start[0], prior, prior["delay"], sensors, informs, True)["record"])
+        back |= {f"{part}estimate": estimates(back[f"{part}nav"], start[0]) for part in ("", "filter_")}
+        back["of"] = quantities(model, found)
     assert cut.master is not None
     stated_noise = said_noise(noises, free, unsure, passes)
     return {
@@ -334,11 +349,25 @@ def run(
         "assumed": None if unheld is None or assumed is None else asdict(assumed),
         "unmodelled": unheld,
         "minus_log_likelihood": {name: float(minus_log_likelihood(part)) for name, part in both.items()},
-        "states": states(model, track["time"], both, recording.reference, prior, more),
+        "states": found,
+        "smoothed": summary(back) if smooth else None,
         "nis": {name: consistency(part["nu"] / np.sqrt(part["S"]), part["used"]) for name, part in both.items()},
         "notes": list(recording.notes),
-        "history": {"time_s": track["time"], "states": model.states, **both},
+        "history": {"time_s": track["time"], "states": model.states, **both, "smoothed": back},
     }
+
+
+def quantities(model: Any, found: Sequence[Mapping[str, Any]]) -> list[Quantity]:
+    """What is smoothed and shown: what is reported, and attitude and velocity by their sigmas."""
+    out = []
+    for s in found:
+        group = next(g for g in GROUPS if g.name == s["state"])
+        at = model.states.index(group.first) + group.axes.index(s["axis"])
+        out.append(Quantity(named(s), group.unit, group.scale, at))
+    for at, row in zip((3, 4, 5, 0, 1, 2), ROWS, strict=True):  # phi stands before dv
+        unit, scale = ("arcmin", UNITS["angle"]["arcmin"]) if at < 3 else ("mm/s", 1e-3)
+        out.append(Quantity(row, unit, scale, at, in_nav=False))
+    return out
 
 
 def first_look(model: Any, track: Mapping[str, Any]) -> str:
@@ -591,6 +620,8 @@ def report(result: Mapping[str, Any]) -> str:
     if not nis["with"]["white"] and lever == "taken as zero":
         lines += ["**Neighbours correlate, and the lever arm was taken as zero: look whether it is there, by",
                   "--model velocity-attitude-lever, before anything else.**", ""]  # fmt: skip
+    if result["smoothed"] is not None:
+        lines += smoothed_lines(result["smoothed"], markdown, number)
     if result["unmodelled"] is not None:
         lines += score_lines(result["unmodelled"])
     if noise["passes"]:
@@ -796,10 +827,13 @@ def write(result: Mapping[str, Any], sheets: Sheets) -> None:
     with sheets(f"{base}-states", 11, 2.2 * rows, nrows=rows, ncols=3) as (drawing, axes):
         draw_states(result, axes)
         drawing.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
-    captions = (
+    captions = [
         "Innovations, what the filter expected less what the master measured, within their 95 % bands",
         "Estimates in time, within the 95 % bands of the noises alone",
-    )
+    ]
+    if result["smoothed"] is not None:
+        draw_smoothed(result["history"]["smoothed"], sheets, f"{base}-smoothed")
+        captions.append("Filter and smoother, within the 95 % bands of the noises alone")
     pictures = list(zip(captions, sheets.written, strict=True))
     numbers = {name: value for name, value in result.items() if name != "history"}
     sheets.text(f"{base}.html", page(result["title"] or result["recording"], report(result), pictures, numbers))

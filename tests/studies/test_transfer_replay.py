@@ -107,6 +107,48 @@ def test_mounting_biases_and_delay_come_back_from_nothing(result):
     assert_truth(result)
 
 
+def test_the_smoother_finds_the_truth_all_along_with_smaller_sigmas(simulated, model, result):
+    """Its filter has the bits of the replay's, and the delay is considered where a message does not inform it."""
+    found = tr.run(simulated, model, noise=NOISE, lever_b=LEVER_B, smooth=True)
+    back = found["history"]["smoothed"]
+    for part in ("estimate", "sigma"):
+        assert np.array_equal(back[f"filter_{part}"][:, 6:16], result["history"]["with"][part][:, 6:16])
+    assert (back["sigma"][:, :16] <= back["filter_sigma"][:, :16] * (1 + 1e-9)).all()
+    truth = np.concatenate([BIAS_G, BIAS_A, MU, [DELAY]])
+    off = (back["estimate"][:, 6:16] - truth) / back["sigma"][:, 6:16]
+    assert np.abs(off).max() < 3.5 and np.sqrt(np.mean(off**2)) < 1.6
+    early = np.abs(back["filter_estimate"][5, 6:16] - truth)
+    assert (np.abs(back["estimate"][5, 6:16] - truth) < early).mean() > 0.7 and back["sigma"][5, 12] < 0.2 * (
+        back["filter_sigma"][5, 12]
+    )
+    text = tr.report(found)
+    (mean,) = [s for s in found["smoothed"] if s["state"] == "misalignment yaw"]
+    row = next(line for line in text.splitlines() if line.startswith("| misalignment yaw") and "arcmin" in line
+               and f"{mean['of_filter']:.2f}" in line)  # fmt: skip
+    assert f"{mean['median_of_filter']:.2f}" in row and tr.number(mean["estimate"], mean["sigma"]) in row
+
+
+def test_a_refused_message_leaves_nothing_in_the_record_and_goes_on_in_its_piece(simulated, model, monkeypatch):
+    """As a message that has not come, but for its place: a run that would be driven off is set back."""
+    start = np.zeros(19)
+    start[15:] = DELAY, *LEVER_B
+    noises, _ = tr.noise_vector(NOISE)
+    prior, usual, calls = tr.PRIOR, passes.Pass.beyond, []
+
+    def beyond(self):
+        calls.append(len(calls))
+        return usual(self) | (len(calls) == 40)
+
+    monkeypatch.setattr(passes.Pass, "beyond", beyond)
+    record = tr.fly(simulated, model, noises, start, prior, prior["delay"], recorded=True)["record"]
+    monkeypatch.setattr(passes.Pass, "beyond", usual)
+    (row,) = record.rows("withdrawn")
+    assert not record.piece.any() and record.names[row - 2 : row].tolist() == ["dcm", "velocity"]
+    assert np.array_equal(record.P[row], record.P[row - 3]) and not np.array_equal(record.P[row], record.P[row - 1])
+    bare = tr.fly(simulated, model, noises, start, prior, prior["delay"], recorded=True)["record"]
+    assert (tr.backwards(record)["sigma"] > 0.999999 * tr.backwards(bare)["sigma"]).mean() > 0.99
+
+
 def test_sensors_off_by_what_is_assumed_stay_inside_the_sigmas(simulated, model):
     """Scale factors and axes of 1000 ppm and 1 mrad, which nothing tells, against sigmas with and without them."""
     rng = np.random.default_rng(11)
