@@ -40,8 +40,11 @@ def case(model, name):
     return found, sum(start.values()), sum(thought[0].values()), true, believed
 
 
-def fly(model, name, runs, seed):
-    """Errors (updates, runs, 16) of closed loops, computed - true, before the first update and behind each."""
+def fly(model, name, runs, seed, begun=lambda loop: None):
+    """Errors (updates, runs, 16) of closed loops, computed - true, before the first update and behind each.
+
+    begun: is called with the filter before it flies.
+    """
     _, true_P, P, true, believed = case(model, name)
     rng = np.random.default_rng(seed)
     dt = 1 / NAVIGATION_HZ
@@ -65,6 +68,7 @@ def fly(model, name, runs, seed):
     loop = CompiledFilter(model, nav, P)
     if "omit" in CASES[name]:
         loop.disable(*CASES[name]["omit"][1])
+    begun(loop)
     fields = model.Q.fields
     noise = {name: believed[name] * np.ones(3) for name in ("gyro_noise", "accel_noise")}
     noise |= {name: 0.0 if model.field[name]["size"] == 1 else np.zeros(3)

@@ -10,6 +10,7 @@ from scipy.optimize import least_squares
 from scipy.stats import chi2
 
 from boresight import BoresightError, CompiledFilter, Filter, Record, load, smooth
+from tests.analysis import test_budget_flights as flights
 
 
 class Linear:
@@ -455,16 +456,24 @@ def smoothed_nees(example, library, monkeypatch, times):
     record = flown["record"]
     found = smooth(record)
     out = []
-    for part in times:
-        row, error = kept[round(part * (len(kept) - 1))]
+    for row, error in (kept[round(part * (len(kept) - 1))] for part in times):
         for x, P in ((record.x[row], record.P[row]), (found.x[row], found.P[row])):
-            left = error + x - record.x[row] if record.total else error - x
-            left = record.loop.wrapped(left)
-            scale = np.sqrt(np.diagonal(P, axis1=-2, axis2=-1))
-            M = P / scale[..., :, None] / scale[..., None, :]
-            weighed = np.linalg.solve(M, (left / scale)[..., None])[..., 0] * left / scale
-            out.append((weighed.sum(-1).mean(), np.sqrt(np.mean(left**2, axis=0))))
+            out.append(judged(record.loop.wrapped(error + x - record.x[row] if record.total else error - x), P))
     return out[::2], out[1::2]
+
+
+def judged(left, P):
+    """Mean NEES of errors (runs, n), and the root mean square of each."""
+    scale = np.sqrt(np.diagonal(P, axis1=-2, axis2=-1))
+    M = P / scale[..., :, None] / scale[..., None, :]
+    weighed = np.linalg.solve(M, (left / scale)[..., None])[..., 0] * left / scale
+    return weighed.sum(-1).mean(), np.sqrt(np.mean(left**2, axis=0))
+
+
+def law(n, runs, times):
+    """Between which the mean NEES of n states lies, of so many runs and at so many times together, at 99.9 %."""
+    part = 0.0005 / times
+    return chi2.ppf([part, 1 - part], runs * n) / runs
 
 
 @pytest.mark.parametrize("name", ["radar", "pendulum", "gnss_ins"])
@@ -474,8 +483,30 @@ def test_smoothed_errors_lie_in_the_band_of_their_covariance(name, folder_of, mo
     library = load(folder_of(example.MODEL))
     filtered, smoothed = smoothed_nees(example, library, monkeypatch, (0.1, 0.3, 0.5, 0.7, 0.9))
     n = len(library.states)
-    low, high = chi2.ppf([0.0005 / 5, 1 - 0.0005 / 5], 100 * n) / 100  # five times together, 99.9 %
+    low, high = law(n, 100, 5)
     values = [value for value, _ in smoothed]
     assert all(low < value < high for value in values), (values, low, high)
     early = filtered[0][1] / smoothed[0][1]
     assert early.max() > 1.5 and early.min() > 0.8  # by how much the errors shrink
+
+
+def test_smoothed_errors_of_an_alignment_lie_in_the_band_of_their_covariance():
+    """Velocity and attitude in an S turn, by the nonlinear C; the filter believes what is true, or too little noise."""
+    model = load("velocity-attitude")
+    values = {}
+    for case in ("right", "noise"):
+        records = []
+        errors = flights.fly(model, case, 100, 5, lambda loop, kept=records: kept.append(Record(loop)))
+        (record,) = records
+        found, rows = smooth(record), np.append(0, record.rows("feedback"))
+        at = [1, 5, 10, 15, 19]
+        values[case] = [
+            [judged(errors[k] - x[rows[k]], P[rows[k]]) for k in at]
+            for x, P in ((record.x, record.P), (found.x, found.P))
+        ]
+    low, high = law(16, 100, 5)
+    for nees in values["right"]:
+        assert all(low < value < high for value, _ in nees), (nees, low, high)
+    assert not any(low < value < high for value, _ in values["noise"][1])
+    filtered, smoothed = (rms for (_, rms) in (nees[0] for nees in values["right"]))
+    assert (smoothed < filtered * 1.1).all() and (filtered[12:] > 1.5 * smoothed[12:]).all()  # mounting and delay
