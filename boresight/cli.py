@@ -1076,6 +1076,9 @@ def observe(
         list[str] | None,
         typer.Option("--set", help='A size, as "gyro_noise 0.1 deg/sqrt(h)", "dcm 0.2 mrad" or "dmu 1, 1, 3 deg".'),
     ] = None,
+    formulas: Annotated[
+        bool, typer.Option("--formulas", help="Also what straight lines and steady turns never show, by SymPy; slow.")
+    ] = False,
     folder: Annotated[Path | None, typer.Option("--generated", help="Generated folder of a model of your own.")] = None,
     out: Out = None,
     svg: Svg = False,
@@ -1110,6 +1113,13 @@ def observe(
             found[name] = observability.observe(library, start, steps, x=x)
     text = observability.report(found)
     document = {"model": library.name, "motions": {name: one.document() for name, one in found.items()}}
+    if formulas:
+        from boresight.analysis.symbolic import never_shown
+        from boresight.codegen.generate import load_model
+
+        directions = never_shown.never_shown(load_model(library.name if library.name in model_names() else target))
+        document["never_shown"] = never_shown.document(directions)
+        text += "\n" + never_shown.lines(directions)
     if out is not None:
         sheets = Sheets(out, f"boresight {__version__}, {library.name}", svg)
         observability.draw(found, sheets)

@@ -1,0 +1,1 @@
+"""What of analysis/ needs SymPy: the command line alone imports it."""
