@@ -190,6 +190,64 @@ def resets(model: Model, made: list[Unit]) -> list[tuple[int, int, int, float]]:
     return [(*key, round(2 * found[0][key]) / 2) for key in sorted(same)]
 
 
+def read_by(unit: Unit) -> dict[tuple[str, int], set[tuple[str, int]]]:
+    """Component of a result -> the components of the inputs that it depends on."""
+    below: list[set[tuple[str, int]]] = []
+    for step in unit.tape.steps:
+        own = {(unit.args[step.source[0]].name, step.source[1])} if step.op == "input" else set()
+        below.append(own.union(*(below[k] for k in step.args)))
+    return {(unit.results[i].name, k): below[step] for i, k, step in unit.tape.results}
+
+
+class Errors:
+    """Of what H stands on, which states and which sensors can change it: no others are varied."""
+
+    def __init__(self, inputs: Inputs, made: list[Unit], sensed: list[dict[str, Any]]):
+        self.inputs, self.sensed, self.n = inputs, sensed, inputs.model.n
+        self.units = {unit.name: unit for unit in made}
+        self.owners = {s: (v.name, i) for v in inputs.carried for i, s in enumerate(v.symbols)}
+        corrected = read_by(self.units["feedback"])
+        self.corrects = {j: {place for place, of in corrected.items() if ("x", j) in of} for j in range(self.n)}
+        self.numbers = sum(s["size"] for s in sensed)
+        after = {j: {j} for j in range(self.n)}  # the states that an error of j becomes one of
+        for _ in range(self.n):
+            for i, j in nonzeros(made, "F" if inputs.model.F is not None else "Phi"):
+                for whole in after.values():
+                    whole |= {i} if j in whole else set()
+        self.after = after
+
+    def stands_on(self, places: set[tuple[str, int]]) -> tuple[set[tuple[str, int]], set[int]]:
+        """Of the inputs of a function: the components that are carried, and those of the sensors' means."""
+        carried, means = set(), set()
+        for name, i in places:
+            if (name, i) in self.owners.values():
+                carried.add((name, i))
+            of = next((s for s in self.sensed if s["name"] == self.inputs.before.get(name, name)), None)
+            if of is not None:
+                means.add(of["offset"] + i)
+            for s in symbols_in([self.inputs.solved[name][i]]) if name in self.inputs.solved else ():
+                if s in self.owners:
+                    carried.add(self.owners[s])
+                means |= {k["offset"] + j for k in self.sensed for j in range(k["size"])
+                          if str(s) == f"mean_{k['name']}_{j}"}  # fmt: skip
+        return carried, means
+
+    def varied(self, name: str, changes: list[dict[str, Any]]) -> list[int]:
+        """States by their numbers; then n and more: sensors; then those again where they change what is expected."""
+        unit = self.units[f"{name}_H"]
+        places = set().union(*read_by(unit).values())
+        carried, means = self.stands_on(places)
+        found = {j for j in range(self.n) if self.corrects[j] & carried} | {self.n + i for i in means}
+        for change in changes:
+            expecting = self.units[change["function"]]
+            wanted = [of for (result, _), of in read_by(expecting).items() if result == change["output"]]
+            carried, means = self.stands_on(set().union(*wanted))
+            found |= {j for j in range(self.n) for i in self.after[j] if self.corrects[i] & carried}
+            found |= {self.n + self.numbers + i for i in (*means, *(k for k in change["shown"] if k >= 0))}
+        noisy = [s["noise"] is not None for s in self.sensed for _ in range(s["size"])]
+        return sorted(k for k in found if k < self.n or noisy[(k - self.n) % self.numbers])
+
+
 def path(place: str, v: Variable, i: int) -> str:
     """Component i of a field, as C reaches it."""
     return f"{place}.{v.name}" if v.size == 1 else f"{place}.{v.name}[{i}]"
@@ -271,21 +329,31 @@ def live_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> di
         for name in sorted(expected)
     }  # fmt: skip
     brings = any(u["z"] is None for u in measurements)
+    errors = Errors(inputs, made, sensed)
     for m, u in zip(model.measurements, measurements, strict=True):
         u["late"] = column is not None and any(j == column for _, j in nonzeros(made, f"{m.name}_H"))
-        u["changes"] = [name for name in inputs.changes if name in u["fields"]]
-        u["call"] = wiring.units[f"{m.name}_H"][1]
+        u["changes"], u["call"] = [], wiring.units[f"{m.name}_H"][1]
+        for name in (name for name in inputs.changes if name in u["fields"]):
+            f, o = inputs.changes[name]
+            place, size = sum(c["size"] for c in u["changes"]), inputs.fields[name].size
+            alike = [s for s in sensed if s["unit"] == inputs.fields[o].unit and s["size"] == size]
+            shown = {s["offset"] + i: place + i for s in alike for i in range(size)}
+            u["changes"].append({"name": name, "function": f, "output": o, "struct": owner[name], "size": size,
+                                 "place": place, "shown": [shown.get(k, -1) for k in range(offset)]})  # fmt: skip
+        u["change"] = sum(c["size"] for c in u["changes"])
+        u["varied"] = errors.varied(m.name, u["changes"])
     test_dt = min(max(0.01, 1.5 * inputs.dt.low[0]), 0.9 * inputs.dt.high[0])
     read_at_once = {*propagate["structs"], *(s for u in measurements for s in u["structs"])}
     read_at_once |= {s for f in functions.values() for s in f["reads"]}
+    compared = {s for u in measurements for s in (*u["structs"], *u["call"]["reads"])}
+    compared |= {s for f in functions.values() for s in f["reads"]}
     return {
         "sensed": sensed, "numbers": offset, "rules": rules, "message": message, "structs": structs,
         "strapdown": strapdown | wiring.dense("strapdown"), "correct": correct | wiring.dense("feedback"),
         "propagate": propagate, "measurements": measurements, "carried": wiring.carried,
         "moving": strapdown["out"], "delay": delay and {"struct": owner[delay.name], "name": delay.name},
-        "column": column, "changes": {name: {"function": f, "output": o, "struct": owner[name],
-                                             "size": inputs.fields[name].size, "unit": inputs.fields[o].unit}
-                                      for name, (f, o) in inputs.changes.items()},
+        "column": column, "most_change": max(u["change"] for u in measurements),
+        "compared": [s.name for s in model.structs if s.name in compared and s.name not in wiring.carried],
         "functions": functions, "brings": brings,
         "most_rows": max(u["m"] for u in measurements), "most_noise": max(u["size_R"] for u in measurements),
         "filled": [name for name, s in structs.items() if s["fields"] and name in read_at_once],

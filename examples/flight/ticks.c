@@ -4,6 +4,7 @@
 
 extern flight_record tick_record;
 extern unsigned char tick_digest[BS_DIGEST_SIZE];
+extern unsigned char tick_stage[2]; /* of a measurement under way, before and behind a call */
 int tick_take(void);
 int tick_background(void);
 int tick_output(void);
@@ -11,6 +12,7 @@ int tick_end(void);
 
 flight_record tick_record;
 unsigned char tick_digest[BS_DIGEST_SIZE];
+unsigned char tick_stage[2];
 
 void board_sample(const va_sample *sample)
 {
@@ -29,7 +31,11 @@ int tick_take(void)
 
 int tick_background(void)
 {
-    return (int)va_live_background(&aboard);
+    int status;
+    tick_stage[0] = (unsigned char)aboard.measuring.stage;
+    status = (int)va_live_background(&aboard);
+    tick_stage[1] = (unsigned char)aboard.measuring.stage;
+    return status;
 }
 
 /* Half a sample behind the newest. */

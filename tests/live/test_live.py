@@ -104,7 +104,7 @@ def test_when_the_background_runs_and_how_far_changes_no_bit(short):
     for _ in range(3):
         loop = loop_of(short, rules={"latency": 12})
         alike = loop_of(short, rules={"latency": 12})
-        cut = fly(short, loop, behind=lambda: draw.randrange(8))
+        cut = fly(short, loop, behind=lambda: draw.randrange(16))
         assert loop.counts()["corrections_late"] == 0 and loop.counts()["TAKEN"] > 80
         assert cut == fly(short, alike) != whole  # another latency corrects another sample
 
