@@ -10,7 +10,7 @@ Fly
     `Consistency` and `observability` judge the flight; `budget` splits its errors by source; `Record` keeps each step
     of it, and `smooth` estimates it afterwards; `noise` is what a log at rest, or a datasheet, has of it.
 Align in flight
-    `Live`, `Transfer`, `Message`, `Rules`, `Clock`; the start, and sensors that are not ideal, in `transfer`.
+    `Live`, `Headings`, `Transfer`, `Message`, `Rules`, `Clock`; start, and sensors that are not ideal, in `transfer`.
 Recordings
     `read`; `detector` finds where an IMU is at rest.
 Many runs
@@ -77,6 +77,7 @@ PUBLIC = {
     "Message": "boresight.runtime.transfer:Message",
     "Rules": "boresight.runtime.transfer:Rules",
     "Live": "boresight.runtime.live:Live",
+    "Headings": "boresight.runtime.headings:Headings",
     "Clock": "boresight.runtime.clock:Clock",
     "transfer": "boresight.runtime.transfer",
     "read": "boresight.runtime.recording:read",

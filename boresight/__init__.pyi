@@ -36,6 +36,7 @@ from boresight.runtime.filter import CompiledFilter as CompiledFilter
 from boresight.runtime.filter import Epoch as Epoch
 from boresight.runtime.filter import Filter as Filter
 from boresight.runtime.filter import Innovation as Innovation
+from boresight.runtime.headings import Headings as Headings
 from boresight.runtime.library import Library as Library
 from boresight.runtime.library import load as load
 from boresight.runtime.live import Live as Live

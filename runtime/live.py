@@ -123,6 +123,12 @@ class Layout:
         self.output = struct("output", [("at", ctypes.c_int64), ("state", ctypes.c_int), ("carried", self.carried)])
         self.event = struct("event", [("code", ctypes.c_ubyte), ("which", ctypes.c_ubyte), ("sample", ctypes.c_uint32),
                                       ("value", ctypes.c_int32)])  # fmt: skip
+        m = max(one["m"] for one in library.manifest["filter"]["measurements"].values())
+        self.measured = struct("measured", [
+            ("count", ctypes.c_uint32), ("order", ctypes.c_uint32), ("measurement", ctypes.c_uint16),
+            ("fate", ctypes.c_int), ("at", ctypes.c_int64),
+            ("nu", real * m), ("S", real * m), ("nis", real), ("used", ctypes.c_uint), ("inflated", ctypes.c_uint),
+        ])  # fmt: skip
         names = ("samples", "missing", "held", "bad", "repeated", "clock_steps", "saturated")
         after = ("corrections", "corrections_late", "corrections_refused", "overruns", "events_lost")
         self.counts = struct("counts", [*((name, ctypes.c_uint32) for name in names),
@@ -269,7 +275,7 @@ class Live:
         if status:
             raise BoresightError(f"begin: {Status(status).name.lower()}: a rule, nav or a sigma lies outside its range")
 
-    def sample(self, at_us: Any, dt: Any, *, serial: Any = 0, **sensed: Any) -> Array:
+    def sample(self, at_us: Any, dt: Any, *, serial: Any = 0, background: bool = True, **sensed: Any) -> Array:
         """One sample of the sensors, or several one after the other, each with all that is to be done behind it.
 
         Parameters
@@ -280,6 +286,8 @@ class Live:
             s, the length of the interval.
         serial : int or (K,) array of int, optional
             Counts samples; 0 where there is no counter.
+        background : bool, optional
+            Whether all is done that is to be done behind each sample; else call `background`.
         **sensed : (size,) or (K, size) array
             What the sensors deliver, such as `dtheta_ib_b` and `dv_b`.
 
@@ -294,7 +302,7 @@ class Live:
             A name or a shape that does not fit; what a number is, the C judges.
         """
         given = self._samples(at_us, dt, serial, sensed)
-        status = [self._taken(given.ctypes.data + k * given.itemsize) for k in range(given.size)]
+        status = [self._taken(given.ctypes.data + k * given.itemsize, background) for k in range(given.size)]
         return np.array(status).reshape(given.shape)
 
     def _samples(self, at_us: Any, dt: Any, serial: Any, sensed: dict[str, Any]) -> Array:
@@ -313,9 +321,9 @@ class Live:
             raise BoresightError(f"sample: {error}") from None
         return given
 
-    def _taken(self, address: int) -> int:
+    def _taken(self, address: int, background: bool) -> int:
         status = self._sample(self._memory, ctypes.c_void_p(address))
-        while self._background(self._memory) == 0:
+        while background and self._background(self._memory) == 0:
             pass
         return int(status)
 
@@ -417,6 +425,29 @@ class Live:
         self._call("counted", counted)
         fates = {fate.name: int(counted.fate[fate]) for fate in Fate if fate}
         return fates | {name: getattr(counted, name) for name, _ in self.layout.counts._fields_ if name != "fate"}
+
+    def measured(self) -> dict[str, Any]:
+        """The last measurement that the filter has judged; {} before the first.
+
+        Returns
+        -------
+        dict of str to value
+            `count` of those until then, `order` of the message among those that were put to wait,
+            from 0; `measurement`, `fate`, `at_us` its instant; of its rows
+            `nu` (m,) the innovation given the rows before, `S` (m,) the variance of that, `used`
+            (m,) bool; `nis` of those used.  Several may be judged in one call of `sample`: read
+            it between two of `background`.
+        """
+        found = self.layout.measured()
+        if self._call("measured", found):
+            return {}
+        name = next(name for name, index in self.kinds.items() if index == found.measurement)
+        m = self.library.manifest["filter"]["measurements"][name]["m"]
+        return {
+            "count": found.count, "order": found.order, "measurement": name, "fate": Fate(found.fate),
+            "at_us": found.at, "nis": found.nis, "nu": np.array(found.nu[:m]), "S": np.array(found.S[:m]),
+            "used": np.array([bool(found.used >> i & 1) for i in range(m)]),
+        }  # fmt: skip
 
     def events(self) -> list[str]:
         """What has happened since the last call.

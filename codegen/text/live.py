@@ -272,7 +272,7 @@ def live_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> di
         for v in struct.fields
         for i, s in enumerate(v.symbols)
     }
-    offset, sensed = 0, []
+    offset, sensed = 0, list[dict[str, Any]]()
     for v in inputs.sensed:
         noise = inputs.driven.get(v.name)
         of_noise = next((s.name for s in model.structs for w in s.fields if w is noise), None)

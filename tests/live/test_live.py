@@ -80,6 +80,15 @@ def test_a_delay_is_not_learned_from_noise(name):
     assert 47.5 < 1e3 * np.sqrt(np.mean([P[:, 15, 15] for P in record.P[-5:]])) < 60
 
 
+@pytest.mark.parametrize("name", ["tags of the slave step by +50 ms", "tags of the slave step by -50 ms"])
+def test_a_delay_that_two_messages_of_one_instant_show_is_corrected_once(name):
+    """Velocity and attitude come together: the second is older by what the first has told of the delay."""
+    _, record = flown(name, seconds=23.0)
+    late = np.array(record.time) > 20.7
+    error, P = np.array(record.errors)[late, :, 15], np.array(record.P)[late, :, 15, 15]
+    assert late.sum() > 8 and np.abs(error / np.sqrt(P)).max() < 4
+
+
 @pytest.mark.parametrize(
     "name",
     [
@@ -87,6 +96,7 @@ def test_a_delay_is_not_learned_from_noise(name):
         "parked, one heading 90 deg off",
         "moving, one velocity 3 m/s off at 4.1 s",
         "counter of the slave restarts, 20 s to 0.2 s",
+        "delay steps by 100 ms",
         "one dt of 1e-9 s",
         "one gyro sample is no number",
         "0.04 s of the slave lost",
