@@ -25,16 +25,46 @@ PATIENCE = 16  # messages until one that a candidate refused counts as the worst
 
 
 class Headings:
-    """A live loop whose heading is not known: as `Live`, with `begin`, `sample`, `message`, `output` and `events`.
+    """A bank of live loops that finds an unknown heading: as `Live`, by candidates all round.
 
-    model, rules, constants: as of `Live`; of a model that carries `q_b2n_wxyz` with its errors `phi`, the third
-    about the vertical.
-    spacing: rad, between candidates; each begins with a third of it as the sigma of its heading.
+    One goes on alone, `settled`, as soon as the sigma of the heading over all of them is below 2.5
+    degrees and no more than that of the likeliest itself, and what lies further than `spacing` from
+    it has lost its probability.
 
-    Each candidate is a loop of its own.  One goes on alone, `settled`, as soon as the sigma of the heading over all of
-    them is below 2.5 degrees and no more than that of the likeliest itself, and what lies further than `spacing` from
-    it has lost its probability.  Give attitudes without their heading: `message("euler", ..., rows=3)`.
-    When not to use it: where the heading is known to .1 rad; it costs as much as all of its candidates.
+    Parameters
+    ----------
+    model : Library or str
+        As of `Live`, of one that carries `q_b2n_wxyz` with its errors `phi`, the third about the
+        vertical.
+    rules : mapping of str to value, optional
+        As of `Live`.
+    spacing : float, optional
+        rad, between candidates; each begins with a third of it as the sigma of its heading.
+    **constants : array
+        As of `Live`.
+
+    Raises
+    ------
+    BoresightError
+        As of `Live`; a model without such an attitude.
+
+    Notes
+    -----
+    Give attitudes without their heading, `message("euler", ..., rows=3)`: the third of the Euler
+    angles is not read.  When not to use it: where the heading is known to .1 rad; it costs as much
+    as all of its candidates, and a vehicle that does not accelerate keeps them all.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from boresight import Headings
+    >>> bank = Headings("velocity-attitude", gyro_noise=np.full(3, 6e-5), accel_noise=np.full(3, 1e-3))
+    >>> bank.begin(0, {"lat_lon_height": [0.6, 0.1, 0], "v_n": np.zeros(3), "q_b2n_wxyz": [1, 0, 0, 0],
+    ...                "q_b2m_wxyz": [1, 0, 0, 0]}, phi=0.02, dv_n=1.0, d_tau=0.05)
+    >>> for k in range(1, 21):
+    ...     status = bank.sample(10_000 * k, 0.01, dtheta_ib_b=np.zeros(3), dv_b=[0, 0, -0.0979])
+    >>> len(bank.loops), bank.settled
+    (48, False)
     """
 
     def __init__(
@@ -72,7 +102,22 @@ class Headings:
         return self.loops[int(np.argmax(self.log_weight))]
 
     def begin(self, at_us: int, nav: Mapping[str, Any], **sigmas: Any) -> None:
-        """As of `Live`, by blocks; of the attitude in nav roll and pitch count alone."""
+        """Begin all candidates.
+
+        Parameters
+        ----------
+        at_us : int
+            us; the next sample's interval begins here.
+        nav : mapping of str to array
+            The carried fields; of the attitude roll and pitch count alone.
+        **sigmas : float or (size,) array
+            By block of states, as of `Live`.
+
+        Raises
+        ------
+        BoresightError
+            As of `Live`.
+        """
         count = round(2 * np.pi / self.spacing)
         C = rotation.matrix_from_quaternion(np.asarray(nav[ATTITUDE], float))
         spread = np.array(np.broadcast_to(sigmas.get(ERROR, 0.0), 3), float)
@@ -87,7 +132,29 @@ class Headings:
         self._likely, self._rows, self._came = {}, [], [[] for _ in range(count)]
 
     def sample(self, at_us: int, dt: float, *, serial: int = 0, **sensed: Any) -> int:
-        """As of `Live`, one sample."""
+        """One sample of the sensors, with all that is to be done behind it.
+
+        Parameters
+        ----------
+        at_us : int
+            us, when the interval ends, by the sensors' clock.
+        dt : float
+            s, the length of the interval.
+        serial : int, optional
+            Counts samples; 0 where there is no counter.
+        **sensed : (size,) array
+            What the sensors deliver.
+
+        Returns
+        -------
+        int
+            Status of the C; 0 where it was taken.
+
+        Raises
+        ------
+        BoresightError
+            As of `Live`.
+        """
         self._at_us, status = at_us, 0
         if self.settled:
             return int(self.likeliest.sample(at_us, dt, serial=serial, **sensed))
@@ -102,7 +169,31 @@ class Headings:
         return status
 
     def message(self, measurement: str, at_us: int, variance: Any, *, rows: int = ALL_ROWS, **fields: Any) -> Fate:
-        """As of `Live`."""
+        """One measurement, for all candidates.
+
+        Parameters
+        ----------
+        measurement : str
+            Its name in the model.
+        at_us : int
+            us, when it was measured.
+        variance : (m,) array
+            R, the squares of its sigmas.
+        rows : int, optional
+            Bit i: row i is there.
+        **fields : array
+            What its functions read; of `euler_m` the third is put in for each candidate.
+
+        Returns
+        -------
+        Fate
+            Of the likeliest candidate: WAITING, or why it was refused at once.
+
+        Raises
+        ------
+        BoresightError
+            As of `Live`.
+        """
         fates = [
             loop.message(measurement, at_us, variance, rows=rows, **(fields | self._with_heading(loop, fields)))
             for loop in self.loops
@@ -125,14 +216,31 @@ class Headings:
         return {EULER: np.append(np.asarray(fields[EULER], float)[:2], yaw)}
 
     def output(self, at_us: int) -> dict[str, Array]:
-        """As of `Live`, of the likeliest candidate; the sigma of the heading is that over all of them."""
+        """The navigation of the likeliest candidate at an instant not before the newest sample.
+
+        Parameters
+        ----------
+        at_us : int
+            us, by the sensors' clock.
+
+        Returns
+        -------
+        dict of str to array
+            As of `Live`; the sigma of the heading is that over all candidates.
+        """
         found = self.likeliest.output(at_us)
         if found and not self.settled:
             found["sigma"][self.down] = self._mixture()[0]
         return found
 
     def events(self) -> list[str]:
-        """As of `Live`, of the likeliest candidate."""
+        """What has happened to the likeliest candidate since the last call.
+
+        Returns
+        -------
+        list of str
+            One line for each event; one more when a loop goes on alone.
+        """
         lines, self._lines = self._lines + self.likeliest.events(), []
         return lines
 
