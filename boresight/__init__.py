@@ -10,7 +10,7 @@ Fly
     `Consistency` and `observability` judge the flight; `budget` splits its errors by source; `Record` keeps each step
     of it, and `smooth` estimates it afterwards; `noise` is what a log at rest, or a datasheet, has of it.
 Align in flight
-    `Live`, `Headings`, `Transfer`, `Message`, `Rules`, `Clock`; start, and sensors that are not ideal, in `transfer`.
+    `Live`, `Headings`, `Transfer`, `Message`, `Clock`; rules, start, and sensors that are not ideal, in `transfer`.
 Recordings
     `read`; `detector` finds where an IMU is at rest.
 Many runs
@@ -75,7 +75,6 @@ PUBLIC = {
     "noise": "boresight.analysis.noise",
     "Transfer": "boresight.runtime.transfer:Transfer",
     "Message": "boresight.runtime.transfer:Message",
-    "Rules": "boresight.runtime.transfer:Rules",
     "Live": "boresight.runtime.live:Live",
     "Headings": "boresight.runtime.headings:Headings",
     "Clock": "boresight.runtime.clock:Clock",

@@ -71,8 +71,8 @@ class Rules:
 
     Examples
     --------
-    >>> from boresight import Rules
-    >>> Rules(full_scale=(5.0, 100.0)).buffer_s
+    >>> from boresight import transfer
+    >>> transfer.Rules(full_scale=(5.0, 100.0)).buffer_s
     0.5
     """
 
