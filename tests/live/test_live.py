@@ -82,7 +82,7 @@ def test_a_delay_is_not_learned_from_noise(name):
 
 @pytest.mark.parametrize("name", ["tags of the slave step by +50 ms", "tags of the slave step by -50 ms"])
 def test_a_delay_that_two_messages_of_one_instant_show_is_corrected_once(name):
-    """Velocity and attitude come together: the second is older by what the first has told of the delay."""
+    """Velocity and attitude come together: the second is older by what the first has shown of the delay."""
     _, record = flown(name, seconds=23.0)
     late = np.array(record.time) > 20.7
     error, P = np.array(record.errors)[late, :, 15], np.array(record.P)[late, :, 15, 15]
