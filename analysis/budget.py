@@ -101,7 +101,8 @@ def budget(
         counts as 1.
         A tuple is a measurement: (name, R, inputs) or (name, R, inputs, rows), R being a variance,
         (m,) variances or an (m, m) covariance, inputs those of `NAME_H`, or {"H": (m, n)}.
-        ("inflate", first, variance) raises variances of the filter, as `Filter.inflate`.
+        ("inflate", first, variance), ("set_block", first, block) and ("enable", first, block) change P
+        of the filter as its methods do, and no error.
     believed : (P0, steps), optional
         What the filter believes where that is not the truth: a start and as many steps of the same
         kinds, which may differ in every number: noise, R, correlation times, lever arms.
@@ -292,11 +293,13 @@ class Linear:
             return (time, true.variances(), unknown.sum(-1), design.variances(), np.diag(P).copy(), mean[:n].copy(),
                     self.offsets_of(columns))  # fmt: skip
 
-        def added(S: Array) -> None:
+        def added(S: Array, anew: Array | None = None) -> None:
             nonlocal design
             if design is true:
                 design = Shares(n, n, self.slots)
                 design.C[:] = true.C
+            if anew is not None:
+                design.C[anew], design.C[:, :, anew] = 0.0, 0.0
             design.add(ADDED, S)
 
         def below(P: Array) -> Array:
@@ -338,8 +341,10 @@ class Linear:
                 for name, D in one.D.items():
                     columns[name] = columns.get(name, 0.0) + B @ D
             else:
-                added(np.diag(other.variance))
-                P = below(P + np.diag(other.variance))
+                if self.dropped is not None and np.diagonal(other.P)[self.dropped].any():
+                    raise BoresightError("budget: a step gives variance to a state that is omitted; leave one of them")
+                added(other.P, other.anew)
+                P = below(without(P, other.anew) + other.P)
             begun = True
         history.keep(row, last=True)
         self.apart = design is not true  # the filter's P is not the true covariance
@@ -348,7 +353,7 @@ class Linear:
     def scaled(self, factors: Mapping[str, Array]) -> Array:
         """(B, n) true variances at the end where sources are so many times as large, and the filter believes so.
 
-        factors: by source (B,); those that are not named stay.  Inflations and ceilings stay as well.
+        factors: by source (B,); those that are not named stay.  What is added on purpose stays as well.
         """
         n, wide = self.n, self.wide
         B = len(next(iter(factors.values())))

@@ -19,7 +19,8 @@ TOGETHER = 256  # steps whose matrices are made in one call
 PROCESS = "process noise"  # what no noise density of the model makes
 PROBE = 1e-6  # of a differential quotient
 
-Step = Any  # a dict: a prediction; a tuple: a measurement, or ("inflate", first, variance)
+Step = Any  # a dict: a prediction; a tuple: a measurement, or one of ADDING, the first state and what it is given
+ADDING = ("inflate", "set_block", "enable")
 
 
 @dataclass(frozen=True)
@@ -48,10 +49,11 @@ class Update:
 
 
 @dataclass(frozen=True)
-class Inflation:
-    """What the filter adds to its variances, (n,)."""
+class Added:
+    """What the filter gives some of its states: (n, n).  anew: (n,) bool, states that lose what they had before."""
 
-    variance: Array
+    P: Array
+    anew: Array
 
 
 class Flown:
@@ -87,7 +89,7 @@ class Flown:
                    for name in step["Q"]}  # fmt: skip
         self.parts = [*self.noises, *sorted(brought - set(self.noises)), PROCESS]
         self.measurements = list(dict.fromkeys(step[0] for step in self.steps
-                                               if isinstance(step, tuple) and step[0] != "inflate"))  # fmt: skip
+                                               if isinstance(step, tuple) and step[0] not in ADDING))  # fmt: skip
 
     def noises_of(self, noise: Sequence[str] | None) -> list[str]:
         """The inputs of Q that are root densities: those given, or those that Phi does not read and may be zero."""
@@ -102,15 +104,15 @@ class Flown:
                 if name not in self.model.Phi.fields and name in boxes and boxes[name].get("norm") is None
                 and np.max(boxes[name]["low"]) == 0.0]  # fmt: skip
 
-    def matrices(self, chunk: Sequence[Step], nominal: Sequence[Array]) -> list[Prediction | Update | Inflation]:
+    def matrices(self, chunk: Sequence[Step], nominal: Sequence[Array]) -> list[Prediction | Update | Added]:
         """Of these steps and the state before each; alike ones in one call."""
         out: list[Any] = [None] * len(chunk)
         alike: dict[Any, list[int]] = {}
         for i, step in enumerate(chunk):
             if isinstance(step, Mapping):
                 key: Any = ("", *sorted(step))
-            elif isinstance(step, tuple) and len(step) >= 3 and step[0] == "inflate":
-                out[i] = self.inflation(step)
+            elif isinstance(step, tuple) and len(step) >= 3 and step[0] in ADDING:
+                out[i] = self.added(step)
                 continue
             elif isinstance(step, tuple) and len(step) in (3, 4) and isinstance(step[2], Mapping):
                 key = (step[0], *sorted(step[2]))
@@ -218,14 +220,17 @@ class Flown:
             out.append(Update(name, H[k][rows], R[some], dict(step[2]), x[k], rows, by))
         return out
 
-    def inflation(self, step: tuple[Any, ...]) -> Inflation:
-        first, variance = step[1], np.atleast_1d(np.asarray(step[2], float))
-        added = np.zeros(self.n)
-        if not 0 <= first <= self.n - len(variance) or not (variance >= 0).all():
-            raise BoresightError(f"budget: inflate from state {first!r} by {variance}; there are {self.n} states, and "
-                                 "variances are not negative")  # fmt: skip
-        added[first : first + len(variance)] = variance
-        return Inflation(added)
+    def added(self, step: tuple[Any, ...]) -> Added:
+        name, first, given = step[0], step[1], np.atleast_1d(np.asarray(step[2], float))
+        block = np.diag(given) if name == "inflate" and given.ndim == 1 else given
+        count = len(block)
+        if not isinstance(first, int) or not 0 <= first <= self.n - count:
+            raise BoresightError(f"budget: {name} from state {first!r} on of {count}; there are {self.n} states")
+        check_covariance(f"budget: {name}", shaped(name, block, (count, count)), count)
+        P, anew = np.zeros((self.n, self.n)), np.zeros(self.n, bool)
+        P[first : first + count, first : first + count] = block
+        anew[first : first + count] = name != "inflate"
+        return Added(P, anew)
 
     # ---- constants that are not known, and what is believed wrongly
 

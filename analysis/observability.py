@@ -317,7 +317,9 @@ def followed(flown: Flown) -> Observed:
             seen = np.linalg.solve(np.linalg.cholesky(step.R), step.H @ Psi)
             information, measured = information + seen.T @ seen, True
         else:
-            raise BoresightError("observe: a step is neither a prediction nor a measurement; leave inflations out")
+            raise BoresightError(
+                "observe: a step is neither a prediction nor a measurement; leave out what is added to P on purpose"
+            )
     keep()
     names = states_of(flown.model, n)
     return Observed(names, words(flown.model, names), np.array(times), np.array(sigmas), P0, P, information)

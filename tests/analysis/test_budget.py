@@ -92,6 +92,40 @@ def test_an_inflation_is_a_source_of_the_design_and_none_of_the_truth(matching, 
     assert apart(found.P, loop.P) < 1e-12
 
 
+@pytest.mark.parametrize("name", ["set_block", "enable"])
+def test_a_block_that_is_set_is_a_source_of_the_design_and_the_truth_goes_on(matching, turning, name):
+    start, steps = flown(matching, turning)
+    block = np.diag([0.02, 0.03, 0.04]) ** 2
+    middle = len(steps) // 2
+    often = [*steps[:middle], (name, 12, block), *steps[middle:]]
+    found, plain = budget(matching, start, often), budget(matching, start, steps)
+    assert apart(found.P, fly(matching, start, often).P) < 1e-12
+    place, last = found.sources.index("added on purpose"), found.whole[-1, 12:15]
+    assert found.design[-1, place, 12] > 0 and not found.variances[:, place].any()
+    assert found.P_variances[-1] == pytest.approx(found.design[-1].sum(0), rel=1e-9)
+    at = found.at(found.times[-1] / 2)
+    assert np.array_equal(found.whole[:at], plain.whole[:at]) and (last > plain.whole[-1, 12:15]).all()
+    just = budget(matching, start, [*steps[:middle], (name, 12, block)])
+    before = budget(matching, start, steps[:middle])
+    assert just.P[12:15, 12:15] == pytest.approx(block) and not just.P[12:15, :12].any()
+    assert np.array_equal(just.whole[-1], before.whole[-1])
+    with pytest.raises(BoresightError, match=f"{name} from state 15 on of 3; there are 16"):
+        budget(matching, start, [(name, 15, block)])
+    with pytest.raises(BoresightError, match="gives variance to a state that is omitted"):
+        budget(matching, start, [(name, 12, block)], omitted=["dmu"])
+    with pytest.raises(BoresightError, match=name):
+        budget(matching, start, [(name, 12, -block)])
+
+
+def test_an_omitted_state_has_no_row_in_the_filter_and_goes_its_own_way_in_truth(matching, turning):
+    start, steps = flown(matching, turning)
+    found = budget(matching, start, steps, omitted=["d_accel_bias"])
+    assert not found.P_variances[:, 9:12].any() and not found.design[:, :, 9:12].any() and not found.P[9:12].any()
+    walk = next(np.square(step["accel_bias_noise"]) for step in steps if isinstance(step, dict))
+    assert found.whole[:, 9:12] == pytest.approx(np.diag(sum(start.values()))[9:12] + np.outer(found.times, walk))
+    assert (found.whole[-1, 3:6] > found.P_variances[-1, 3:6]).all()
+
+
 # ---------------------------------------------------------------- the design is the filter's P
 
 
@@ -103,8 +137,8 @@ def fly(model, start, steps, considered=None, disabled=None):
     for step in steps:
         if isinstance(step, dict):
             loop.predict(**step)
-        elif step[0] == "inflate":
-            loop.inflate(*step[1:])
+        elif step[0] in ("inflate", "set_block", "enable"):
+            getattr(loop, step[0])(*step[1:])
         else:
             name, R, inputs, *rows = step
             loop.update(name, R, rows=rows[0] if rows else True, considered=considered, **inputs)

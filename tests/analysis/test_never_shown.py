@@ -53,7 +53,7 @@ def test_a_flight_of_the_C_tells_nothing_of_them_and_much_of_a_wrong_one(motion,
         x /= sigma
         told = np.sqrt(max(x @ information @ x, 0.0))
         each = np.sqrt(np.diag(information)) * np.abs(x)  # what each state would show by itself
-        # of one state some thousandths of its sigma, as the motion's Earth is a sphere; of several what cancels out, too
+        # some thousandths of its sigma, for the motion's Earth is a sphere; of several states what cancels, too
         assert told < 5e-3 + 2e-3 * each.max() * (len(vector) > 1), (vector, told, each.max())
         if len(vector) > 1:
             wrong = x * np.where(np.arange(len(x)) == each.argmax(), 1.02, 1.0)
