@@ -295,6 +295,8 @@ def followed(flown: Flown) -> Observed:
     n = flown.n
     P = sum(flown.start.values(), np.zeros((n, n)))
     P0, start = P, np.sqrt(np.diag(P))
+    if not start.any():
+        raise BoresightError("observe: no state has a variance at the start; give P0 the sigmas that are to shrink")
     Psi, information = np.diag(start), np.zeros((n, n))
     times, sigmas, time, measured = [0.0], [start], 0.0, False
 

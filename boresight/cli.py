@@ -68,6 +68,7 @@ FORMATS = ["text", "latex", "html", "pdf"]
 DERIVED = ["rate", "step"]
 AsJson = Annotated[bool, typer.Option("--json", help="Print one JSON document and nothing else.")]
 Out = Annotated[Path | None, typer.Option("-o", "--out", help="Folder for results.")]
+Generated = Annotated[Path | None, typer.Option("--generated", help="Generated folder of a model of your own.")]
 Targets = Annotated[
     list[str] | None,
     typer.Argument(
@@ -449,7 +450,7 @@ def watch(
 @app.command()
 def verify(
     targets: Targets = None,
-    folder: Annotated[Path | None, typer.Option("--generated", help="Generated folder of a model of your own.")] = None,
+    folder: Generated = None,
     strict: Annotated[
         bool, typer.Option("--strict", help="Take what a model lists as held against nothing for not held.")
     ] = False,
@@ -491,7 +492,7 @@ def export(
             autocompletion=completed(lambda: ["double", "float"]),
         ),
     ] = "double",
-    folder: Annotated[Path | None, typer.Option("--generated", help="Generated folder of a model of your own.")] = None,
+    folder: Generated = None,
     box: Annotated[
         list[str] | None,
         typer.Option(
@@ -678,32 +679,44 @@ def motion_names() -> list[str]:
     return list(MOTIONS)
 
 
+Target = Annotated[
+    str, typer.Argument(metavar="MODEL | FILE.py:NAME", show_default=False, autocompletion=completed(model_names))
+]
+Seconds = Annotated[float, typer.Option("--seconds", help="How long.")]
+StepHz = Annotated[float, typer.Option("--step-hz", help="Predictions per second.")]
+UpdateHz = Annotated[float, typer.Option("--update-hz", help="Measurements per second.")]
+Grade = Annotated[
+    str | None,
+    typer.Option(
+        "--grade", help="Sizes of scale factors, axes and instability: mems, industrial, tactical, navigation."
+    ),
+]
+Sizes = Annotated[
+    list[str] | None,
+    typer.Option("--set", help='A size, as "gyro_noise 0.1 deg/sqrt(h)", "dcm 0.2 mrad" or "dmu 1, 1, 3 deg".'),
+]
+MOTION = (
+    'As "s turn" or "sea 4"; a recording; or a function of your own that is called with the model and returns P0 and '
+    "steps, of a total state x as well."
+)
+
+
 @app.command()
 def budget(
-    target: Annotated[
-        str,
-        typer.Argument(metavar="MODEL | FILE.py:NAME", show_default=False, autocompletion=completed(model_names)),
-    ],
+    target: Target,
     motion: Annotated[
         str,
         typer.Option(
             metavar="NAME | RECORDING.toml | FILE.py:NAME",
-            help='As "s turn" or "sea 4"; a recording; or a function of your own that is called with the model and '
-            "returns P0 and steps, of a total state x as well.",
+            help=MOTION,
             autocompletion=completed(motion_names),
         ),
     ] = "s turn",
-    seconds: Annotated[float, typer.Option(help="How long.")] = 60.0,
-    step_hz: Annotated[float, typer.Option(help="Predictions per second.")] = 10.0,
-    update_hz: Annotated[float, typer.Option(help="Measurements per second.")] = 1.0,
-    grade: Annotated[
-        str | None,
-        typer.Option(help="Sizes of scale factors, axes and instability: mems, industrial, tactical, navigation."),
-    ] = None,
-    set_: Annotated[
-        list[str] | None,
-        typer.Option("--set", help='A size, as "gyro_noise 0.1 deg/sqrt(h)", "dcm 0.2 mrad" or "dmu 1, 1, 3 deg".'),
-    ] = None,
+    seconds: Seconds = 60.0,
+    step_hz: StepHz = 10.0,
+    update_hz: UpdateHz = 1.0,
+    grade: Grade = None,
+    set_: Sizes = None,
     believe: Annotated[
         list[str] | None,
         typer.Option(help="What the filter believes instead, in the same words; or FILE.py:NAME, as of --motion."),
@@ -730,7 +743,7 @@ def budget(
     ] = None,
     at: Annotated[list[float] | None, typer.Option(help="A time to print, s; the end if none.")] = None,
     state: Annotated[list[str] | None, typer.Option(help="A state to print and to draw; all if none.")] = None,
-    folder: Annotated[Path | None, typer.Option("--generated", help="Generated folder of a model of your own.")] = None,
+    folder: Generated = None,
     out: Out = None,
     svg: Svg = False,
     as_json: AsJson = False,
@@ -932,10 +945,7 @@ def replay(
             help='What the filter carries beside, as "scale 1000 ppm", "axes 1 mrad" or "bending 2 mrad 0.1 Hz".',
         ),
     ] = None,
-    grade: Annotated[
-        str | None,
-        typer.Option(help="Sizes of scale factors, axes and instability: mems, industrial, tactical, navigation."),
-    ] = None,
+    grade: Grade = None,
     estimate: Annotated[
         bool, typer.Option("--estimate", help="Estimate scale factors and axes, which else are considered.")
     ] = False,
@@ -1052,34 +1062,24 @@ def replay(
 
 @app.command()
 def observe(
-    target: Annotated[
-        str,
-        typer.Argument(metavar="MODEL | FILE.py:NAME", show_default=False, autocompletion=completed(model_names)),
-    ],
+    target: Target,
     motion: Annotated[
         list[str] | None,
         typer.Option(
             metavar="NAME | RECORDING.toml | FILE.py:NAME",
-            help='As "s turn" or "sea 4"; a recording; or a function of your own that is called with the model and '
-            "returns P0 and steps, of a total state x as well.  May be repeated.",
+            help=f"{MOTION}  May be repeated.",
             autocompletion=completed(motion_names),
         ),
     ] = None,
-    seconds: Annotated[float, typer.Option(help="How long.")] = 60.0,
-    step_hz: Annotated[float, typer.Option(help="Predictions per second.")] = 10.0,
-    update_hz: Annotated[float, typer.Option(help="Measurements per second.")] = 1.0,
-    grade: Annotated[
-        str | None,
-        typer.Option(help="Sizes of scale factors, axes and instability: mems, industrial, tactical, navigation."),
-    ] = None,
-    set_: Annotated[
-        list[str] | None,
-        typer.Option("--set", help='A size, as "gyro_noise 0.1 deg/sqrt(h)", "dcm 0.2 mrad" or "dmu 1, 1, 3 deg".'),
-    ] = None,
+    seconds: Seconds = 60.0,
+    step_hz: StepHz = 10.0,
+    update_hz: UpdateHz = 1.0,
+    grade: Grade = None,
+    set_: Sizes = None,
     formulas: Annotated[
         bool, typer.Option("--formulas", help="Also what straight lines and steady turns never show, by SymPy; slow.")
     ] = False,
-    folder: Annotated[Path | None, typer.Option("--generated", help="Generated folder of a model of your own.")] = None,
+    folder: Generated = None,
     out: Out = None,
     svg: Svg = False,
     as_json: AsJson = False,

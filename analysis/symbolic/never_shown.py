@@ -120,10 +120,10 @@ def vectors(model: Model, name: str) -> list[tuple[tuple[str, str], ...]]:
     symbols = sorted(set().union(*(part.free_symbols for part in (*H, *F))), key=str)
     points = [point(model, symbols, k) for k in range(POINTS)]
     with mpmath.workdps(30):
-        numbers = [
-            orders(*([mpmath.matrix(part.xreplace(here).evalf(30).tolist()) for part in parts] for parts in (H, F)),
-                   mpmath.mpf) for here in points
-        ]  # fmt: skip
+        numbers = []
+        for here in points:
+            each = ([mpmath.matrix(part.xreplace(here).evalf(30).tolist()) for part in parts] for parts in (H, F))
+            numbers.append(orders(next(each), next(each), mpmath.mpf))
         rows = [row for N in numbers[0] for row in N.tolist()]
         supports = sparse(rows, len(x))
         chosen = [ranked([[row[i] for i in places] for row in rows], len(places) - 1) for places in supports]

@@ -184,3 +184,9 @@ def test_the_command_prints_the_table_and_its_json_and_figure(tmp_path):
     for wrong, says in (("nowhere", "no motion 'nowhere'"), (f"{own}:other", "is no function")):
         refused = CliRunner().invoke(app, ["observe", "euler-matching", "--motion", wrong])
         assert isinstance(refused.exception, BoresightError) and says in str(refused.exception)
+
+
+def test_a_start_without_variance_is_one_line(library):
+    step = {"q_b2n_wxyz": [1, 0, 0, 0], "omega_in_n": np.zeros(3), "gyro_noise": np.zeros(3), "dt": 1.0}
+    with pytest.raises(BoresightError, match="observe: no state has a variance at the start"):
+        observability.observe(library, np.zeros((6, 6)), [step])
