@@ -89,8 +89,8 @@ def fly(library, log):
     nav = {"q": q, "vel": np.zeros(3), "pos": np.zeros(3), "gyro_bias": np.zeros(3), "accel_bias": np.zeros(3),
            "mag_i": field, "mag_b": np.zeros(3), "wind": np.zeros(2), "terrain": 0.0}  # fmt: skip
     tilt = of["ANGERR_INIT"]
-    start = [tilt, tilt, heading_sigma, *[0.5] * 3, 0.5, 0.5, baro_sigma, *[of["GBIAS_INIT"]] * 3, *[of["ABIAS_INIT"]] * 3,
-             *[of["MAG_NOISE"] * GAUSS] * 6, 1.0, 1.0, 1.0]  # fmt: skip
+    start = [tilt, tilt, heading_sigma, *[0.5] * 5, baro_sigma, *[of["GBIAS_INIT"]] * 3, *[of["ABIAS_INIT"]] * 3]
+    start += [*[of["MAG_NOISE"] * GAUSS] * 6, 1.0, 1.0, 1.0]
     loop = CompiledFilter(library, nav, P=np.diag(np.square(start)))
 
     due = [(t, "baro", value) for t, value in zip(*log["baro"], strict=True)]

@@ -147,7 +147,7 @@ def _check_time(where: str, time: Array, gap_level: Literal["warning", "error"])
             advice = (
                 f'; bridge them (bridge = "{np.ceil(lost * 1e3 - 1e-6):g} ms"), or cut the recording there (from, to)'
             )
-        far = np.flatnonzero(step > max(60.0, 1000 * dt))
+        far = np.flatnonzero(step > max(0.2, 10 * dt))
         if len(far) and len(far) <= 3:
             set_by = ", ".join(tags.set_by(time[k], step[k] - dt) for k in far)
             advice += f"; or, if the clock was set and nothing is missing, steps = [{set_by}] in {where}"

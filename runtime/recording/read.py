@@ -237,7 +237,7 @@ def _stops(found: Path, described: "Description", since: int, dt: float) -> dict
     part = described.stops
     if part is None:
         return {}
-    out = {"sway_factor": part.sway, "latitude_deg": part.latitude, "rest": None, "window": None}
+    out: dict[str, Any] = {"sway_factor": part.sway, "latitude_deg": part.latitude}
     if part.rest is not None:
         if len(part.rest) != 2:
             raise BoresightError(f'{found}: stops.rest holds {len(part.rest)} times; give two, as ["0 s", "12 s"]')

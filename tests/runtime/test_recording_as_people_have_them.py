@@ -129,6 +129,22 @@ def test_a_clock_that_was_set_once_goes_on_as_before(tmp_path, by, of):
     np.testing.assert_allclose(recording.master.time, FLOWN.columns["tm"], atol=1e-3)
 
 
+def test_a_pause_and_a_clock_that_was_set_on_by_seconds_are_named_both(tmp_path):
+    w = written()
+    w.columns["t"][FLOWN.columns["t"] > 25.0] += 2.0
+    text = named(w.write(tmp_path), "1 gaps after 25.0000 s", "cut the recording there", "if the clock was set")
+    w.replace((TIME, TIME.replace(" }", f", {re.search(r'steps = .*?]', text)[0]} }}")))
+    is_what_was_flown(healthy(w.write(tmp_path)))
+
+
+def test_the_known_rest_of_a_walk_is_described(tmp_path):
+    w = written()
+    w.toml = w.toml[: w.toml.index(MASTER)] + '[stops]\nrest = ["0 s", "9500 ms"]\nwindow = "0.4 s"\nsway = 3\n'
+    assert read(w.write(tmp_path)).stops == {"rest": (0.0, 9.5), "window": 20, "sway_factor": 3.0}
+    w.replace(('"0 s", ', ""))
+    named(w.write(tmp_path), "stops.rest holds 1 times")
+
+
 def test_a_step_that_is_not_there_is_one_line(tmp_path):
     w = written()
     w.replace((TIME, TIME.replace(" }", ', steps = [{ after = "25 s", by = "-7 s" }] }')))
