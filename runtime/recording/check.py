@@ -12,7 +12,7 @@ from boresight.runtime import frames, rotation
 from boresight.runtime.array import Array
 from boresight.runtime.recording import axes, motion, patterns, tags
 from boresight.runtime.recording.delay import attitude_steps, clocks_apart, drift
-from boresight.runtime.recording.rows import wild
+from boresight.runtime.recording.rows import alone, wild
 from boresight.runtime.recording.types import Finding, Inertial, Master, Recording
 from boresight.runtime.units import ARCMIN, DEG, FOOT, HOUR, UNITS
 from boresight.runtime.units import STANDARD_GRAVITY as G
@@ -106,7 +106,7 @@ def _proposed(findings: list[Finding], recording: Recording) -> list[Finding]:
         T = recording.axes["velocity"]
         fits = axes.orders(master, master.v_n @ T)
         declared = next(name for name, one in frames.every_order().items() if np.array_equal(one, T))
-        if fits and declared not in fits:
+        if fits and declared not in fits and not any(f'order = "{fits[0]}"' in one.text for one in findings):
             findings = axes.proposed(findings, f'order = "{fits[0]}" beside the velocity fits', {"path"})
     return findings
 
@@ -147,8 +147,11 @@ def _check_time(where: str, time: Array, gap_level: Literal["warning", "error"])
             advice = (
                 f'; bridge them (bridge = "{np.ceil(lost * 1e3 - 1e-6):g} ms"), or cut the recording there (from, to)'
             )
+        lone = np.flatnonzero(alone(time))
+        if len(lone):
+            advice += f'; or, {len(lone)} tags stand off their neighbours (row {lone[0]}): bad_rows = "drop"'
         far = np.flatnonzero(step > max(0.2, 10 * dt))
-        if len(far) and len(far) <= 3:
+        if len(far) and len(far) <= 3 and not len(lone):
             set_by = ", ".join(tags.set_by(time[k], step[k] - dt) for k in far)
             advice += f"; or, if the clock was set and nothing is missing, steps = [{set_by}] in {where}"
         # As many tags are too near as are too far: they scatter, and nothing is missing.

@@ -45,12 +45,26 @@ def of_samples(imu: Inertial) -> list[Finding]:
         out.append(Finding("error", "imu", text, "interpolated"))
     elif copied > 0.3:
         text = f"{copied:.0%} of the samples repeat the one before: the slave is held at {rate * (1 - copied):.3g} Hz"
-        out.append(Finding("error", "imu", f'{text}; repeats = "drop" in imu keeps each sample once', "copies"))
+        rows_each = 1 / (1 - copied)
+        line = ', and clock = "regular" puts them on their line' if abs(rows_each - round(rows_each)) > 0.05 else ""
+        out.append(Finding("error", "imu", f'{text}; repeats = "drop" in imu keeps each sample once{line}', "copies"))
     elif copied:
         first = imu.time[1:][measured[1:]][int(np.argmax(rows))]
         text = f"{rows.sum()} samples are copies of the one before, the first at {first:.3f} s: lost ones filled in"
         advice = f'repeats = "drop" in imu leaves them out, and bridge = "{1e3 / rate:.3g} ms" fills the gaps'
         out.append(Finding("error", "imu", f"{text}; {advice}", "copies"))
+    for name, columns in (("gyro", same[:, :3]), ("accel", same[:, 3:])):
+        alone, repeated = _together(columns[measured[1:]])
+        apart = np.diff(np.flatnonzero(~repeated))
+        beat = len(apart) > 10 and np.mean(np.abs(apart - np.median(apart)) <= 1) > 0.9
+        # of a coarse sensor at rest each axis repeats for itself
+        most = float(columns[measured[1:]].mean(axis=0).max())
+        if not copied and beat and most < 0.97 and alone > max(0.3, 0.9 * most):
+            text = f"{alone:.0%} of its samples repeat the one before, and the other sensor's do not: it is held at "
+            text += (
+                f"{rate * (1 - alone):.3g} Hz; give it a time of its own, of the rows in which it is new ({name}.time)"
+            )
+            out.append(Finding("error", f"imu.{name}", text, "copies"))
     unit = rate if imu.kind == "increments" else 1.0  # as delivered: the steps of a converter are none of dv / dt
     for name, sensor in (("gyro", imu.gyro), ("accel", imu.accel)):
         for axis, label in enumerate(frames.AXES):

@@ -806,7 +806,8 @@ def _fitted(where: str, time: Array) -> tuple[Array, str]:
     from boresight.runtime.clock import regular  # not every recording needs SciPy's splines
 
     text = f"{where}: tags of a regular clock of {{:.6g}} Hz, put on its line; they scattered by {{:.3f}} ms"
-    if grain := tags.grain(time):
+    step = np.diff(time)
+    if grain := tags.grain(time) or (float(step.max()) if (step == 0).any() else 0.0):
         number = np.arange(len(time))
         interval, begin = np.polyfit(number, time, 1)
         line = begin + interval * number

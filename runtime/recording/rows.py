@@ -89,7 +89,7 @@ def alone(time: Array) -> Array:
     step = np.diff(time)
     usual = float(np.median(step[step > 0])) if (step > 0).any() else 0.0
     level = time - usual * np.arange(len(time))
-    off: Array = np.abs(level - median_filter(level, NEAR, mode="nearest")) > FAR * usual
+    off: Array = np.abs(level - median_filter(level, NEAR, mode="reflect")) > FAR * usual
     return off if usual > 0 else np.zeros(len(time), bool)
 
 

@@ -24,6 +24,14 @@ def disorder(time: Array, where: str = "time") -> str:
     usual = float(np.median(step[step > 0])) if (step > 0).any() else 0.0
     if digits := coarse(time):
         return f'the tags have lost digits: {digits}; write them in double precision, or say clock = "regular"'
+    lone = alone(time)
+    spoilt = (
+        f"{lone.sum()} tags stand off their neighbours (row {', '.join(map(str, np.flatnonzero(lone)[:3]))}): spoilt"
+    )
+    spoilt += '; bad_rows = "drop" leaves these rows out, do not sort'
+    sound = lone.any() and bool((np.diff(time[~lone]) > 0).all())
+    if not back.any() and sound:
+        return spoilt
     if not back.any():
         text = f"{same.sum()} tags are repeated at {listed(time[:-1][same])}"
         advice = 'where the samples are regular and came in groups, clock = "regular"'
@@ -35,12 +43,8 @@ def disorder(time: Array, where: str = "time") -> str:
             if span > 4 * usual and (np.abs(step[back] + span - usual) < 0.6 * usual).all():
                 text = f'a counter of {bits} bits wraps, in {unit}: wraps = "{span:.10g} s" in {where}'
                 return f"{first}: {text}; do not sort"
-    lone = alone(time)
-    rest = np.diff(time[~lone])
-    if lone.any() and (rest > 0).all():
-        rows = ", ".join(map(str, np.flatnonzero(lone)[:3]))
-        text = f"{lone.sum()} tags stand off their neighbours (row {rows}): spoilt"
-        return f'{first}: {text}; bad_rows = "drop" leaves these rows out, do not sort'
+    if sound:
+        return f"{first}: {spoilt}"
     for name, span in SPANS.items():
         if (np.abs(step[back] + span - usual) < max(0.6 * usual, 1e-6)).all():
             return f'{first}: {name}: wraps = "{span:g} s" in {where}; do not sort'

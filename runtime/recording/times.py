@@ -20,8 +20,13 @@ def epoch(values: Array, unit: str) -> int:
     """
     whole, factor = _counts(values, unit)
     finite = whole[np.isfinite(whole)]
-    first = float(finite[0]) * factor if len(finite) else 0.0
-    return int(np.floor(first)) if abs(first) >= DATE else 0
+    if not len(finite):
+        return 0
+    usual = float(np.median(finite[:15])) * factor  # a first tag may be spoilt
+    if abs(usual) < DATE:
+        return 0
+    firsts = np.asarray(finite[:15], float) * factor
+    return int(np.floor(firsts[np.abs(firsts - usual) < DATE][0]))
 
 
 def seconds(values: Array, unit: str, since: int) -> Array:

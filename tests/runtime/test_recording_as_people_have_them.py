@@ -111,6 +111,53 @@ def test_tags_of_single_precision_are_put_on_their_line(tmp_path):
     np.testing.assert_allclose(np.diff(recording.imu.time), 0.02, atol=2e-5)
 
 
+@pytest.mark.parametrize("how", ["groups of five", "held at 30 Hz"])
+def test_samples_that_came_in_groups_are_put_on_their_line(tmp_path, how):
+    w = written()
+    keys = 'clock = "regular"\n'
+    if "five" in how:
+        w.columns["t"] = np.floor(w.columns["t"] * 10 + 1e-6) / 10
+    else:
+        keys += 'repeats = "drop"\n'
+        for name in ("gyro", "accel"):
+            x = w.columns[name]
+            even = np.cumsum(np.vstack([np.zeros(3), x]), axis=0) / 50  # its integral, and means at 30 Hz
+            at = np.arange(0, 50, 1 / 30)
+            means = np.diff([np.interp(at, np.arange(2501) / 50, part) for part in even.T], axis=1).T * 30
+            w.columns[name] = means[np.minimum((w.columns["t"] * 30 - 1e-6).astype(int), len(means) - 1)]
+    named(w.write(tmp_path), 'clock = "regular"')
+    w.replace((IMU, f"{IMU}{keys}"))
+    np.testing.assert_allclose(
+        np.diff(healthy(w.write(tmp_path)).imu.time), 1 / (50 if "five" in how else 30), rtol=2e-3
+    )
+
+
+@pytest.mark.parametrize("sensor", ["gyro", "accel"])
+def test_one_sensor_that_is_held_is_named(tmp_path, sensor):
+    w = written()
+    w.columns[sensor] = np.repeat(w.columns[sensor][::5], 5, axis=0)
+    named(w.write(tmp_path), f"imu.{sensor}", "80% of its samples repeat", "held at 9.98 Hz")
+
+
+def test_tags_of_a_clock_that_was_not_set_yet_are_left_out(tmp_path):
+    w = written()
+    for name in ("t", "tm"):
+        w.columns[name] += 1.7e9
+    w.columns["t"][:3] = 0.0
+    named(w.write(tmp_path), "3 tags stand off", 'bad_rows = "drop"')
+    w.toml = f'bad_rows = "drop"\n{w.toml}'
+    assert len(healthy(w.write(tmp_path)).imu.time) == len(FLOWN.columns["t"]) - 3
+
+
+@pytest.mark.parametrize("row", [0, -1])
+def test_a_spoilt_tag_at_an_end_is_left_out(tmp_path, row):
+    w = written()
+    w.columns["t"][row] = -1e9 if row == 0 else 1e9
+    named(w.write(tmp_path), 'bad_rows = "drop"')
+    w.toml = f'bad_rows = "drop"\n{w.toml}'
+    assert len(healthy(w.write(tmp_path)).imu.time) == len(FLOWN.columns["t"]) - 1
+
+
 @pytest.mark.parametrize(("by", "of"), [(-7.3, ("t", "tm")), (3600.0, ("t", "tm")), (-4.0, ("t", "tm"))])
 def test_a_clock_that_was_set_once_goes_on_as_before(tmp_path, by, of):
     w = written()
