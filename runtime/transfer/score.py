@@ -3,13 +3,17 @@
 The model with states for them is flown with a variance so small that no estimate changes.  A considered state's
 covariance with the others, over its variance, is then how far one unit of it drives them off: the sensitivity.  What
 that makes of an innovation is regressed on; the sum of the squares explained is chi-square where nothing is there.
+
+That holds where the innovations are white and as large as the filter says.  Where R is another one, or a master without
+noise leaves what is no noise at all, the scatter of the scores from one part of the flight to the next says how far
+they stray; of both statistics the smaller one counts.
 """
 
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from scipy.special import chdtri, chndtr
+from scipy.special import chdtri, chndtr, fdtrc
 
 from boresight.runtime.array import Array
 from boresight.runtime.transfer.sensors import CALIBRATION, PROBE
@@ -19,6 +23,7 @@ GROUPS = {
     "accelerometer axes": slice(12, 15),
 }  # fmt: skip
 ALARMS, POWER = 0.01, 0.95
+PARTS = 32  # of a flight at least, once it has so many messages; twice as many are joined in pairs
 
 
 @dataclass(frozen=True)
@@ -36,6 +41,8 @@ class Score:
     def __init__(self, runs: tuple[int, ...]):
         self.gradient, self.information = np.zeros((*runs, 15)), np.zeros((*runs, 15, 15))
         self._gradient, self._information = self.gradient, self.information
+        self._parts: list[tuple[Array, Array]] = []
+        self._in_last, self._each = 0, 1  # messages in the last part, and in each
 
     def begin(self) -> None:
         """Of a message, which may yet be refused."""
@@ -54,8 +61,36 @@ class Score:
         self._information = self._information + np.swapaxes(s, -1, -2) @ by[..., :-1]
 
     def end(self, taken: Array) -> None:
-        self.gradient = self.gradient + np.where(taken[..., None], self._gradient, 0.0)
-        self.information = self.information + np.where(taken[..., None, None], self._information, 0.0)
+        came = np.where(taken[..., None], self._gradient, 0.0), np.where(taken[..., None, None], self._information, 0.0)
+        self.gradient, self.information = self.gradient + came[0], self.information + came[1]
+        if self._parts and self._in_last < self._each:
+            self._parts[-1] = (self._parts[-1][0] + came[0], self._parts[-1][1] + came[1])
+            self._in_last += 1
+            return
+        if len(self._parts) == 2 * PARTS:
+            pairs = zip(self._parts[::2], self._parts[1::2], strict=True)
+            self._parts = [(one[0] + next_to[0], one[1] + next_to[1]) for one, next_to in pairs]
+            self._each *= 2
+        self._parts.append(came)
+        self._in_last = 1
+
+    def scattered(self, part: slice) -> tuple[Array, Array] | None:
+        """The statistic of a group by the scatter of its scores, and the information that they have by it.
+
+        The statistic is the number of a chi-square law that is as rare as Hotelling's is, of so many parts.  None of a
+        flight with fewer than PARTS of them.
+        """
+        count = len(self._parts)
+        if count < PARTS:
+            return None
+        g, information = self.gradient[..., part], self.information[..., part, part]
+        k = g.shape[-1]
+        found = np.linalg.pinv(information) @ g[..., None]
+        each = np.stack([one[0][..., part] - (one[1][..., part, part] @ found)[..., 0] for one in self._parts], axis=-2)
+        stray = np.linalg.pinv(np.swapaxes(each, -1, -2) @ each * (count / (count - 1)))
+        hotelling = (g[..., None, :] @ stray @ g[..., None])[..., 0, 0]
+        rare = fdtrc(k, count - k, hotelling * (count - k) / (k * (count - 1)))
+        return chdtri(k, np.maximum(rare, 1e-300)), information @ stray @ information
 
     def noticed(self) -> dict[str, Noticed]:
         """By group, each tested as if the others were zero."""
@@ -66,6 +101,10 @@ class Score:
             statistic = np.einsum("...i,...i->...", g, (np.linalg.pinv(information) @ g[..., None])[..., 0])
             bound = float(chdtri(k, ALARMS / len(GROUPS)))
             smallest = np.apply_along_axis(detectable, -1, np.linalg.eigvalsh(information), bound)
+            if scattered := self.scattered(part):
+                statistic = np.minimum(statistic, scattered[0])
+                by_scatter = np.apply_along_axis(detectable, -1, np.linalg.eigvalsh(scattered[1]), bound)
+                smallest = np.maximum(smallest, by_scatter)
             out[name] = Noticed(statistic, bound, smallest)
         return out
 

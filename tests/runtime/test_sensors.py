@@ -12,8 +12,8 @@ from boresight.evidence.flights.fly import band, fly
 from boresight.evidence.flights.motion import swinging
 from boresight.runtime.library import load
 from boresight.runtime.transfer import Rules, sensors
-from boresight.runtime.transfer.score import driven
-from boresight.runtime.transfer.sensors import GRADES, Sensors, calibration, carried, sized
+from boresight.runtime.transfer.score import Score, driven
+from boresight.runtime.transfer.sensors import CALIBRATION, GRADES, PROBE, Sensors, calibration, carried, sized
 from boresight.runtime.units import DEG_H, STANDARD_GRAVITY
 
 RUNS = 12
@@ -131,6 +131,27 @@ def test_the_score_notices_what_it_says_it_does(noticed):
     none, there = (one["gyro scale factors"] for one in noticed)
     assert 1e-3 < np.median(none.smallest) < 1e-2
     assert (there.statistic > there.bound).mean() >= 0.8
+
+
+@pytest.mark.parametrize("larger", [0.3, 1.0, 4.0])
+def test_the_score_is_not_larger_than_chi_square_whatever_r_is(larger):
+    """Innovations so many times larger than the filter says; 300 flights of 200 messages that show all parameters."""
+    rng, runs = np.random.default_rng(6), 300
+    score = Score((runs,))
+    P = np.eye(46) * 1e-30
+    for _ in range(200):
+        H = np.zeros((3, 46))
+        H[:, :3] = np.linalg.qr(rng.standard_normal((3, 3)))[0]
+        P[CALIBRATION, :3] = rng.standard_normal((15, 3)) * PROBE**2
+        score.begin()
+        score.take(larger * rng.standard_normal((runs, 3)), H, P, np.ones(3), np.ones((runs, 3), bool))
+        score.end(np.ones(runs, bool))
+    for one in score.noticed().values():
+        # each of four groups has its share of the one in a hundred
+        assert (one.statistic > one.bound).sum() <= 5
+        dof = {14.3: 3, 20.2: 6}[round(one.bound, 1)]
+        assert one.statistic.mean() < dof * 1.15
+        assert larger < 1 or one.statistic.mean() > dof * 0.7
 
 
 def test_a_probe_changes_no_estimate(probed):
