@@ -225,5 +225,5 @@ if __name__ == "__main__":
             wrong, warned = wrong + bool(errors), warned + bool(texts and not errors)
             for text in (errors or texts)[:1]:
                 print(f"{seed} ({what}, {made.notes['file']}): {text[:260]}", flush=True)
-            if (seed + 1 - first) % 50 == 0:
+            if (seed + 1 - first) % 50 == 0 or seed + 1 == first + count:
                 print(f"{wrong} of {seed + 1 - first} are called wrong, {warned} have a warning", flush=True)

@@ -10,7 +10,7 @@ import numpy as np
 from boresight.errors import BoresightError, did_you_mean
 from boresight.runtime import frames, rotation
 from boresight.runtime.array import Array
-from boresight.runtime.recording import axes, motion, patterns, tags
+from boresight.runtime.recording import axes, causes, motion, patterns, tags
 from boresight.runtime.recording.delay import attitude_steps, clocks_apart, drift
 from boresight.runtime.recording.rows import alone, wild
 from boresight.runtime.recording.types import Finding, Inertial, Master, Recording
@@ -202,6 +202,13 @@ def _check_imu(imu: Inertial, master: Master | None) -> list[Finding]:
             # n = 2: every other row was left out when a file was thinned
             guesses |= {f"one increment in {n} is there, and the others are lost": norm * n for n in (2, 3, 4, 5, 10)}
         fits = [guess for guess, value in guesses.items() if 0.9 * G < value < 1.1 * G]
+        mean = f.mean(axis=0)
+        fits += [
+            f"{name} alone in g declared as m/s^2" for i, name in enumerate(("front", "right", "down"))
+            if 0.9 * G < float(np.linalg.norm(np.where(np.arange(3) == i, G, 1.0) * mean)) < 1.1 * G
+        ]  # fmt: skip
+        if norm < 0.1 * G and not fits:
+            fits = ["gravity was taken off; describe the specific force, with gravity in it"]
         text = f"the mean specific force is {norm:.4g} m/s^2, not about {G:.2f}"
         # who turns steadily feels more than g, and its master tells
         if fits or master is None or master.v_n is None or not 0.5 * G < norm < 3 * G:
@@ -304,7 +311,11 @@ def _check_master(master: Master) -> list[Finding]:
     if master.position is not None:
         latitude = np.abs(master.position[:, 0]).max()
         if latitude > np.pi / 2:
-            text = f"latitude to {latitude:.4g} rad: degrees declared as radians, or another order of columns?"
+            whole = np.abs(np.degrees(master.position[:, :2]))
+            hint = "degrees declared as radians, or another order of columns?"
+            if 100 < whole.max() < 18060 and (whole % 100 < 60).all():
+                hint = "degrees and minutes in one number, ddmm.mm as NMEA has them?"
+            text = f"latitude to {latitude:.4g} rad: {hint}"
             out.append(Finding("error", "master.position", text, "place"))
         elif not master.position[:, :2].all(axis=1).any():
             text = "latitude or longitude is 0 all the time: a receiver without a fix, or an origin that nobody set?"
@@ -314,7 +325,7 @@ def _check_master(master: Master) -> list[Finding]:
     return out
 
 
-SPEEDS = {unit: size for unit, size in UNITS["velocity"].items() if unit != "m/s"}
+SPEEDS = {unit: size for unit, size in UNITS["velocity"].items() if unit != "m/s"} | {"ft/s": FOOT}
 
 
 def _check_velocity(master: Master) -> list[Finding]:
@@ -330,6 +341,10 @@ def _check_velocity(master: Master) -> list[Finding]:
     # Climbs and descents end where they began: a wrong sign of the height shows on the way only.
     fallen = np.concatenate([[0.0], np.cumsum((master.v_n[1:, 2] + master.v_n[:-1, 2]) / 2 * np.diff(master.time))])
     fallen, sunk = fallen - fallen.mean(), height.mean() - height
+    if float(np.linalg.norm(moved - summed)) > max(20.0, 0.1 * float(np.linalg.norm(moved))) and (
+        cause := causes.of_velocity(master)
+    ):
+        return [Finding("error", "master.velocity", f"the position is the sum of the velocity where {cause}", "path")]
     if np.std(fallen) > 1.0 and np.std(sunk + fallen) < np.std(sunk - fallen) / 3:
         text = f"the height goes against the vertical velocity, which alone moves by {np.ptp(fallen):.1f} m"
         hint = ': check which of them is up and which down; order = "north east up" beside its columns says so'
@@ -489,7 +504,7 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
         text = "turns about down have the other sign, and front and right fit: yaw is counter-clockwise"
         return [Finding("error", "master.attitude", text + " (yaw_positive)", "turns"), *out, *gravity]
     if any(one.level == "error" for one in out):
-        return out + gravity
+        return _turned_otherwise(imu, master) + out + gravity
     if order := motion.another_sequence(imu, master):
         text = f"the slave's turns fit angles that are applied as {order}, and not as yaw, pitch, roll"
         out.append(Finding("error", "master.attitude", text + "; write quaternions, or angles of an aircraft", "order"))
@@ -498,6 +513,31 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
     if any(one.level == "error" and one.name == "heading" for one in off):
         return off + out  # the force in the master's axes is turned with it
     return off + gravity + out
+
+
+def _turned_otherwise(imu: Inertial, master: Master) -> list[Finding]:
+    """The one mistake in axes, angles or quaternions that explains all turns, if there is one."""
+    dt, slave, turn = attitude_increments(imu, master)
+    ends = np.cumsum(dt) + master.time[0]
+    kept = np.flatnonzero(np.isin(np.arange(len(master.time) - 1), _covered(imu, master)))
+    if text := causes.of_axes(slave, turn):
+        return [Finding("error", "imu.body", f"the slave's turns are its master's where {text} (body)", "turns")]
+    if text := causes.of_attitude(slave, master, kept):
+        return [Finding("error", "master.attitude", f"the turns of both fit where {text} (order)", "turns")]
+    if text := causes.of_halves(slave, turn, ends):
+        advice = ": what was logged has changed there; cut the recording there (from, to)"
+        return [Finding("error", "imu.gyro", text + advice, "turns")]
+    return []
+
+
+def _covered(imu: Inertial, master: Master) -> list[int]:
+    """The numbers of the master's intervals that the slave covers, as of `attitude_increments`."""
+    start, end = imu.intervals()
+    slack = 0.01 * imu.dt
+    return [
+        k for k in range(len(master.time) - 1)
+        if master.time[k] >= start[0] - slack and master.time[k + 1] <= end[-1] + slack
+    ]  # fmt: skip
 
 
 FACTORS = {

@@ -1,0 +1,114 @@
+"""Which mistake explains turns or velocities that do not fit: each that is usual is undone, and the best is named."""
+
+from itertools import permutations, product
+
+import numpy as np
+
+from boresight.runtime import rotation
+from boresight.runtime.array import Array
+from boresight.runtime.recording.types import Master
+
+AXES = ("front", "right", "down")
+FITS = 0.1  # of what is to be explained, that may be left
+
+
+def left(slave: Array, turn: Array) -> float:
+    """The part of the slave's turns (K, 3) that the master's do not explain as they are, but for their means."""
+    slave, turn = slave - slave.mean(axis=0), turn - turn.mean(axis=0)
+    return float(np.sum((slave - turn) ** 2) / np.sum(slave**2))
+
+
+def of_axes(slave: Array, turn: Array) -> str:
+    """How the slave's axes lie beside its master's, by turns (K, 3) of both; "" where no change of axes fits."""
+    best, found = FITS, ""
+    for order in permutations(range(3)):
+        for signs in product((1, -1), repeat=3):
+            M = np.eye(3)[list(order)] * np.array(signs)[:, None]
+            rest = left(slave, turn @ M.T)
+            if rest < best:
+                best, found = rest, _named(M)
+    return found
+
+
+def _named(M: Array) -> str:
+    if np.linalg.det(M) < 0:
+        where = [AXES[i] for i in range(3) if M[i, i] < 0]
+        if len(where) == 1 and np.trace(np.abs(M)) == 3:
+            return f"{where[0]} of its axes is mirrored: left-handed axes, or one sign"
+        moved = [AXES[i] for i in range(3) if M[i, i] == 0]
+        angles = ", or the master's roll and pitch are" if moved == ["front", "right"] else ""
+        return f"{' and '.join(moved)} of its axes are exchanged, left-handed{angles}"
+    vector = rotation.vector_from_matrix(M)
+    angle = round(float(np.degrees(np.linalg.norm(vector))))
+    main = int(np.abs(vector).argmax())
+    about = AXES[main] if np.count_nonzero(np.abs(vector) > 0.1) == 1 else "a diagonal"
+    names = ", as FLU beside FRD" if angle == 180 and main == 0 and about == "front" else ""
+    return f"it is turned by {angle} deg about {about} beside its master{names}: another body"
+
+
+def of_attitude(slave: Array, master: Master, kept: Array) -> str:
+    """What was done to the attitude, so that the turns of the slave (K, 3) fit where it is undone; "" where nothing is.
+
+    kept: (K,) numbers of the master's intervals.
+    """
+    q = rotation.quaternion_from_euler(master.euler)
+    C = rotation.matrix_from_euler(master.euler)
+    tried = {
+        "roll and pitch are exchanged: another order of the angles": rotation.matrix_from_euler(
+            master.euler[:, [1, 0, 2]]
+        ),
+        "its quaternion is the conjugate: navigation to body": np.swapaxes(C, -1, -2),
+        "its quaternion is in another order: xyzw declared as wxyz": rotation.matrix_from_quaternion(np.roll(q, 1, 1)),
+        "its quaternion is in another order: wxyz declared as xyzw": rotation.matrix_from_quaternion(np.roll(q, -1, 1)),
+    }
+    best, found = FITS, ""
+    for name, one in tried.items():
+        steps = np.swapaxes(one[:-1], -1, -2) @ one[1:]
+        rest = left(slave, rotation.vector_from_matrix(steps)[kept])
+        if rest < best:
+            best, found = rest, name
+    return found
+
+
+def of_halves(slave: Array, turn: Array, time: Array) -> str:
+    """Turns that fit to one instant and not behind it, or the reverse; time: (K,) s."""
+    miss = np.sum((slave - turn) ** 2, axis=1)
+    total, power = np.cumsum(miss), np.cumsum(np.sum(slave**2, axis=1))
+    for ahead in (True, False):
+        early = total if ahead else total[-1] - total
+        of = power if ahead else power[-1] - power
+        good = np.flatnonzero((early < FITS / 10 * of) & (of > 0.2 * power[-1]))
+        if len(good):
+            at = time[good[-1] if ahead else good[0]]
+            return f"the turns fit until {at:.0f} s and not behind it" if ahead else f"the turns fit from {at:.0f} s on"
+    return ""
+
+
+def of_velocity(master: Master) -> str:
+    """What was done to the velocity or the position, so that one is the sum of the other where it is undone."""
+    assert master.v_n is not None and master.position is not None
+    lat, lon, height = master.position.T
+    place = np.column_stack([lat, lon * np.cos(lat[0]), np.zeros_like(lat)]) * (6371e3 + height[0])
+    place[:, 2] = -height
+    swapped = np.column_stack([lon, lat * np.cos(lon[0]), np.zeros_like(lat)]) * (6371e3 + height[0])
+    swapped[:, 2] = -height
+    C, v = rotation.matrix_from_euler(master.euler), master.v_n
+    tried = {
+        "a velocity of the body declared as one of navigation (axes)": (place, np.einsum("kij,kj->ki", C, v)),
+        "a velocity of navigation declared as one of the body (axes)": (place, np.einsum("kji,kj->ki", C, v)),
+        "north and east are exchanged and up is down: ENU declared as NED": (place, v[:, [1, 0, 2]] * [1, 1, -1]),
+        "east has the other sign and up is down: NWU declared as NED": (place, v * [1, -1, -1]),
+        "north and east are exchanged in the velocity": (place, v[:, [1, 0, 2]]),
+        "latitude and longitude are exchanged": (swapped, v),
+        "the sign of the latitude is lost": (place * [-1, 1, 1], v),
+        "the sign of the longitude is lost": (place * [1, -1, 1], v),
+        "north of the velocity has the other sign": (place, v * [-1, 1, 1]),
+        "east of the velocity has the other sign": (place, v * [1, -1, 1]),
+    }
+    dt = np.diff(master.time)[:, None]
+    rest = {}
+    for name, (at, speed) in tried.items():
+        moved = np.diff(at, axis=0)
+        rest[name] = float(np.sum((moved - (speed[1:] + speed[:-1]) / 2 * dt) ** 2) / np.sum(moved**2))
+    best = min(rest.values())
+    return " or ".join(name for name in tried if rest[name] < 1.1 * best) if best < FITS else ""  # both, where two fit
