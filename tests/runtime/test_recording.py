@@ -269,7 +269,7 @@ def test_fog_mems_is_free_of_errors_and_its_master_is_seen_to_be_late():
         (lambda r: replace(r, imu=replace(r.imu, accel=r.imu.accel / 9.80665)), "g declared as m/s"),
         (lambda r: replace(r, master=replace(r.master, euler=r.master.euler / DEG)), "degrees declared as radians"),
         (lambda r: replace(r, master=replace(r.master, euler=r.master.euler * [1, 1, -1])), "yaw"),
-        (lambda r: replace(r, master=replace(r.master, v_n=r.master.v_n[:, [1, 0, 2]])), "order of columns"),
+        (lambda r: replace(r, master=replace(r.master, v_n=r.master.v_n[:, [1, 0, 2]])), "exchanged"),
         (lambda r: replace(r, master=replace(r.master, position=r.master.position / DEG)), "latitude"),
         (lambda r: shifted(r, 1000.0), "no overlap"),
     ],
