@@ -122,8 +122,10 @@ def vectors(model: Model, name: str) -> list[tuple[tuple[str, str], ...]]:
     with mpmath.workdps(30):
         numbers = []
         for here in points:
-            each = ([mpmath.matrix(part.xreplace(here).evalf(30).tolist()) for part in parts] for parts in (H, F))
-            numbers.append(orders(next(each), next(each), mpmath.mpf))
+            values, rates = (
+                [mpmath.matrix(part.xreplace(here).evalf(30).tolist()) for part in parts] for parts in (H, F)
+            )
+            numbers.append(orders(values, rates, mpmath.mpf))
         rows = [row for N in numbers[0] for row in N.tolist()]
         supports = sparse(rows, len(x))
         chosen = [ranked([[row[i] for i in places] for row in rows], len(places) - 1) for places in supports]

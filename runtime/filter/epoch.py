@@ -281,7 +281,13 @@ class Epoch(Fixed):
         return self.loop.memory.bind("epoch", ctypes.byref(cycle), status)
 
     def steps(self) -> Iterator[tuple[str, Cycle]]:
-        """Its parts one after the other, for a record: strapdown, predict, each measurement, feedback."""
+        """Its parts one after the other, for a record.
+
+        Yields
+        ------
+        tuple of str and Cycle
+            "strapdown", "predict", a measurement's name or "feedback", and what the C is given.
+        """
         whole, which, given, taking = self._cycle, self._which, self._given, self._taking
 
         def part(samples: int = 0, predict: Any = None, count: int = 0, i: int = 0, correct: int = 0) -> Cycle:
