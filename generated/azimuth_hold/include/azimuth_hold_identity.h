@@ -20,7 +20,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "7669669b66666d615f8f1c202d040cfb96d88def9fcad89f3410a0f2290b3e10"
+#define AH_MODEL_HASH "f0f1005b5d9c0d8ec87cf75c239a9bd8c6de42a9ea25fb9becf5aedf5e7f313b"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1
@@ -98,6 +98,7 @@
 #define ah_live_covariance BS_FORM(ah_live_covariance)
 #define ah_live_defaults BS_FORM(ah_live_defaults)
 #define ah_live_digest BS_FORM(ah_live_digest)
+#define ah_live_measured BS_FORM(ah_live_measured)
 #define ah_live_message BS_FORM(ah_live_message)
 #define ah_live_next_event BS_FORM(ah_live_next_event)
 #define ah_live_output BS_FORM(ah_live_output)

@@ -20,7 +20,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "2f2c5025b55f923660c618a372b852a399c87e105b8b5757ac53daba1e289368"
+#define AHR_MODEL_HASH "ed227962c57d81b0497c198f172f468e78505842eee84757924316959be081b9"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1
@@ -98,6 +98,7 @@
 #define ahr_live_covariance BS_FORM(ahr_live_covariance)
 #define ahr_live_defaults BS_FORM(ahr_live_defaults)
 #define ahr_live_digest BS_FORM(ahr_live_digest)
+#define ahr_live_measured BS_FORM(ahr_live_measured)
 #define ahr_live_message BS_FORM(ahr_live_message)
 #define ahr_live_next_event BS_FORM(ahr_live_next_event)
 #define ahr_live_output BS_FORM(ahr_live_output)

@@ -20,7 +20,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "115b2346a37843929cded798bc96304905856f1de2cd21182f4e0bb49f288b72"
+#define EM_MODEL_HASH "fc485e7e25a2a58f5774d1493c8e76b3462175e0f6e4230d54e8069809973f62"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1
@@ -96,6 +96,7 @@
 #define em_live_covariance BS_FORM(em_live_covariance)
 #define em_live_defaults BS_FORM(em_live_defaults)
 #define em_live_digest BS_FORM(em_live_digest)
+#define em_live_measured BS_FORM(em_live_measured)
 #define em_live_message BS_FORM(em_live_message)
 #define em_live_next_event BS_FORM(em_live_next_event)
 #define em_live_output BS_FORM(em_live_output)

@@ -97,13 +97,23 @@ typedef struct {
     em_carried carried;
 } em_output;
 
+/* The last measurement that the filter has judged. */
+typedef struct {
+    uint32_t count;       /* of those until then */
+    uint32_t order;       /* of the message among those that were put to wait, from 0 */
+    uint16_t measurement; /* EM_MEASUREMENT_... */
+    bs_msg_fate fate;
+    int64_t at;           /* us, its instant, by the clock of the samples */
+    em_innovation innovation;
+} em_measured;
+
 /* ---- what follows is not for callers, but for their memory */
 
 typedef struct {
     int64_t at;
     bs_real dt;
-    bs_real missing; /* s, of this interval: bridged, held or saturated */
-    int64_t stepped; /* us, by which the clock of the samples stepped before it */
+    int32_t stepped; /* us, by which the clock of the samples stepped before it, even; one more: it
+                      * is bridged, held or saturated */
     bs_real sensed[EM_N_SENSED];
     bs_real q_b2n_wxyz[4];
 } em_past;
@@ -132,6 +142,21 @@ typedef struct {
     uint32_t read;
 } em_events;
 
+/* A measurement under way, piece by piece. */
+typedef struct {
+    uint16_t stage; /* 0: there is none */
+    uint16_t slot;  /* which of those that wait */
+    uint16_t done;  /* pieces of this stage */
+    bs_real span, mean[EM_N_SENSED]; /* s, and what the sensors delivered a second about its
+                                      * instant */
+    bs_real apart;  /* s, between two instants about it */
+    bs_real variance[3];
+    bs_real H[3 * EM_N_STATES];
+    bs_real before[EM_N_STATES];  /* sigmas */
+    bs_real seeming[EM_N_STATES]; /* what errors of H alone seem to inform on a state, in parts of
+                                   * its unit squared */
+} em_measuring;
+
 /* The loop: filled by em_live_begin. */
 typedef struct {
     em_live_rules rules;
@@ -158,10 +183,13 @@ typedef struct {
     bs_real x[EM_N_STATES]; /* by how much it is known to err, and has not been corrected yet */
     bs_real Phi[EM_N_PHI]; /* of the last step of the covariance, */
     bs_real Phi_dt;             /* and its length */
+    uint32_t opening;           /* whether P does not know yet */
+    bs_real unknown;            /* s, of missing samples */
     int64_t measured[EM_N_MEASUREMENTS]; /* us, when the last of each kind was measured */
     uint16_t came[EM_N_MEASUREMENTS];    /* whether one has come, */
     uint16_t astray[EM_N_MEASUREMENTS];  /* and how many in a row did not fit */
-    bs_real kept[EM_N_PACKED]; /* scratch memory: P before a measurement */
+    em_measuring measuring;
+    em_measured judged;
     em_live_counts counts;
     em_events events[2];   /* of sample, and of the background */
 } em_live;
@@ -195,8 +223,8 @@ bs_status em_live_begin(em_live *live,
  * BS_NOT_FINITE, BS_OUT_OF_RANGE: the sample was left out, and is missing */
 bs_status em_live_sample(em_live *live, const em_sample *sample);
 
-/* Do one thing that is to be done: a step of the covariance, or one measurement with its
- * correction.
+/* Do one thing that is to be done: a step of the covariance, or one piece of a measurement.
+ * Between the pieces P has a part of it.
  * returns BS_OK: call again; BS_NOT_READY: there is nothing to be done; or BS_NULL_POINTER */
 bs_status em_live_background(em_live *live);
 
@@ -223,6 +251,10 @@ bs_status em_live_covariance(const em_live *live,
 /* What has been counted since the loop began.
  * returns BS_OK, or BS_NULL_POINTER */
 bs_status em_live_counted(const em_live *live, em_live_counts *counts);
+
+/* The last measurement that the filter has judged, between two calls of background.
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_READY: there was none */
+bs_status em_live_measured(const em_live *live, em_measured *measured);
 
 /* The oldest event that was not read yet.
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_READY: there is none */

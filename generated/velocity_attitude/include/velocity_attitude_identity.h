@@ -20,7 +20,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "be195ea5bbdaf390fbd8bd9dc0fd05ebdb6a13b7c1e50ab0be2628fca2a71c53"
+#define VA_MODEL_HASH "1be4ed1faa1ee6401d5acf85021878ec48d42b07e14b1bc1a7aab98529765fd8"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1
@@ -104,6 +104,7 @@
 #define va_live_covariance BS_FORM(va_live_covariance)
 #define va_live_defaults BS_FORM(va_live_defaults)
 #define va_live_digest BS_FORM(va_live_digest)
+#define va_live_measured BS_FORM(va_live_measured)
 #define va_live_message BS_FORM(va_live_message)
 #define va_live_next_event BS_FORM(va_live_next_event)
 #define va_live_output BS_FORM(va_live_output)

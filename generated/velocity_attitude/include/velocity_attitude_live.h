@@ -100,13 +100,23 @@ typedef struct {
     va_carried carried;
 } va_output;
 
+/* The last measurement that the filter has judged. */
+typedef struct {
+    uint32_t count;       /* of those until then */
+    uint32_t order;       /* of the message among those that were put to wait, from 0 */
+    uint16_t measurement; /* VA_MEASUREMENT_... */
+    bs_msg_fate fate;
+    int64_t at;           /* us, its instant, the delay taken off, by the clock of the samples */
+    va_innovation innovation;
+} va_measured;
+
 /* ---- what follows is not for callers, but for their memory */
 
 typedef struct {
     int64_t at;
     bs_real dt;
-    bs_real missing; /* s, of this interval: bridged, held or saturated */
-    int64_t stepped; /* us, by which the clock of the samples stepped before it */
+    int32_t stepped; /* us, by which the clock of the samples stepped before it, even; one more: it
+                      * is bridged, held or saturated */
     bs_real sensed[VA_N_SENSED];
     bs_real lat_lon_height[3];
     bs_real v_n[3];
@@ -119,6 +129,7 @@ typedef struct {
     uint32_t order;   /* of coming */
     int64_t clock;    /* us, from the samples' clock to the loop's own, when it came */
     int64_t at;       /* us, when it was measured, by the loop's own clock */
+    bs_real delay;    /* s, that was taken off its stamp for that */
     bs_msg_fate fate;
     va_message message;
 } va_waiting;
@@ -136,6 +147,23 @@ typedef struct {
     volatile uint32_t written;
     uint32_t read;
 } va_events;
+
+/* A measurement under way, piece by piece. */
+typedef struct {
+    uint16_t stage; /* 0: there is none */
+    uint16_t slot;  /* which of those that wait */
+    uint16_t done;  /* pieces of this stage */
+    bs_real span, mean[VA_N_SENSED]; /* s, and what the sensors delivered a second about its
+                                      * instant */
+    bs_real apart;  /* s, between two instants about it */
+    bs_real lag;    /* s, by how much older it is as the delay is known by now */
+    bs_real change[3]; /* what is expected, how fast it changes */
+    bs_real variance[3];
+    bs_real H[3 * VA_N_STATES];
+    bs_real before[VA_N_STATES];  /* sigmas */
+    bs_real seeming[VA_N_STATES]; /* what errors of H alone seem to inform on a state, in parts of
+                                   * its unit squared */
+} va_measuring;
 
 /* The loop: filled by va_live_begin. */
 typedef struct {
@@ -163,6 +191,9 @@ typedef struct {
     bs_real x[VA_N_STATES]; /* by how much it is known to err, and has not been corrected yet */
     bs_real Phi[VA_N_PHI]; /* of the last step of the covariance, */
     bs_real Phi_dt;             /* and its length */
+    uint32_t opening;           /* whether P does not know yet */
+    bs_real unknown;            /* s, of missing samples */
+    bs_real stepped_by;         /* s^2, of steps of the samples' clock */
     int64_t measured[VA_N_MEASUREMENTS]; /* us, when the last of each kind was measured */
     uint16_t came[VA_N_MEASUREMENTS];    /* whether one has come, */
     uint16_t astray[VA_N_MEASUREMENTS];  /* and how many in a row did not fit */
@@ -170,7 +201,8 @@ typedef struct {
                                         * on the delay, */
     bs_real doubted[VA_N_MEASUREMENTS]; /* and what errors of H alone may have made of it */
     int64_t taken[VA_N_MEASUREMENTS]; /* us, the instant of the last message of each kind */
-    bs_real kept[VA_N_PACKED]; /* scratch memory: P before a measurement */
+    va_measuring measuring;
+    va_measured judged;
     va_live_counts counts;
     va_events events[2];   /* of sample, and of the background */
 } va_live;
@@ -204,8 +236,8 @@ bs_status va_live_begin(va_live *live,
  * BS_NOT_FINITE, BS_OUT_OF_RANGE: the sample was left out, and is missing */
 bs_status va_live_sample(va_live *live, const va_sample *sample);
 
-/* Do one thing that is to be done: a step of the covariance, or one measurement with its
- * correction.
+/* Do one thing that is to be done: a step of the covariance, or one piece of a measurement.
+ * Between the pieces P has a part of it.
  * returns BS_OK: call again; BS_NOT_READY: there is nothing to be done; or BS_NULL_POINTER */
 bs_status va_live_background(va_live *live);
 
@@ -232,6 +264,10 @@ bs_status va_live_covariance(const va_live *live,
 /* What has been counted since the loop began.
  * returns BS_OK, or BS_NULL_POINTER */
 bs_status va_live_counted(const va_live *live, va_live_counts *counts);
+
+/* The last measurement that the filter has judged, between two calls of background.
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_READY: there was none */
+bs_status va_live_measured(const va_live *live, va_measured *measured);
 
 /* The oldest event that was not read yet.
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_READY: there is none */

@@ -20,7 +20,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "b1311c143d2d3d7728571f858303b9fb52959f9f3ef1392815c6df39540da177"
+#define VAL_MODEL_HASH "d08d32c188c59f11023991945077dbc92b91c0831aef1da8a5b321f6cb73f634"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1
@@ -104,6 +104,7 @@
 #define val_live_covariance BS_FORM(val_live_covariance)
 #define val_live_defaults BS_FORM(val_live_defaults)
 #define val_live_digest BS_FORM(val_live_digest)
+#define val_live_measured BS_FORM(val_live_measured)
 #define val_live_message BS_FORM(val_live_message)
 #define val_live_next_event BS_FORM(val_live_next_event)
 #define val_live_output BS_FORM(val_live_output)

@@ -20,7 +20,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "f95a3afcacf1306e6e6f457f07aebf2f339d26796797429912674b58cbde4110"
+#define VAS_MODEL_HASH "163bcbbb3499c5a639616a37f1517420a3aa1610e0a1ebf3c86904ab7890f562"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1
@@ -106,6 +106,7 @@
 #define vas_live_covariance BS_FORM(vas_live_covariance)
 #define vas_live_defaults BS_FORM(vas_live_defaults)
 #define vas_live_digest BS_FORM(vas_live_digest)
+#define vas_live_measured BS_FORM(vas_live_measured)
 #define vas_live_message BS_FORM(vas_live_message)
 #define vas_live_next_event BS_FORM(vas_live_next_event)
 #define vas_live_output BS_FORM(vas_live_output)

@@ -103,13 +103,23 @@ typedef struct {
     vas_carried carried;
 } vas_output;
 
+/* The last measurement that the filter has judged. */
+typedef struct {
+    uint32_t count;       /* of those until then */
+    uint32_t order;       /* of the message among those that were put to wait, from 0 */
+    uint16_t measurement; /* VAS_MEASUREMENT_... */
+    bs_msg_fate fate;
+    int64_t at;           /* us, its instant, the delay taken off, by the clock of the samples */
+    vas_innovation innovation;
+} vas_measured;
+
 /* ---- what follows is not for callers, but for their memory */
 
 typedef struct {
     int64_t at;
     bs_real dt;
-    bs_real missing; /* s, of this interval: bridged, held or saturated */
-    int64_t stepped; /* us, by which the clock of the samples stepped before it */
+    int32_t stepped; /* us, by which the clock of the samples stepped before it, even; one more: it
+                      * is bridged, held or saturated */
     bs_real sensed[VAS_N_SENSED];
     bs_real lat_lon_height[3];
     bs_real v_n[3];
@@ -126,6 +136,7 @@ typedef struct {
     uint32_t order;   /* of coming */
     int64_t clock;    /* us, from the samples' clock to the loop's own, when it came */
     int64_t at;       /* us, when it was measured, by the loop's own clock */
+    bs_real delay;    /* s, that was taken off its stamp for that */
     bs_msg_fate fate;
     vas_message message;
 } vas_waiting;
@@ -143,6 +154,23 @@ typedef struct {
     volatile uint32_t written;
     uint32_t read;
 } vas_events;
+
+/* A measurement under way, piece by piece. */
+typedef struct {
+    uint16_t stage; /* 0: there is none */
+    uint16_t slot;  /* which of those that wait */
+    uint16_t done;  /* pieces of this stage */
+    bs_real span, mean[VAS_N_SENSED]; /* s, and what the sensors delivered a second about its
+                                       * instant */
+    bs_real apart;  /* s, between two instants about it */
+    bs_real lag;    /* s, by how much older it is as the delay is known by now */
+    bs_real change[3]; /* what is expected, how fast it changes */
+    bs_real variance[3];
+    bs_real H[3 * VAS_N_STATES];
+    bs_real before[VAS_N_STATES];  /* sigmas */
+    bs_real seeming[VAS_N_STATES]; /* what errors of H alone seem to inform on a state, in parts of
+                                    * its unit squared */
+} vas_measuring;
 
 /* The loop: filled by vas_live_begin. */
 typedef struct {
@@ -170,6 +198,9 @@ typedef struct {
     bs_real x[VAS_N_STATES]; /* by how much it is known to err, and has not been corrected yet */
     bs_real Phi[VAS_N_PHI]; /* of the last step of the covariance, */
     bs_real Phi_dt;             /* and its length */
+    uint32_t opening;           /* whether P does not know yet */
+    bs_real unknown;            /* s, of missing samples */
+    bs_real stepped_by;         /* s^2, of steps of the samples' clock */
     int64_t measured[VAS_N_MEASUREMENTS]; /* us, when the last of each kind was measured */
     uint16_t came[VAS_N_MEASUREMENTS];    /* whether one has come, */
     uint16_t astray[VAS_N_MEASUREMENTS];  /* and how many in a row did not fit */
@@ -177,7 +208,8 @@ typedef struct {
                                          * on the delay, */
     bs_real doubted[VAS_N_MEASUREMENTS]; /* and what errors of H alone may have made of it */
     int64_t taken[VAS_N_MEASUREMENTS]; /* us, the instant of the last message of each kind */
-    bs_real kept[VAS_N_PACKED]; /* scratch memory: P before a measurement */
+    vas_measuring measuring;
+    vas_measured judged;
     vas_live_counts counts;
     vas_events events[2];   /* of sample, and of the background */
 } vas_live;
@@ -211,8 +243,8 @@ bs_status vas_live_begin(vas_live *live,
  * BS_NOT_FINITE, BS_OUT_OF_RANGE: the sample was left out, and is missing */
 bs_status vas_live_sample(vas_live *live, const vas_sample *sample);
 
-/* Do one thing that is to be done: a step of the covariance, or one measurement with its
- * correction.
+/* Do one thing that is to be done: a step of the covariance, or one piece of a measurement.
+ * Between the pieces P has a part of it.
  * returns BS_OK: call again; BS_NOT_READY: there is nothing to be done; or BS_NULL_POINTER */
 bs_status vas_live_background(vas_live *live);
 
@@ -239,6 +271,10 @@ bs_status vas_live_covariance(const vas_live *live,
 /* What has been counted since the loop began.
  * returns BS_OK, or BS_NULL_POINTER */
 bs_status vas_live_counted(const vas_live *live, vas_live_counts *counts);
+
+/* The last measurement that the filter has judged, between two calls of background.
+ * returns BS_OK, or BS_NULL_POINTER, BS_NOT_READY: there was none */
+bs_status vas_live_measured(const vas_live *live, vas_measured *measured);
 
 /* The oldest event that was not read yet.
  * returns BS_OK, or BS_NULL_POINTER, BS_NOT_READY: there is none */

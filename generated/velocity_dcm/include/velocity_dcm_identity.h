@@ -20,7 +20,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "767da79017affad84daa4ce58c2d2be585c7d4161b477ec6d604dfc90fe7fe26"
+#define VD_MODEL_HASH "be2d76b9647436dd8f5723d61968832241365c961a9cbd25be94d1672328335b"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1
@@ -99,6 +99,7 @@
 #define vd_live_covariance BS_FORM(vd_live_covariance)
 #define vd_live_defaults BS_FORM(vd_live_defaults)
 #define vd_live_digest BS_FORM(vd_live_digest)
+#define vd_live_measured BS_FORM(vd_live_measured)
 #define vd_live_message BS_FORM(vd_live_message)
 #define vd_live_next_event BS_FORM(vd_live_next_event)
 #define vd_live_output BS_FORM(vd_live_output)

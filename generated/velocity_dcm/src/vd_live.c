@@ -30,10 +30,22 @@ BS_EXACT_BEGIN
                                  * at */
 #define LEAST_TURN BS_REAL(2e-4) /* rad, of a correction that turns the covariance */
 #define MOST_STEPS 16           /* in which an error is carried to now */
+#define AT_ONCE 4             /* pieces of a measurement in one call of the background */
 #define TRIES 4               /* how often a reader begins again while sample writes */
 #define SHORTEST BS_REAL(1e-06) /* s, of a step; what is shorter goes with the next one */
 #define LONGEST 9000000       /* us */
 #define FARTHEST (INT64_MAX / 8) /* us; sums of a few cannot overflow */
+
+#define MOST_ROWS 3
+
+/* Of a measurement under way. */
+#define IDLE 0U
+#define INFORM 1U
+#define WIDEN 2U
+#define UPDATE 3U
+#define FORGET 4U
+#define SETTLE 5U
+#define POST 6U
 
 #define FREE 0U
 #define PUT 1U
@@ -44,6 +56,9 @@ BS_EXACT_BEGIN
 
 #define BY_SAMPLE 0
 #define BY_BACKGROUND 1
+
+/* Whether H depends on the delay. */
+static const unsigned char delayed[VD_N_MEASUREMENTS] = { 1U, 1U, 1U };
 
 static bs_real seconds(int64_t us)
 {
@@ -265,11 +280,9 @@ static bs_real mean_between(const vd_live *live,
                             int64_t from,
                             int64_t to,
                             uint32_t last,
-                            bs_real mean[VD_N_SENSED],
-                            bs_real *missing)
+                            bs_real mean[VD_N_SENSED])
 {
     bs_real span = BS_REAL(0.0);
-    *missing = BS_REAL(0.0);
     for (int i = 0; i < VD_N_SENSED; ++i) {
         mean[i] = BS_REAL(0.0);
     }
@@ -278,7 +291,6 @@ static bs_real mean_between(const vd_live *live,
         const vd_past *const past = AT(live, n);
         const bs_real part = part_until(live, n, to) - part_until(live, n, from);
         span += part * past->dt;
-        *missing += part * past->missing;
         for (int i = 0; i < 3; ++i) {
             mean[i] += part * past->sensed[i];
         }
@@ -290,6 +302,19 @@ static bs_real mean_between(const vd_live *live,
         mean[i] = (span > BS_REAL(0.0)) ? (mean[i] / span) : BS_REAL(0.0);
     }
     return span;
+}
+
+/* Of these seconds those in which samples were missing, or known no better. */
+static bs_real missing_between(const vd_live *live, int64_t from, int64_t to, uint32_t last)
+{
+    bs_real missing = BS_REAL(0.0);
+    for (uint32_t n = find(live, from, oldest_kept(live), last) + 1U; (n <= last) &&
+         (AT(live, n - 1U)->at < to); ++n) {
+        if ((AT(live, n)->stepped % 2) != 0) {
+            missing += (part_until(live, n, to) - part_until(live, n, from)) * AT(live, n)->dt;
+        }
+    }
+    return missing;
 }
 
 /* ---- sample */
@@ -327,7 +352,7 @@ static void take_corrections(vd_live *live, uint32_t n, vd_carried *at)
 }
 
 /* One interval that follows the newest: sensed stands in its place already. */
-static bs_status fly(vd_live *live, int64_t at, bs_real dt, bs_real missing)
+static bs_status fly(vd_live *live, int64_t at, bs_real dt, bool missing)
 {
     const uint32_t n = live->count + 1U;
     vd_past *const past = AT(live, n);
@@ -336,8 +361,8 @@ static bs_status fly(vd_live *live, int64_t at, bs_real dt, bs_real missing)
     bs_status status;
     past->at = at;
     past->dt = dt;
-    past->missing = missing;
-    past->stepped = live->stepped;
+    past->stepped = (2 * (int32_t)(greater(lesser(live->stepped, 1000000000), -1000000000) / 2)) +
+        (missing ? 1 : 0);
     live->stepped = 0;
     status = carry_by(live, &next, n, BS_REAL(1.0));
     if ((status != BS_OK) && (last->dt > BS_REAL(0.0))) {
@@ -347,7 +372,7 @@ static bs_status fly(vd_live *live, int64_t at, bs_real dt, bs_real missing)
         for (int i = 3; i < 6; ++i) {
             past->sensed[i] = last->sensed[i] * (dt / last->dt);
         }
-        past->missing = dt;
+        past->stepped += missing ? 0 : 1;
         live->counts.held += 1U;
         note_event(live, BY_SAMPLE, BS_EVENT_HELD, 0, (int64_t)status);
         status = carry_by(live, &next, n, BS_REAL(1.0));
@@ -393,7 +418,7 @@ static bs_status bridge(vd_live *live, const vd_sample *sample, int64_t late, in
                 : past->sensed[i];
         }
         live->counts.missing += 1U;
-        status = fly(live, last.at + ((late * k) / parts), dt, dt);
+        status = fly(live, last.at + ((late * k) / parts), dt, true);
     }
     return status;
 }
@@ -407,15 +432,8 @@ static void admit(vd_live *live)
         if (one->state == STAMPED) {
             const uint32_t kind = one->message.measurement;
             one->at = one->message.at + one->clock;
-            if (kind == (uint32_t)VD_MEASUREMENT_VELOCITY) {
-                one->at -= (int64_t)(live->now.nav.tau * BS_REAL(1e6));
-            }
-            if (kind == (uint32_t)VD_MEASUREMENT_DCM) {
-                one->at -= (int64_t)(live->now.nav.tau * BS_REAL(1e6));
-            }
-            if (kind == (uint32_t)VD_MEASUREMENT_DCM_EXACT) {
-                one->at -= (int64_t)(live->now.nav.tau * BS_REAL(1e6));
-            }
+            one->delay = (delayed[kind] != 0U) ? live->now.nav.tau : BS_REAL(0.0);
+            one->at -= (int64_t)(one->delay * BS_REAL(1e6));
             one->fate = BS_MSG_WAITING;
             if ((live->came[kind] != 0U) &&
                 (live->measured[kind] == one->message.at + one->clock)) {
@@ -445,7 +463,7 @@ bs_status vd_live_sample(vd_live *live, const vd_sample *sample)
     int64_t late;
     int64_t span;
     int64_t jitter;
-    bs_real missing = BS_REAL(0.0);
+    bool missing = false;
     if ((live == NULL) || (sample == NULL)) {
         return BS_NULL_POINTER;
     }
@@ -503,21 +521,21 @@ bs_status vd_live_sample(vd_live *live, const vd_sample *sample)
         for (int i = 0; i < 3; ++i) {
             const bs_real full = live->rules.full_scale[i] * sample->dt;
             if ((full > BS_REAL(0.0)) && (BS_FABS(sensed[i]) >= full)) {
-                if (missing <= BS_REAL(0.0)) {
+                if (!missing) {
                     live->counts.saturated += 1U;
                     note_event(live, BY_SAMPLE, BS_EVENT_SATURATED, i, 0);
                 }
-                missing = sample->dt;
+                missing = true;
             }
         }
         for (int i = 3; i < 6; ++i) {
             const bs_real full = live->rules.full_scale[i] * sample->dt;
             if ((full > BS_REAL(0.0)) && (BS_FABS(sensed[i]) >= full)) {
-                if (missing <= BS_REAL(0.0)) {
+                if (!missing) {
                     live->counts.saturated += 1U;
                     note_event(live, BY_SAMPLE, BS_EVENT_SATURATED, i, 0);
                 }
-                missing = sample->dt;
+                missing = true;
             }
         }
         status = fly(live, greater(sample->at + live->clock, AT(live, live->count)->at + 1),
@@ -702,13 +720,13 @@ static bs_status set_filter(vd_live *live, const vd_carried *flown)
     return status;
 }
 
-/* Over some seconds, x as the last step of the covariance carries it. */
-static void carry_error(const vd_live *live, bs_real x[N], bs_real span)
+/* Over some seconds, x as the last step of the covariance carries it; in `most` pieces at most. */
+static void carry_error(const vd_live *live, bs_real x[N], bs_real span, int most)
 {
     bs_real next[N];
     /* in its steps */
     bs_real part = (live->Phi_dt > BS_REAL(0.0)) ? (span / live->Phi_dt) : BS_REAL(0.0);
-    const int steps = (part > (bs_real)MOST_STEPS) ? MOST_STEPS : (1 + (int)part);
+    const int steps = (part >= (bs_real)most) ? most : (1 + (int)part);
     part = (part > BS_REAL(0.0)) ? (part / (bs_real)steps) : BS_REAL(0.0);
     for (int k = 0; k < steps; ++k) {
         copy(next, x, N);
@@ -719,20 +737,21 @@ static void carry_error(const vd_live *live, bs_real x[N], bs_real span)
     }
 }
 
-/* Corrections that the covariance has come by: x is what is left. */
-static void pass(vd_live *live)
+/* Whether the covariance has come by a correction: x is what is left. */
+static bool pass(vd_live *live)
 {
-    while ((live->passed != live->applied) &&
-           ((int32_t)(live->mail[live->passed % WAITING].when - live->behind) <= 0)) {
-        const vd_correction *const mail = &live->mail[live->passed % WAITING];
-        if (mail->took != 0U) {
-            recall(&live->flown, AT(live, live->behind));
-            (void)correct(live, mail->x, &live->flown); /* what no strapdown moves; as it was taken
-                                                         * before */
-            take_out(live->x, mail->x);
-        }
-        live->passed += 1U;
+    const vd_correction *const mail = &live->mail[live->passed % WAITING];
+    if ((live->passed == live->applied) || ((int32_t)(mail->when - live->behind) > 0)) {
+        return false;
     }
+    if (mail->took != 0U) {
+        recall(&live->flown, AT(live, live->behind));
+        (void)correct(live, mail->x, &live->flown); /* what no strapdown moves; as it was taken
+                                                     * before */
+        take_out(live->x, mail->x);
+    }
+    live->passed += 1U;
+    return true;
 }
 
 /* What is left of x goes to now: due at a sample that is known. */
@@ -741,20 +760,23 @@ static void post(vd_live *live, uint32_t made_due)
     vd_correction *const mail = &live->mail[live->posted % WAITING];
     const vd_past *const then = AT(live, made_due);
     const int64_t due = then->at + ((int64_t)live->rules.latency * microseconds(then->dt));
+    int64_t at = live->at;
     if ((live->posted - live->passed) >= WAITING) {
         return; /* it goes with the next one */
     }
     copy(mail->x, live->x, N);
-    carry_error(live, mail->x, seconds(due - live->at));
+    /* what those before it take out is not taken out once more */
     for (uint32_t k = live->passed; k != live->posted; ++k) {
         const vd_correction *const other = &live->mail[k % WAITING];
-        bs_real x[N];
-        copy(x, other->x, N);
-        carry_error(live, x, seconds(due - other->at));
+        if (other->at > at) {
+            carry_error(live, mail->x, seconds(other->at - at), MOST_STEPS);
+            at = other->at;
+        }
         for (int i = 0; i < N; ++i) {
-            mail->x[i] -= x[i];
+            mail->x[i] -= other->x[i];
         }
     }
+    carry_error(live, mail->x, seconds(due - at), MOST_STEPS);
     mail->due = made_due + live->rules.latency;
     mail->at = due;
     mail->took = 0U;
@@ -768,28 +790,25 @@ static void post(vd_live *live, uint32_t made_due)
     live->posted += 1U;
 }
 
-/* The samples' clock has stepped, and the clock of the messages with it or not: the delay may be
- * off by as much. */
-static void doubt_delay(vd_live *live, int64_t stepped)
-{
-    if ((stepped != 0) && (stepped < (int64_t)live->rules.oldest_us) &&
-        (stepped > -(int64_t)live->rules.oldest_us)) {
-        const bs_real variance = seconds(stepped) * seconds(stepped);
-        (void)vd_filter_inflate(&live->filter, 9, 1, &variance);
-    }
-}
 
-/* The states may have moved for so many seconds in a way that nothing is known of. */
-static bs_status open_states(vd_live *live, bs_real span)
+/* The states may have moved for some seconds in a way that nothing is known of. */
+static void open_states(vd_live *live)
 {
     bs_real variance[N];
     bs_status status;
     for (int i = 0; i < N; ++i) {
-        const bs_real sigma = live->rules.open[i] * span;
+        const bs_real sigma = live->rules.open[i] * live->unknown;
         variance[i] = sigma * sigma;
     }
+    variance[9] += live->stepped_by; /* the clock of the messages may have stepped with that of the
+                                      * samples, or not */
+    live->stepped_by = BS_REAL(0.0);
+    live->unknown = BS_REAL(0.0);
+    live->opening = 0U;
     status = vd_filter_inflate(&live->filter, 0, N, variance);
-    return bs_good(status) ? BS_OK : status;
+    if (!bs_good(status)) {
+        lose(live, BY_BACKGROUND, (int64_t)status);
+    }
 }
 
 /* Carry the covariance to t, which lies in no interval behind the one that follows `behind`s
@@ -799,8 +818,7 @@ static void advance(vd_live *live, int64_t t, uint32_t last)
     const vd_carried *at = NULL;
     vd_carried middle;
     bs_real mean[VD_N_SENSED];
-    bs_real missing = BS_REAL(0.0);
-    const bs_real span = mean_between(live, live->since, t, last, mean, &missing);
+    const bs_real span = mean_between(live, live->since, t, last, mean);
     bs_status status = BS_OK;
     if (span >= SHORTEST) {
         status = flown_at(live, live->since + ((t - live->since) / 2), last, &middle);
@@ -821,8 +839,10 @@ static void advance(vd_live *live, int64_t t, uint32_t last)
             copy(live->x, live->filter.x, N);
             copy(live->Phi, live->filter.Phi, VD_N_PHI);
             live->Phi_dt = span;
+            live->unknown += missing_between(live, live->since, t, last);
+            live->opening = (live->unknown > BS_REAL(0.0)) ? 1U : 0U;
             live->since = t;
-            status = (missing > BS_REAL(0.0)) ? open_states(live, missing) : BS_OK;
+            status = BS_OK;
         }
     }
     if (status != BS_OK) {
@@ -831,9 +851,14 @@ static void advance(vd_live *live, int64_t t, uint32_t last)
     }
     live->at = t;
     while ((live->behind != last) && (AT(live, live->behind + 1U)->at <= t)) {
+        int32_t stepped;
         live->behind += 1U;
-        pass(live);
-        doubt_delay(live, AT(live, live->behind)->stepped);
+        stepped = 2 * (AT(live, live->behind)->stepped / 2);
+        if ((stepped != 0) && (stepped < live->rules.oldest_us) &&
+            (stepped > -live->rules.oldest_us)) {
+            live->stepped_by += seconds((int64_t)stepped) * seconds((int64_t)stepped);
+            live->opening = 1U;
+        }
     }
 }
 
@@ -859,315 +884,213 @@ static int64_t step_end(const vd_live *live, int64_t goal, uint32_t last)
     return lesser(end, greater(live->since + LONGEST, live->at + 1));
 }
 
-/* ---- one measurement */
+/* ---- one measurement, piece by piece */
 
-/* By how much the delay's column of H changes in a second, about the instant of the message. */
-static bs_status bend_of_velocity(const vd_live *live,
-                                  const vd_message *message,
-                                  int64_t from,
-                                  int64_t to,
-                                  uint32_t last,
-                                  bs_real bend[3])
+/* Which errors are varied to see what they do to H: a state; N and more: a sensor. */
+static const unsigned short varied[] = { 3U, 4U, 5U, 6U, 7U, 8U, 0U };
+static const unsigned short varied_from[VD_N_MEASUREMENTS + 1] = { 0U, 0U, 0U, 6U };
+static const unsigned short rows_of[VD_N_MEASUREMENTS] = { 3U, 3U, 3U };
+static const unsigned short next_variance[VD_N_MEASUREMENTS] = { 1U, 1U, 1U };
+
+/* What the functions of a measurement read beside the navigation. */
+typedef struct {
+    vd_master master;
+} inputs;
+
+static void fill(const vd_live *live,
+                 const vd_message *message,
+                 const vd_carried *at,
+                 const bs_real mean[VD_N_SENSED],
+                 bs_real span,
+                 inputs *in)
 {
-    bs_status status = BS_OK;
-    bs_real H[3 * N];
-    for (int k = 0; (k < 2) && (status == BS_OK); ++k) {
-        const int64_t t = (k == 0) ? from : to;
-        vd_carried flown;
-        const vd_carried *const at = &flown;
-        bs_real mean[VD_N_SENSED];
-        bs_real missing;
-        const bs_real span = mean_between(live, t - (int64_t)live->rules.half_us, t +
-                                          (int64_t)live->rules.half_us, last, mean, &missing);
-        vd_master master = message->master;
-        status = flown_at(live, t, last, &flown);
-        (void)at;
-        (void)span;
-        (void)message;
-        if (status == BS_OK) {
-            status = vd_velocity_H(&master, H);
-        }
-        for (int i = 0; (i < 3) && (status == BS_OK); ++i) {
-            const bs_real column = H[(i * N) + 9];
-            bend[i] = (k == 0) ? column
-                : ((to > from) ? ((column - bend[i]) / seconds(to - from)) : BS_REAL(0.0));
-        }
+    (void)live;
+    (void)message;
+    (void)at;
+    (void)mean;
+    (void)span;
+    in->master = message->master;
+}
+
+/* H as it is there, dense. */
+static bs_status H_of(const vd_live *live,
+                      uint16_t kind,
+                      const vd_carried *at,
+                      const inputs *in,
+                      bs_real H[MOST_ROWS * N])
+{
+    (void)live;
+    (void)at;
+    (void)in;
+    switch (kind) {
+    case VD_MEASUREMENT_VELOCITY:
+        return vd_velocity_H(&in->master, H);
+    case VD_MEASUREMENT_DCM:
+        return vd_dcm_H(&in->master, H);
+    case VD_MEASUREMENT_DCM_EXACT:
+        return vd_dcm_exact_H(live->filter.x, &at->nav, &in->master, H);
+    default:
+        return BS_OUT_OF_RANGE;
+    }
+}
+
+/* The instants that the rates about that of the message are taken between. */
+static int64_t rates_from(const vd_live *live)
+{
+    return greater(live->at - (int64_t)live->rules.half_us, AT(live, oldest_kept(live))->at);
+}
+
+static int64_t rates_to(const vd_live *live, uint32_t last)
+{
+    return lesser(live->at + (int64_t)live->rules.half_us, AT(live, last)->at);
+}
+
+/* What is read of the past, once; the filter gets the navigation of the message's instant. */
+static bs_status prepare(vd_live *live, const vd_waiting *one)
+{
+    vd_measuring *const m = &live->measuring;
+    const vd_message *const message = &one->message;
+    const int64_t from = rates_from(live);
+    const int64_t to = rates_to(live, one->due);
+    vd_carried then;
+    inputs in;
+    bs_status status;
+    clear((unsigned char *)m, sizeof(*m));
+    m->span = mean_between(live, from, to, one->due, m->mean);
+    m->apart = seconds(to - from);
+    copy(m->variance, message->variance, 3);
+    status = flown_at(live, live->at, one->due, &then);
+    if (status == BS_OK) {
+        status = set_filter(live, &then);
+    }
+    if (delayed[message->measurement] != 0U) { /* the delay is known better by now than when the
+                                                * instant was fixed */
+        m->lag = live->filter.nav.tau - one->delay;
+    }
+    if (status == BS_OK) {
+        status = vd_filter_sigmas(&live->filter, m->before);
+    }
+    if ((status == BS_OK) && (m->span > BS_REAL(0.0))) {
+        then = carried_of(&live->filter);
+        fill(live, message, &then, m->mean, m->span, &in);
+        m->stage = (H_of(live, message->measurement, &then, &in, m->H) == BS_OK) ? INFORM : WIDEN;
+    } else {
+        m->stage = WIDEN;
     }
     return status;
 }
 
-/* seeming: how much errors of H alone seem to inform on each state, in parts of its unit squared: H
- * is made of rates, which have the noise of the sensors in them, and stands on states that are not
+/* How much one error of H alone seems to inform on each state, in parts of its unit squared: H is
+ * made of rates, which have the noise of the sensors in them, and stands on states that are not
  * known. */
-static void errors_inform_velocity(const vd_live *live,
-                                   const vd_message *message,
-                                   const vd_carried *best,
-                                   const bs_real means[VD_N_SENSED],
-                                   bs_real span,
-                                   bs_real apart,
-                                   bs_real seeming[N])
+static void inform(vd_live *live, const vd_message *message, int what)
 {
     /* of its box, that a state may err by */
     static const bs_real most[N] = { BS_REAL(90.0), BS_REAL(90.0), BS_REAL(90.0), BS_REAL(0.45),
                                      BS_REAL(0.45), BS_REAL(0.45), BS_REAL(0.45), BS_REAL(0.45),
                                      BS_REAL(0.45), BS_REAL(0.9) };
-    const vd_carried *at = best;
-    vd_carried other;
-    bs_real sigma[N];
     const bs_real density[VD_N_SENSED] = { live->rules.noise.gyro_noise[0],
                                            live->rules.noise.gyro_noise[1],
                                            live->rules.noise.gyro_noise[2],
                                            live->rules.noise.accel_noise[0],
                                            live->rules.noise.accel_noise[1],
-                                           live->rules.noise.accel_noise[2],  };
+                                           live->rules.noise.accel_noise[2] };
+    vd_measuring *const m = &live->measuring;
+    const uint16_t kind = message->measurement;
+    vd_carried at = carried_of(&live->filter);
     bs_real mean[VD_N_SENSED];
-    bs_real H[3 * N];
-    bs_real here[3 * N] = { BS_REAL(0.0) };
-    const bs_real root = BS_SQRT(span);
-    vd_master master = message->master;
-    (void)apart;
-    if (vd_filter_sigmas(&live->filter, sigma) != BS_OK) {
-        return;
+    bs_real H[MOST_ROWS * N];
+    inputs in;
+    copy(mean, m->mean, VD_N_SENSED);
+    if (what < N) {
+        bs_real x[N] = { BS_REAL(0.0) };
+        x[what] = (m->before[what] < most[what]) ? m->before[what] : most[what];
+        (void)correct(live, x, &at);
+    } else {
+        const int j = (what - N) % VD_N_SENSED;
+        mean[j] += density[j] / BS_SQRT(m->span);
     }
-    /* k = 0: as it is; then each state by its sigma; then each sensor by that of its mean */
-    for (int turn = 0; turn < (1 + N + (1 * VD_N_SENSED)); ++turn) {
-        const int k = (turn <= N) ? -turn : (turn - N);
-        const int j = (k > 0) ? ((k - 1) % VD_N_SENSED) : 0;
-        copy(mean, means, VD_N_SENSED);
-        at = best;
-        if (k > 0) {
-            mean[j] += density[j] / root;
-        } else if (k < 0) {
-            bs_real x[N] = { BS_REAL(0.0) };
-            x[-1 - k] = (sigma[-1 - k] < most[-1 - k]) ? sigma[-1 - k] : most[-1 - k];
-            other = *best;
-            (void)correct(live, x, &other);
-            at = &other;
-        } else {
-            /* as it is */
-        }
-        (void)at;
-        (void)message;
-        if (vd_velocity_H(&master, H) == BS_OK) {
-            for (int i = 0; i < (3 * N); ++i) {
-                const bs_real off = H[i] - here[i];
-                if (k == 0) {
-                    here[i] = off;
-                } else {
-                    seeming[i % N] += (off * off) / message->variance[i / N];
-                }
+    fill(live, message, &at, mean, m->span, &in);
+    if (H_of(live, kind, &at, &in, H) == BS_OK) {
+        for (int i = 0; i < (int)rows_of[kind]; ++i) {
+            const bs_real weight = BS_REAL(1.0) / message->variance[i * (int)next_variance[kind]];
+            for (int j = 0; j < N; ++j) {
+                const bs_real off = H[(i * N) + j] - m->H[(i * N) + j];
+                m->seeming[j] += weight * (off * off);
             }
         }
     }
 }
 
-/* By how much the delay's column of H changes in a second, about the instant of the message. */
-static bs_status bend_of_dcm(const vd_live *live,
-                             const vd_message *message,
-                             int64_t from,
-                             int64_t to,
-                             uint32_t last,
-                             bs_real bend[3])
+/* By how much the delay's column of H changes in a second, about the instant of the message: its
+ * second order widens R. */
+static bs_status widen(vd_live *live, const vd_message *message, uint32_t last)
 {
+    vd_measuring *const m = &live->measuring;
+    const uint16_t kind = message->measurement;
+    const int64_t from = rates_from(live);
+    const int64_t to = rates_to(live, last);
+    const bs_real since = seconds(greater(live->at - live->taken[kind], 10000));
+    /* E[d^4] = 3 sigma^4, one error in all messages of a second */
+    const bs_real weight = BS_REAL(0.75) / ((since < BS_REAL(1.0)) ? since : BS_REAL(1.0));
+    bs_real H[2][MOST_ROWS * N];
     bs_status status = BS_OK;
-    bs_real H[3 * N];
     for (int k = 0; (k < 2) && (status == BS_OK); ++k) {
         const int64_t t = (k == 0) ? from : to;
         vd_carried flown;
-        const vd_carried *const at = &flown;
+        inputs in;
         bs_real mean[VD_N_SENSED];
-        bs_real missing;
         const bs_real span = mean_between(live, t - (int64_t)live->rules.half_us, t +
-                                          (int64_t)live->rules.half_us, last, mean, &missing);
-        vd_master master = message->master;
+                                          (int64_t)live->rules.half_us, last, mean);
         status = flown_at(live, t, last, &flown);
-        (void)at;
-        (void)span;
-        (void)message;
         if (status == BS_OK) {
-            status = vd_dcm_H(&master, H);
+            fill(live, message, &flown, mean, span, &in);
         }
-        for (int i = 0; (i < 3) && (status == BS_OK); ++i) {
-            const bs_real column = H[(i * N) + 9];
-            bend[i] = (k == 0) ? column
-                : ((to > from) ? ((column - bend[i]) / seconds(to - from)) : BS_REAL(0.0));
+        if (status == BS_OK) {
+            status = H_of(live, kind, &flown, &in, H[k]);
         }
+    }
+    for (int i = 0; (i < (int)rows_of[kind]) && (status == BS_OK) && (to > from); ++i) {
+        const bs_real bend = (H[1][(i * N) + 9] - H[0][(i * N) + 9]) / seconds(to - from);
+        const bs_real off = ((m->before[9] * m->before[9]) + (m->lag * m->lag)) * bend;
+        m->variance[i * (int)next_variance[kind]] += weight * (off * off);
     }
     return status;
 }
 
-/* seeming: how much errors of H alone seem to inform on each state, in parts of its unit squared: H
- * is made of rates, which have the noise of the sensors in them, and stands on states that are not
- * known. */
-static void errors_inform_dcm(const vd_live *live,
-                              const vd_message *message,
-                              const vd_carried *best,
-                              const bs_real means[VD_N_SENSED],
-                              bs_real span,
-                              bs_real apart,
-                              bs_real seeming[N])
+/* The filter takes it. */
+static bs_status update(vd_live *live, const vd_message *message, vd_innovation *innovation)
 {
-    /* of its box, that a state may err by */
-    static const bs_real most[N] = { BS_REAL(90.0), BS_REAL(90.0), BS_REAL(90.0), BS_REAL(0.45),
-                                     BS_REAL(0.45), BS_REAL(0.45), BS_REAL(0.45), BS_REAL(0.45),
-                                     BS_REAL(0.45), BS_REAL(0.9) };
-    const vd_carried *at = best;
-    vd_carried other;
-    bs_real sigma[N];
-    const bs_real density[VD_N_SENSED] = { live->rules.noise.gyro_noise[0],
-                                           live->rules.noise.gyro_noise[1],
-                                           live->rules.noise.gyro_noise[2],
-                                           live->rules.noise.accel_noise[0],
-                                           live->rules.noise.accel_noise[1],
-                                           live->rules.noise.accel_noise[2],  };
-    bs_real mean[VD_N_SENSED];
-    bs_real H[3 * N];
-    bs_real here[3 * N] = { BS_REAL(0.0) };
-    const bs_real root = BS_SQRT(span);
-    vd_master master = message->master;
-    (void)apart;
-    if (vd_filter_sigmas(&live->filter, sigma) != BS_OK) {
-        return;
+    vd_measuring *const m = &live->measuring;
+    const vd_carried at = carried_of(&live->filter);
+    bs_gates gates = live->rules.gates;
+    inputs in;
+    gates.rows &= message->rows;
+    if ((live->rules.astray != 0U) && (live->astray[message->measurement] >= live->rules.astray)) {
+        gates.options |= BS_INFLATE;
+        gates.joint = BS_REAL(0.0);
     }
-    /* k = 0: as it is; then each state by its sigma; then each sensor by that of its mean */
-    for (int turn = 0; turn < (1 + N + (1 * VD_N_SENSED)); ++turn) {
-        const int k = (turn <= N) ? -turn : (turn - N);
-        const int j = (k > 0) ? ((k - 1) % VD_N_SENSED) : 0;
-        copy(mean, means, VD_N_SENSED);
-        at = best;
-        if (k > 0) {
-            mean[j] += density[j] / root;
-        } else if (k < 0) {
-            bs_real x[N] = { BS_REAL(0.0) };
-            x[-1 - k] = (sigma[-1 - k] < most[-1 - k]) ? sigma[-1 - k] : most[-1 - k];
-            other = *best;
-            (void)correct(live, x, &other);
-            at = &other;
-        } else {
-            /* as it is */
-        }
-        (void)at;
-        (void)message;
-        if (vd_dcm_H(&master, H) == BS_OK) {
-            for (int i = 0; i < (3 * N); ++i) {
-                const bs_real off = H[i] - here[i];
-                if (k == 0) {
-                    here[i] = off;
-                } else {
-                    seeming[i % N] += (off * off) / message->variance[i / N];
-                }
-            }
-        }
+    fill(live, message, &at, m->mean, m->span, &in);
+    switch (message->measurement) {
+    case VD_MEASUREMENT_VELOCITY:
+        return vd_filter_measure_velocity(&live->filter, &in.master, m->variance, &gates,
+                                          innovation);
+    case VD_MEASUREMENT_DCM:
+        return vd_filter_measure_dcm(&live->filter, &in.master, m->variance, &gates, innovation);
+    case VD_MEASUREMENT_DCM_EXACT:
+        return vd_filter_measure_dcm_exact(&live->filter, &in.master, m->variance, &gates,
+                                           innovation);
+    default:
+        return BS_OUT_OF_RANGE;
     }
 }
-
-/* By how much the delay's column of H changes in a second, about the instant of the message. */
-static bs_status bend_of_dcm_exact(const vd_live *live,
-                                   const vd_message *message,
-                                   int64_t from,
-                                   int64_t to,
-                                   uint32_t last,
-                                   bs_real bend[3])
-{
-    bs_status status = BS_OK;
-    bs_real H[3 * N];
-    for (int k = 0; (k < 2) && (status == BS_OK); ++k) {
-        const int64_t t = (k == 0) ? from : to;
-        vd_carried flown;
-        const vd_carried *const at = &flown;
-        bs_real mean[VD_N_SENSED];
-        bs_real missing;
-        const bs_real span = mean_between(live, t - (int64_t)live->rules.half_us, t +
-                                          (int64_t)live->rules.half_us, last, mean, &missing);
-        vd_master master = message->master;
-        status = flown_at(live, t, last, &flown);
-        (void)at;
-        (void)span;
-        (void)message;
-        if (status == BS_OK) {
-            status = vd_dcm_exact_H(live->filter.x, &at->nav, &master, H);
-        }
-        for (int i = 0; (i < 3) && (status == BS_OK); ++i) {
-            const bs_real column = H[(i * N) + 9];
-            bend[i] = (k == 0) ? column
-                : ((to > from) ? ((column - bend[i]) / seconds(to - from)) : BS_REAL(0.0));
-        }
-    }
-    return status;
-}
-
-/* seeming: how much errors of H alone seem to inform on each state, in parts of its unit squared: H
- * is made of rates, which have the noise of the sensors in them, and stands on states that are not
- * known. */
-static void errors_inform_dcm_exact(const vd_live *live,
-                                    const vd_message *message,
-                                    const vd_carried *best,
-                                    const bs_real means[VD_N_SENSED],
-                                    bs_real span,
-                                    bs_real apart,
-                                    bs_real seeming[N])
-{
-    /* of its box, that a state may err by */
-    static const bs_real most[N] = { BS_REAL(90.0), BS_REAL(90.0), BS_REAL(90.0), BS_REAL(0.45),
-                                     BS_REAL(0.45), BS_REAL(0.45), BS_REAL(0.45), BS_REAL(0.45),
-                                     BS_REAL(0.45), BS_REAL(0.9) };
-    const vd_carried *at = best;
-    vd_carried other;
-    bs_real sigma[N];
-    const bs_real density[VD_N_SENSED] = { live->rules.noise.gyro_noise[0],
-                                           live->rules.noise.gyro_noise[1],
-                                           live->rules.noise.gyro_noise[2],
-                                           live->rules.noise.accel_noise[0],
-                                           live->rules.noise.accel_noise[1],
-                                           live->rules.noise.accel_noise[2],  };
-    bs_real mean[VD_N_SENSED];
-    bs_real H[3 * N];
-    bs_real here[3 * N] = { BS_REAL(0.0) };
-    const bs_real root = BS_SQRT(span);
-    vd_master master = message->master;
-    (void)apart;
-    if (vd_filter_sigmas(&live->filter, sigma) != BS_OK) {
-        return;
-    }
-    /* k = 0: as it is; then each state by its sigma; then each sensor by that of its mean */
-    for (int turn = 0; turn < (1 + N + (1 * VD_N_SENSED)); ++turn) {
-        const int k = (turn <= N) ? -turn : (turn - N);
-        const int j = (k > 0) ? ((k - 1) % VD_N_SENSED) : 0;
-        copy(mean, means, VD_N_SENSED);
-        at = best;
-        if (k > 0) {
-            mean[j] += density[j] / root;
-        } else if (k < 0) {
-            bs_real x[N] = { BS_REAL(0.0) };
-            x[-1 - k] = (sigma[-1 - k] < most[-1 - k]) ? sigma[-1 - k] : most[-1 - k];
-            other = *best;
-            (void)correct(live, x, &other);
-            at = &other;
-        } else {
-            /* as it is */
-        }
-        (void)at;
-        (void)message;
-        if (vd_dcm_exact_H(live->filter.x, &at->nav, &master, H) == BS_OK) {
-            for (int i = 0; i < (3 * N); ++i) {
-                const bs_real off = H[i] - here[i];
-                if (k == 0) {
-                    here[i] = off;
-                } else {
-                    seeming[i % N] += (off * off) / message->variance[i / N];
-                }
-            }
-        }
-    }
-}
-
 
 /* Take back a part of the information of the last measurement on state j, whose variance fell by
- * `fall`, and of all that follows it as P had it before: the gain of the others that is left is the
- * best that does not move it. */
+ * `fall`, and of all that follows it as P had it before (filter->Q): the gain of the others that is
+ * left is the best that does not move it. */
 static void forget(vd_live *live, int j, bs_real fall, bs_real part)
 {
-    const bs_real *const P = live->kept;
+    const bs_real *const P = live->filter.Q;
     bs_real along[N];
     bs_real variance;
     for (int i = 0; i < N; ++i) {
@@ -1194,212 +1117,136 @@ static void forget(vd_live *live, int j, bs_real fall, bs_real part)
     }
 }
 
-/* Of each state: where errors alone may have made a good part of the information, it is taken back;
- * of the delay that part, where it is less. */
-static bs_status forget_errors(vd_live *live,
-                               uint16_t kind,
-                               const bs_real before[N],
-                               const bs_real seeming[N])
+/* Of one state after the other: where errors of H alone may have made a good part of the
+ * information, it is taken back; of the delay that part, where it is less.  Until one was. */
+static bs_status forget_next(vd_live *live, uint16_t kind)
 {
+    vd_measuring *const m = &live->measuring;
     bs_real after[N];
-    bs_status status = vd_filter_sigmas(&live->filter, after);
-    for (int j = 0; (j < N) && (status == BS_OK); ++j) {
-        const bs_real was = before[j] * before[j];
+    const bs_status status = vd_filter_sigmas(&live->filter, after);
+    bool done = status != BS_OK;
+    while ((!done) && (m->done < (uint16_t)N)) {
+        const int j = (int)m->done;
+        const bs_real was = m->before[j] * m->before[j];
         const bs_real is = after[j] * after[j];
-        const bs_real by_errors = seeming[j] * (was * is);
-        bool doubtful = (INFORMED * by_errors) > (was - is);
+        const bs_real by_errors = m->seeming[j] * (was * is);
+        bs_real part = ((INFORMED * by_errors) > (was - is)) ? BS_REAL(1.0) : BS_REAL(0.0);
         /* of the last few messages together: one of them may inform much by chance */
         if ((j == 9) && (was > is) && (is > BS_REAL(0.0))) {
             live->gained[kind] = (FADING * live->gained[kind]) + ((was - is) / (was * is));
             live->doubted[kind] = (live->doubted[kind] > BS_REAL(0.0)) ? ((FADING *
                                                                            live->doubted[kind]) +
-                                                                          seeming[j])
-                : (seeming[j] / (BS_REAL(1.0) - FADING));
-            doubtful = (INFORMED * live->doubted[kind]) > live->gained[kind];
-        }
-        if ((by_errors > BS_REAL(0.0)) && (was > is)) {
-            if (doubtful) {
-                forget(live, j, was - is, BS_REAL(1.0));
-                status = vd_filter_sigmas(&live->filter, after);
-            } else if (j == 9) {
-                forget(live, j, was - is, (by_errors < (was - is)) ? BS_SQRT(by_errors / (was - is))
-                       : BS_REAL(1.0));
+                                                                          m->seeming[j])
+                : (m->seeming[j] / (BS_REAL(1.0) - FADING));
+            if (((INFORMED * live->doubted[kind]) > live->gained[kind]) ||
+                (by_errors >= (was - is))) {
+                part = BS_REAL(1.0);
             } else {
-                /* the measurement has informed on it */
+                part = BS_SQRT(by_errors / (was - is));
             }
         }
-    }
-    return status;
-}
-
-/* The filter at the instant of the message takes it. */
-static bs_status take(vd_live *live,
-                      const vd_waiting *one,
-                      uint32_t last,
-                      vd_innovation *innovation)
-{
-    const vd_message *const message = &one->message;
-    const int64_t from = greater(live->at - (int64_t)live->rules.half_us,
-                                 AT(live, oldest_kept(live))->at);
-    const int64_t to = lesser(live->at + (int64_t)live->rules.half_us, AT(live, last)->at);
-    const vd_carried *at = NULL;
-    vd_carried then;
-    bs_gates gates = live->rules.gates;
-    bs_real variance[3];
-    bs_real mean[VD_N_SENSED];
-    bs_real missing;
-    const bs_real span = mean_between(live, from, to, last, mean, &missing);
-    bs_status status = flown_at(live, live->at, last, &then);
-    copy(variance, message->variance, 3);
-    gates.rows &= message->rows;
-    if ((live->rules.astray != 0U) && (live->astray[message->measurement] >= live->rules.astray)) {
-        gates.options |= BS_INFLATE;
-        gates.joint = BS_REAL(0.0);
-    }
-    if (status == BS_OK) {
-        status = set_filter(live, &then);
-    }
-    if (status != BS_OK) {
-        return status;
-    }
-    then = carried_of(&live->filter);
-    at = &then;
-    switch (message->measurement) {
-    case VD_MEASUREMENT_VELOCITY: {
-    vd_master master = message->master;
-        bs_real before[N];
-        bs_real seeming[N] = { BS_REAL(0.0) };
-        if ((status == BS_OK) && (span > BS_REAL(0.0))) {
-            errors_inform_velocity(live, message, at, mean, span, seconds(to - from), seeming);
+        m->done = (uint16_t)(m->done + 1U);
+        if ((by_errors > BS_REAL(0.0)) && (was > is) && (part > BS_REAL(0.0))) {
+            forget(live, j, was - is, part);
+            done = true;
         }
-        (void)vd_filter_sigmas(&live->filter, before);
-        copy(live->kept, live->filter.P, VD_N_PACKED);
-        if ((status == BS_OK) && (before[9] > BENDING)) { /* E[d^4] = 3 sigma^4, one error in all
-                                                           * messages of a second */
-            bs_real bend[3];
-            const bs_real since = seconds(greater(live->at - live->taken[0], 10000));
-            const bs_real weight = BS_REAL(0.75) / ((since < BS_REAL(1.0)) ? since : BS_REAL(1.0));
-            status = bend_of_velocity(live, message, from, to, last, bend);
-            for (int i = 0; (i < 3) && (status == BS_OK); ++i) {
-                const bs_real off = (before[9] * before[9]) * bend[i];
-                variance[i] += weight * (off * off);
-            }
-        }
-        live->taken[0] = live->at;
-        if (status == BS_OK) {
-            status = vd_filter_measure_velocity(&live->filter, &master, variance, &gates,
-                                                innovation);
-        }
-        if (bs_good(status) && (innovation->used != 0U)) {
-            const bs_status left = forget_errors(live, message->measurement, before, seeming);
-            status = (left == BS_OK) ? status : left;
-        }
-        break;
-    }
-    case VD_MEASUREMENT_DCM: {
-    vd_master master = message->master;
-        bs_real before[N];
-        bs_real seeming[N] = { BS_REAL(0.0) };
-        if ((status == BS_OK) && (span > BS_REAL(0.0))) {
-            errors_inform_dcm(live, message, at, mean, span, seconds(to - from), seeming);
-        }
-        (void)vd_filter_sigmas(&live->filter, before);
-        copy(live->kept, live->filter.P, VD_N_PACKED);
-        if ((status == BS_OK) && (before[9] > BENDING)) { /* E[d^4] = 3 sigma^4, one error in all
-                                                           * messages of a second */
-            bs_real bend[3];
-            const bs_real since = seconds(greater(live->at - live->taken[1], 10000));
-            const bs_real weight = BS_REAL(0.75) / ((since < BS_REAL(1.0)) ? since : BS_REAL(1.0));
-            status = bend_of_dcm(live, message, from, to, last, bend);
-            for (int i = 0; (i < 3) && (status == BS_OK); ++i) {
-                const bs_real off = (before[9] * before[9]) * bend[i];
-                variance[i] += weight * (off * off);
-            }
-        }
-        live->taken[1] = live->at;
-        if (status == BS_OK) {
-            status = vd_filter_measure_dcm(&live->filter, &master, variance, &gates, innovation);
-        }
-        if (bs_good(status) && (innovation->used != 0U)) {
-            const bs_status left = forget_errors(live, message->measurement, before, seeming);
-            status = (left == BS_OK) ? status : left;
-        }
-        break;
-    }
-    case VD_MEASUREMENT_DCM_EXACT: {
-    vd_master master = message->master;
-        bs_real before[N];
-        bs_real seeming[N] = { BS_REAL(0.0) };
-        if ((status == BS_OK) && (span > BS_REAL(0.0))) {
-            errors_inform_dcm_exact(live, message, at, mean, span, seconds(to - from), seeming);
-        }
-        (void)vd_filter_sigmas(&live->filter, before);
-        copy(live->kept, live->filter.P, VD_N_PACKED);
-        if ((status == BS_OK) && (before[9] > BENDING)) { /* E[d^4] = 3 sigma^4, one error in all
-                                                           * messages of a second */
-            bs_real bend[3];
-            const bs_real since = seconds(greater(live->at - live->taken[2], 10000));
-            const bs_real weight = BS_REAL(0.75) / ((since < BS_REAL(1.0)) ? since : BS_REAL(1.0));
-            status = bend_of_dcm_exact(live, message, from, to, last, bend);
-            for (int i = 0; (i < 3) && (status == BS_OK); ++i) {
-                const bs_real off = (before[9] * before[9]) * bend[i];
-                variance[i] += weight * (off * off);
-            }
-        }
-        live->taken[2] = live->at;
-        if (status == BS_OK) {
-            status = vd_filter_measure_dcm_exact(&live->filter, &master, variance, &gates,
-                                                 innovation);
-        }
-        if (bs_good(status) && (innovation->used != 0U)) {
-            const bs_status left = forget_errors(live, message->measurement, before, seeming);
-            status = (left == BS_OK) ? status : left;
-        }
-        break;
-    }
-    default:
-        status = BS_OUT_OF_RANGE;
-        break;
-    }
-    (void)at;
-    (void)mean;
-    (void)span;
-    if (bs_good(status)) {
-        turn_covariance(live, live->filter.x);
-        compose(live->x, live->filter.x);
     }
     return status;
 }
 
 /* What the state has to do with what was measured, and the rows that were asked for and were not
  * taken. */
-static void measure(vd_live *live, vd_waiting *one)
+static bs_msg_fate judge(vd_live *live, const vd_message *message, unsigned int used)
 {
     static const unsigned int all[VD_N_MEASUREMENTS] = { 7U, 7U, 7U };
-    const uint16_t kind = one->message.measurement;
-    const unsigned int asked = one->message.rows & live->rules.gates.rows & all[kind];
-    vd_innovation innovation = { .used = 0U };
-    const bs_status status = take(live, one, one->due, &innovation);
-    bs_msg_fate fate = BS_MSG_REFUSED;
-    if (bs_good(status)) {
-        fate = (innovation.used == asked) ? BS_MSG_TAKEN
-            : ((innovation.used == 0U) ? BS_MSG_GATED : BS_MSG_IN_PART);
-        if (fate == BS_MSG_TAKEN) {
-            live->astray[kind] = 0U;
-        } else if (live->astray[kind] < 65535U) {
-            live->astray[kind] = (uint16_t)(live->astray[kind] + 1U);
-            if (live->astray[kind] == live->rules.astray) {
-                note_event(live, BY_BACKGROUND, BS_EVENT_ASTRAY, (int)kind,
-                           (int64_t)live->rules.astray);
+    const uint16_t kind = message->measurement;
+    const unsigned int asked = message->rows & live->rules.gates.rows & all[kind];
+    const bs_msg_fate fate = (used == asked) ? BS_MSG_TAKEN
+        : ((used == 0U) ? BS_MSG_GATED : BS_MSG_IN_PART);
+    if (fate == BS_MSG_TAKEN) {
+        live->astray[kind] = 0U;
+    } else if (live->astray[kind] < 65535U) {
+        live->astray[kind] = (uint16_t)(live->astray[kind] + 1U);
+        if (live->astray[kind] == live->rules.astray) {
+            note_event(live, BY_BACKGROUND, BS_EVENT_ASTRAY, (int)kind,
+                       (int64_t)live->rules.astray);
+            if (delayed[kind] != 0U) { /* or the delay has changed */
+                const bs_real doubt = seconds((int64_t)live->rules.oldest_us / 4);
+                live->stepped_by += doubt * doubt;
+                live->opening = 1U;
             }
-        } else {
-            /* it has been reported */
         }
-        if (innovation.used != 0U) {
-            post(live, one->due);
-        }
+    } else {
+        /* it has been reported */
     }
-    finish(live, one, fate);
+    return fate;
+}
+
+/* The next piece of a measurement. */
+static void measure(vd_live *live, vd_waiting *one)
+{
+    vd_measuring *const m = &live->measuring;
+    const uint16_t kind = one->message.measurement;
+    vd_innovation innovation = { .used = 0U };
+    bs_status status = BS_OK;
+    switch (m->stage) {
+    case IDLE:
+        status = prepare(live, one);
+        m->slot = (uint16_t)(one - live->waiting);
+        break;
+    case INFORM:
+        for (int k = 0; (k < AT_ONCE) && ((varied_from[kind] + m->done) < varied_from[kind + 1U]);
+             ++k) {
+            inform(live, &one->message, (int)varied[varied_from[kind] + m->done]);
+            m->done = (uint16_t)(m->done + 1U);
+        }
+        m->stage = ((varied_from[kind] + m->done) < varied_from[kind + 1U]) ? INFORM : WIDEN;
+        break;
+    case WIDEN:
+        if ((delayed[kind] != 0U) && (m->before[9] > BENDING)) {
+            status = widen(live, &one->message, one->due);
+        }
+        live->taken[kind] = live->at;
+        m->done = 0U;
+        m->stage = UPDATE;
+        break;
+    case UPDATE:
+        status = update(live, &one->message, &innovation);
+        if (bs_good(status)) {
+            one->fate = judge(live, &one->message, innovation.used);
+            live->judged.count += 1U;
+            live->judged.measurement = kind;
+            live->judged.order = one->order;
+            live->judged.fate = one->fate;
+            live->judged.at = live->at;
+            live->judged.innovation = innovation;
+            m->stage = (innovation.used != 0U) ? FORGET : IDLE;
+            status = BS_OK;
+        }
+        break;
+    case FORGET:
+        for (int k = 0; (k < AT_ONCE) && (status == BS_OK) && (m->done < (uint16_t)N); ++k) {
+            status = forget_next(live, kind);
+        }
+        m->stage = (m->done < (uint16_t)N) ? FORGET : SETTLE;
+        break;
+    case SETTLE:
+        turn_covariance(live, live->filter.x);
+        compose(live->x, live->filter.x);
+        m->stage = POST;
+        break;
+    default:
+        post(live, one->due);
+        m->stage = IDLE;
+        break;
+    }
+    if (status != BS_OK) {
+        one->fate = BS_MSG_REFUSED;
+        m->stage = IDLE;
+    }
+    if (m->stage == IDLE) {
+        finish(live, one, one->fate);
+    }
 }
 
 /* ---- background */
@@ -1413,13 +1260,11 @@ static void catch_up(vd_live *live)
     if ((count - live->behind) > (RING - (2U * MARGIN))) {
         live->counts.overruns += 1U;
         note_event(live, BY_BACKGROUND, BS_EVENT_OVERRUN, 0, (int64_t)(lost - live->behind));
-        if (open_states(live, seconds(AT(live, lost)->at - live->at)) != BS_OK) {
-            lose(live, BY_BACKGROUND, (int64_t)BS_NOT_POSITIVE);
-        }
+        live->unknown += seconds(AT(live, lost)->at - live->at);
+        live->opening = 1U;
         live->behind = lost;
         live->at = AT(live, lost)->at;
         live->since = live->at;
-        pass(live);
     }
 }
 
@@ -1439,7 +1284,18 @@ bs_status vd_live_background(vd_live *live)
             finish(live, &live->waiting[i], live->waiting[i].fate);
         }
     }
+    if (live->measuring.stage != IDLE) {
+        measure(live, &live->waiting[live->measuring.slot]);
+        return BS_OK;
+    }
+    if (live->opening != 0U) {
+        open_states(live);
+        return BS_OK;
+    }
     catch_up(live);
+    if (pass(live)) {
+        return BS_OK;
+    }
     last = live->count;
     BS_LIVE_BARRIER();
     due = first_due(live);
@@ -1621,6 +1477,16 @@ bs_status vd_live_counted(const vd_live *live, vd_live_counts *counts)
     return BS_OK;
 }
 
+bs_status vd_live_measured(const vd_live *live, vd_measured *measured)
+{
+    if ((live == NULL) || (measured == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    *measured = live->judged;
+    measured->at -= live->clock;
+    return (live->judged.count == 0U) ? BS_NOT_READY : BS_OK;
+}
+
 bs_status vd_live_next_event(vd_live *live, bs_event *event)
 {
     vd_events *from = NULL;
@@ -1731,6 +1597,7 @@ static bs_status check_live(const vd_live *live)
         ((live->posted - live->passed) <= WAITING);
     good = good && (live->clock <= (4 * (FARTHEST / 2))) && (live->clock >= -(4 * (FARTHEST / 2)));
     good = good && (live->at <= (4 * (FARTHEST / 2))) && (live->at >= -(4 * (FARTHEST / 2)));
+    good = good && (live->measuring.stage <= POST) && (live->measuring.slot < WAITING);
     good = good && (live->since <= live->at) && (live->since >= -(4 * (FARTHEST / 2)));
     for (uint32_t i = 0U; i < WAITING; ++i) {
         const vd_waiting *const one = &live->waiting[i];
