@@ -32,6 +32,7 @@ static va_message message;
 static va_sample sample;
 static va_output output;
 static va_live_counts counts;
+static va_measured measured;
 static bs_real sigma[N];
 static bs_real P[N * N];
 static unsigned char bytes[VA_LIVE_SNAPSHOT_SIZE];
@@ -119,11 +120,12 @@ static void prepare(void)
     message.master.a_n[1] = (bs_real)in_master[0][11];
     message.master.a_n[2] = (bs_real)in_master[0][12];
     message.master.lag = (bs_real)in_master[0][13];
+    carried.nav.tau = BS_REAL(0.01) / BS_REAL(2.0); /* or all of them would be too old */
     message.version = BS_LIVE_VERSION;
     message.size = (uint16_t)sizeof(message);
     message.rows = BS_ALL_ROWS;
     for (int i = 0; i < 3; ++i) {
-        message.variance[i] = BS_REAL(1.0);
+        message.variance[i] = BS_REAL(1e12); /* nothing lies beyond a gate */
     }
     sample.dt = BS_REAL(0.01);
 }
@@ -140,6 +142,134 @@ static void send(va_live *live, int kind, int64_t at)
     message.measurement = (uint16_t)kind;
     message.at = at;
     (void)va_live_message(live, &message, NULL);
+}
+
+static uint32_t fate_of(bs_msg_fate fate)
+{
+    (void)va_live_counted(&first, &counts);
+    return counts.fate[fate];
+}
+
+/* What comes wrongly, one thing after another: each is counted, and the loop goes on, until too
+ * much is missing. */
+static int wrongly(void)
+{
+    const bs_real dt = sample.dt;
+    int failures = 0;
+    int64_t now;
+    (void)va_live_defaults(&rules);
+    rules.bridge_us = 10000 * 9;
+    (void)va_live_begin(&first, &rules, 0, &carried, sigma);
+    for (int k = 1; k <= 8; ++k) {
+        (void)give(&first, k);
+    }
+    all_of(&first);
+    if (va_live_output(&first, 10000 * 8, &output) != BS_OK) {
+        return 0; /* from here the strapdown leaves its boxes by itself */
+    }
+    failures += expect("a sample twice", (give(&first, 8) == BS_OK));
+    sample.dt = (bs_real)selftest_nan();
+    failures += expect("a sample that is no number", give(&first, 9) == BS_NOT_FINITE);
+    sample.dt = BS_REAL(1e9);
+    failures += expect("a sample beyond its box", give(&first, 9) == BS_OUT_OF_RANGE);
+    sample.dt = dt;
+    sample.at = INT64_MAX;
+    failures += expect("a sample after all time",
+                       va_live_sample(&first, &sample) == BS_OUT_OF_RANGE);
+    sample.at = -INT64_MAX;
+    failures += expect("a sample before all time",
+                       va_live_sample(&first, &sample) == BS_OUT_OF_RANGE);
+    (void)give(&first, 12);
+    sample.serial = 7U;
+    (void)give(&first, 13);
+    sample.serial = 8U;
+    (void)give(&first, 33); /* the next one by its number: the clock has stepped */
+    sample.serial = 0U;
+    (void)give(&first, 5);
+    all_of(&first);
+    (void)va_live_counted(&first, &counts);
+    failures += expect("repeated", counts.repeated == 1U);
+    failures += expect("bad", counts.bad == 4U);
+    failures += expect("missing", counts.missing >= 3U);
+    failures += expect("steps of the clock", counts.clock_steps == 2U);
+    now = 10000 * 5;
+    send(&first, 0, now);
+    send(&first, 0, now);
+    send(&first, 0, now + 10000000);
+    send(&first, 0, now - 10000000);
+    message.variance[0] = (bs_real)selftest_nan();
+    send(&first, 0, now - (10000 / 2));
+    message.variance[0] = BS_REAL(1e12);
+    for (int k = 6; k <= 9; ++k) {
+        (void)give(&first, k);
+        all_of(&first);
+    }
+    failures += expect("twice", fate_of(BS_MSG_TWICE) == 1U);
+    failures += expect("ahead", fate_of(BS_MSG_AHEAD) == 1U);
+    failures += expect("old", fate_of(BS_MSG_OLD) >= 1U);
+    failures += expect("no number, or out of its turn",
+                       (fate_of(BS_MSG_REFUSED) + fate_of(BS_MSG_LATE)) >= 1U);
+    send(&first, VA_N_MEASUREMENTS, now);
+    send(&first, 0, INT64_MAX);
+    send(&first, 0, -INT64_MAX);
+    message.size = (uint16_t)(sizeof(message) - 1U);
+    send(&first, 0, now);
+    message.size = (uint16_t)sizeof(message);
+    failures += expect("no message of this loop", fate_of(BS_MSG_REFUSED) >= 4U);
+    for (int i = 0; i < 12; ++i) {
+        send(&first, 0, now + (int64_t)i);
+    }
+    failures += expect("more than there is room for", fate_of(BS_MSG_FULL) == 4U);
+    failures += expect("output ahead",
+                       va_live_output(&first, 10000 * 9 + 9000000, &output) == BS_NOT_READY);
+    failures += expect("output of the past", va_live_output(&first, 0, &output) == BS_NOT_READY);
+    failures += expect("output beyond all time",
+                       va_live_output(&first, INT64_MAX, &output) == BS_OUT_OF_RANGE);
+    failures += expect("too much is missing", give(&first, 40) == BS_NOT_READY);
+    failures += expect("and then it is lost", give(&first, 41) == BS_NOT_READY);
+    send(&first, 0, now);
+    failures += expect("a lost loop takes nothing", fate_of(BS_MSG_NOT_READY) == 1U);
+    return failures;
+}
+
+/* Messages that say something else, a sensor at the end of its range, and a background that does
+ * not come. */
+static int strained(void)
+{
+    int failures = 0;
+    (void)va_live_defaults(&rules);
+    rules.jitter_us = 10000 / 4;
+    for (int i = 0; i < VA_N_SENSED; ++i) {
+        rules.full_scale[i] = BS_REAL(1e-9);
+    }
+    for (int i = 0; i < 3; ++i) {
+        message.variance[i] = BS_REAL(1e-4);
+    }
+    (void)va_live_begin(&first, &rules, 0, &carried, sigma);
+    for (int k = 1; k <= 60; ++k) {
+        sample.dtheta_ib_b[0] = (k == 3) ? BS_REAL(1e-6) : BS_REAL(0.0);
+        sample.dv_b[0] = (k == 3) ? BS_REAL(1e-6) : BS_REAL(0.0);
+        (void)give(&first, k);
+        if (k == 4) {
+            (void)va_live_counted(&first, &counts);
+            failures += expect("saturated", (counts.samples < 4U) || (counts.saturated == 1U));
+        }
+        send(&first, k % 4, 10000 * (int64_t)(k - 1));
+        all_of(&first);
+    }
+    for (int k = 61; k <= 400; ++k) {
+        (void)give(&first, k);
+    }
+    send(&first, 0, 10000 * 399);
+    (void)give(&first, 401);
+    all_of(&first);
+    (void)va_live_counted(&first, &counts);
+    failures += expect("a background that does not come", (counts.samples < 400U) ||
+                       (counts.overruns > 0U));
+    for (int i = 0; i < 3; ++i) {
+        message.variance[i] = BS_REAL(1e12);
+    }
+    return failures;
 }
 
 int test_va_live(void)
@@ -170,6 +300,10 @@ int test_va_live(void)
     failures += expect("what comes out hangs on when the background runs", same());
     failures += expect("samples are counted", (counts.samples + counts.bad) > 0U);
     failures += expect("a correction was late", counts.corrections_late == 0U);
+    failures += expect("no message is judged",
+                       (va_live_output(&first, 10000 * SAMPLES, &output) != BS_OK) ||
+                       ((counts.fate[BS_MSG_TAKEN] + counts.fate[BS_MSG_IN_PART] +
+                         counts.fate[BS_MSG_GATED] + counts.fate[BS_MSG_REFUSED]) > 0U));
     failures += expect("snapshot", va_live_snapshot(&first, bytes) == BS_OK);
     (void)va_live_begin(&second, &rules, 0, &carried, sigma);
     failures += expect("restore", va_live_restore(&second, bytes) == BS_OK);
@@ -191,6 +325,8 @@ int test_va_live(void)
                        va_live_message(&first, &message, &fate) != BS_OK);
     failures += expect("and its fate", (fate == BS_MSG_REFUSED) || (fate == BS_MSG_NOT_READY));
     message.version = BS_LIVE_VERSION;
+    failures += wrongly();
+    failures += strained();
     rules.every = 0U;
     failures += expect("a rule out of its range",
                        va_live_begin(&second, &rules, 0, &carried, sigma) == BS_OUT_OF_RANGE);
@@ -229,6 +365,10 @@ int test_va_live(void)
                        va_live_next_event(&first, NULL) == BS_NULL_POINTER);
     failures += expect("snapshot: a null pointer",
                        va_live_snapshot(&first, NULL) == BS_NULL_POINTER);
+    failures += expect("measured: a null pointer",
+                       va_live_measured(NULL, &measured) == BS_NULL_POINTER);
+    failures += expect("measured: a null pointer",
+                       va_live_measured(&first, NULL) == BS_NULL_POINTER);
     failures += expect("restore: a null pointer", va_live_restore(NULL, bytes) == BS_NULL_POINTER);
     failures += expect("digest: a null pointer", va_live_digest(NULL, bytes) == BS_NULL_POINTER);
     failures += expect("sizes", (va_live_size() == sizeof(va_live)) &&
