@@ -1,7 +1,7 @@
 """What is known of exactly this C, by kind of evidence: the results that are kept, a verdict on each, and the lowest.
 
 A result is of this C where the hash that it was kept with is that of the unit's files and of all that they reach now;
-of a kind that looks at a whole folder, that of all its C and self-tests.
+of a kind that looks at a whole folder, that of all its C, with or without the self-tests.
 """
 
 import json
@@ -311,10 +311,11 @@ def kept(folder: Folder) -> dict[str, Result]:
         if "units" not in of:
             continue
         if list(of["sources"]) == [folder.name]:
-            units = of["units"] if of.get("folder") == folder.hash else {}
+            same = of["sources"][folder.name] in (folder.hash, folder.code) or of.get("folder") == folder.hash
+            units = of["units"] if same else {}
         else:
-            same = {u.name for u in folder.units if of["sources"].get(u.name) in u.hashes.values()}
-            units = {name: result for name, result in of["units"].items() if name in same}
+            fresh = {u.name for u in folder.units if of["sources"].get(u.name) in u.hashes.values()}
+            units = {name: result for name, result in of["units"].items() if name in fresh}
         if units:
             found[kind] = {"tools": of["tools"], "units": units}
     return found
