@@ -72,6 +72,8 @@ class Linearised:
         self.steps: list[Row | Change | Array] = [np.empty(0)] * len(record.names)
         walked: dict[int, list[Row]] = {}
         sizes = [float(np.median(np.hstack(given[name]))) for name in driving]
+        if any(np.any(table.given.get("considered", False)) for table in record._all().tables):
+            raise BoresightError("states were considered, and their gains are not those of a filter; correct them all")
         for number, name in enumerate(measured, len(driving)):
             found, H, gains = record.innovation(name), record.jacobian(name), record.gain(name)
             if found.inflated is not None and found.inflated.any():

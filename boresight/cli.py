@@ -537,11 +537,11 @@ def evidence(
     ] = False,
     folder: Annotated[Path | None, typer.Option("--generated", help="Its generated folder.")] = None,
 ) -> None:
-    """Make the evidence of a model of your own, by the tools that are here, for export to write.
+    """Make the evidence of a model of your own, for its export.
 
-    Each kind is kept with a hash of the C that it was found of: what has not changed is not made again.  The self-test
-    on emulated cores, its coverage with MC/DC, bad input, stack of each entry point, rounding, MISRA, mutants, hostile
-    calls and verify: some 15 minutes, each minute more for each three states beyond ten.
+    By the tools that are here; each kind is kept with a hash of the C that it was found of, and what has not changed is
+    not made again: the self-test on emulated cores, its coverage with MC/DC, bad input, stack of each entry point,
+    rounding, MISRA, mutants, hostile calls and verify.
     """
     require("evidence")
     from boresight.evidence.own import make_own

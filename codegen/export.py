@@ -109,7 +109,7 @@ def export(
     >>> from boresight import export
     >>> exported = export(model, "flight", precision="float")
     >>> sorted(path.name for path in exported.files if path.parent.name == "flight")[:2]
-    ['CMakeLists.txt', 'LICENSE']
+    ['CMakeLists.txt', 'EVIDENCE.html']
     """
     (target, model), out = named(target), Path(out)
     if precision not in PRECISIONS:

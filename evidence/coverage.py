@@ -131,7 +131,7 @@ def changes(n: Any) -> bool:
 
 def coverage(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
     """By unit, and for the headers under `include`: by precision how many lines, branches and conditions are covered,
-    of how many; what is open, in words."""
+    of how many; `open`, in words, of both precisions together or of one that is named."""
     units = [unit for unit in folder.units if unit.test.is_file()]
     found: dict[str, dict[str, Any]] = {name: {} for name in (*(unit.name for unit in units), "include")}
     for precision in PRECISIONS:
@@ -143,6 +143,11 @@ def coverage(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
             files = {f"{name}.c", f"{name}_kernel.h"}
             files |= {path.name for path in folder.include.iterdir()} if name == "include" else set()
             of[precision] = counted([d for d in decisions if d.file in files], lines, files)
+    for of in found.values():
+        left = {precision: of[precision].pop("open") for precision in PRECISIONS}
+        both = set.intersection(*map(set, left.values()))
+        alone = [f"{precision}: {line}" for precision in PRECISIONS for line in left[precision] if line not in both]
+        of["open"] = [line for line in left["double"] if line in both] + alone
     return found
 
 

@@ -39,7 +39,7 @@ def filters(quickly, tmp_path_factory):
     """The C that is committed; `make generated` holds it against the model."""
     out = tmp_path_factory.mktemp("filters")
     for precision in ("double", "float"):
-        exported(folder_of("velocity-attitude"), out / precision, precision, "")
+        exported(folder_of("velocity-attitude"), out / precision, precision, "velocity-attitude", ())
     return out
 
 

@@ -20,7 +20,8 @@ def left(slave: Array, turn: Array) -> float:
 
 def of_axes(slave: Array, turn: Array) -> str:
     """How the slave's axes lie beside its master's, by turns (K, 3) of both; "" where no change of axes fits."""
-    best, found = FITS, ""
+    # a factor of one axis leaves as much where all axes turn alike
+    best, found = min(FITS, left(slave, turn) / 4), ""
     for order in permutations(range(3)):
         for signs in product((1, -1), repeat=3):
             M = np.eye(3)[list(order)] * np.array(signs)[:, None]
@@ -72,6 +73,9 @@ def of_attitude(slave: Array, master: Master, kept: Array) -> str:
 
 def of_halves(slave: Array, turn: Array, time: Array) -> str:
     """Turns that fit to one instant and not behind it, or the reverse; time: (K,) s."""
+    factor = np.sum(slave * turn, axis=0) / np.maximum(np.sum(turn**2, axis=0), np.finfo(float).tiny)
+    if left(slave, turn * factor) < FITS:
+        return ""  # one factor an axis explains it all along
     miss = np.sum((slave - turn) ** 2, axis=1)
     total, power = np.cumsum(miss), np.cumsum(np.sum(slave**2, axis=1))
     for ahead in (True, False):

@@ -420,7 +420,12 @@ def attitude_increments(imu: Inertial, master: Master) -> tuple[Array, Array, Ar
     Returns dt (K,) s, slave (K, 3) rad (gyro, so relative to inertial space) and master (K, 3) rad (relative to the
     Earth; 15 deg/h do not matter here), rotation vectors in FRD.  Intervals that the slave does not cover are left out.
     """
-    dts, slave, keep = [], [], []
+    return _increments(imu, master)[:3]
+
+
+def _increments(imu: Inertial, master: Master) -> tuple[Array, Array, Array, Array]:
+    """The same, and the numbers of the master's intervals (K,)."""
+    dts, slave, kept = [], [], []
     for k, (t0, t1) in enumerate(zip(master.time[:-1], master.time[1:], strict=True)):
         try:
             _, dtheta = imu.between(t0, t1)
@@ -428,9 +433,9 @@ def attitude_increments(imu: Inertial, master: Master) -> tuple[Array, Array, Ar
             continue
         dts.append(t1 - t0)
         slave.append(dtheta)
-        keep.append(k)
+        kept.append(k)
     turns = rotation.vector_from_matrix(attitude_steps(master.euler))
-    return np.array(dts), whole_turns(slave), turns[keep]
+    return np.array(dts), whole_turns(slave), turns[kept], np.array(kept, int)
 
 
 def whole_turns(pieces: Sequence[Array]) -> Array:
@@ -504,7 +509,8 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
         text = "turns about down have the other sign, and front and right fit: yaw is counter-clockwise"
         return [Finding("error", "master.attitude", text + " (yaw_positive)", "turns"), *out, *gravity]
     if any(one.level == "error" for one in out):
-        return _turned_otherwise(imu, master) + out + gravity
+        otherwise = _turned_otherwise(imu, master) if wrong_axes else []
+        return otherwise + out + gravity
     if order := motion.another_sequence(imu, master):
         text = f"the slave's turns fit angles that are applied as {order}, and not as yaw, pitch, roll"
         out.append(Finding("error", "master.attitude", text + "; write quaternions, or angles of an aircraft", "order"))
@@ -517,9 +523,8 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
 
 def _turned_otherwise(imu: Inertial, master: Master) -> list[Finding]:
     """The one mistake in axes, angles or quaternions that explains all turns, if there is one."""
-    dt, slave, turn = attitude_increments(imu, master)
+    dt, slave, turn, kept = _increments(imu, master)
     ends = np.cumsum(dt) + master.time[0]
-    kept = np.flatnonzero(np.isin(np.arange(len(master.time) - 1), _covered(imu, master)))
     if text := causes.of_axes(slave, turn):
         return [Finding("error", "imu.body", f"the slave's turns are its master's where {text} (body)", "turns")]
     if text := causes.of_attitude(slave, master, kept):
@@ -528,16 +533,6 @@ def _turned_otherwise(imu: Inertial, master: Master) -> list[Finding]:
         advice = ": what was logged has changed there; cut the recording there (from, to)"
         return [Finding("error", "imu.gyro", text + advice, "turns")]
     return []
-
-
-def _covered(imu: Inertial, master: Master) -> list[int]:
-    """The numbers of the master's intervals that the slave covers, as of `attitude_increments`."""
-    start, end = imu.intervals()
-    slack = 0.01 * imu.dt
-    return [
-        k for k in range(len(master.time) - 1)
-        if master.time[k] >= start[0] - slack and master.time[k + 1] <= end[-1] + slack
-    ]  # fmt: skip
 
 
 FACTORS = {

@@ -128,7 +128,6 @@ def test_a_step_is_no_longer_than_its_radius_and_goes_down():
 
 
 def test_the_command_finds_the_noises_of_a_flight_in_a_folder(tmp_path, monkeypatch, capsys):
-    pytest.importorskip("pyarrow")
     held = []
     monkeypatch.setattr(flights, "Record", lambda loop: held.append(Record(loop, tmp_path / "flight")) or held[-1])
     flights.matching(1, (1.5, 0.7))

@@ -354,7 +354,7 @@ def test_a_name_cannot_break_the_page(result):
 
 def test_a_walk_of_zero_is_one_that_is_not_seen():
     noises, free = tr.noise_vector({"delay": 0.0, "gyro_walk": 0.0, "accel_walk": 0.0})
-    said = tr.said_noise(noises, free, 0)
+    said = tr.said_noise(noises, free, np.zeros(len(noises)), 0)
     assert not any(said[name]["chosen"] or any(said[name]["seen"]) for name in ("delay", "gyro_walk", "accel_walk"))
 
 
