@@ -19,7 +19,8 @@ NODE = re.compile(r'^node: \{ title: "([^"]*)" label: "([^"]*)"', re.MULTILINE)
 EDGE = re.compile(r'^edge: \{ sourcename: "([^"]*)" targetname: "([^"]*)"', re.MULTILINE)
 BYTES = re.compile(r"(\d+) bytes \((\S+)\)")
 INDIRECT = "__indirect_call"
-FLAGS = ("-Os", "-ffunction-sections", "-fdata-sections", "-fcallgraph-info=su")
+# of two functions with one body the graph would have the size of one alone
+FLAGS = ("-Os", "-fno-ipa-icf", "-ffunction-sections", "-fdata-sections", "-fcallgraph-info=su")
 
 
 class Calls:
@@ -47,6 +48,10 @@ class Calls:
         """Bytes of a call and of all below it."""
         if function in above or function == INDIRECT:
             raise BoresightError(f"{above[-1]} calls {function}: no bound on its stack can be given")
+        if ":" in function and function not in self.own:  # of our own files, and no library's
+            raise BoresightError(
+                f"{above[-1]} calls {function.rsplit(':')[-1]}, whose stack the compiler does not give"
+            )
         below = (self.deepest(called, (*above, function)) for called in self.calls.get(function, ()))
         return self.own.get(function, 0) + max(below, default=0)
 

@@ -93,6 +93,7 @@ def test_the_stack_is_that_of_the_deepest_way(tmp_path):
         ([("a", 8, "static"), ("b", 8, "static")], [("a", "b"), ("b", "a")], "no bound"),
         ([("a", 8, "static")], [("a", "__indirect_call")], "no bound"),
         ([("a", 8, "dynamic")], [], "is dynamic"),
+        ([("a", 8, "static")], [("a", "/somewhere/file.c:twin")], "a calls twin, whose stack"),
     ],
 )
 def test_what_has_no_bound_is_refused(nodes, edges, words, tmp_path):
