@@ -345,14 +345,14 @@ def page_view(folder: Folder, found: dict[str, Result], why: str, make: str) -> 
     """
     verdicts = judged(folder, found)
     results = {kind: of["units"] for kind, of in found.items()}
-    stacks = [of for of in results.get("stack", {}).values()]
+    stacks = list(results.get("stack", {}).values())
     return {
         "words": VERDICTS,
         "verdict": min(map(lowest, verdicts.values())),
         "why": why,
         "columns": [column.title for column in COLUMNS],
         "rows": [row(unit, results, verdicts) for unit in folder.units],
-        "lowest": [lowest(verdicts[column.kind]) for column in COLUMNS],
+        "lowest": {column.kind: lowest(verdicts[column.kind]) for column in COLUMNS},
         "whole": [{"title": WHOLE[k][0], "verdict": lowest(verdicts[k])} for k in WHOLE if k in found],
         "open": [{"name": name, "lines": lines} for name, lines in left_open(folder, results) if lines],
         "make": make,

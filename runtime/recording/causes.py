@@ -6,9 +6,9 @@ import numpy as np
 
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
+from boresight.runtime.frames import AXES
 from boresight.runtime.recording.types import Master
 
-AXES = ("front", "right", "down")
 FITS = 0.1  # of what is to be explained, that may be left
 
 
