@@ -49,6 +49,7 @@ class Event(IntEnum):
     CORRECTION_LATE = 11
     CORRECTION_REFUSED = 12
     OVERRUN = 13
+    STAMPS = 14
 
 
 WORDS = {
@@ -64,6 +65,7 @@ WORDS = {
     Event.CORRECTION_LATE: "a correction came {value} samples too late; raise latency",
     Event.CORRECTION_REFUSED: "a correction would have led out of the model's boxes and was dropped",
     Event.OVERRUN: "the background did not come for too long; {value} samples were not read",
+    Event.STAMPS: "the messages' clock has stepped by {value} us and is followed; the delay is doubted",
 }
 MESSAGES = {
     Fate.IN_PART: "some rows lay beyond the gate",
@@ -120,7 +122,10 @@ class Layout:
             ("at", ctypes.c_int64), ("variance", real * described["variances"]),
             *([("z", real * described["z"])] if described["z"] else []), *own(described["message"]),
         ])  # fmt: skip
-        self.output = struct("output", [("at", ctypes.c_int64), ("state", ctypes.c_int), ("carried", self.carried)])
+        self.output = struct(
+            "output",
+            [("at", ctypes.c_int64), ("state", ctypes.c_int), ("carried", self.carried), ("shift", ctypes.c_int64)],
+        )
         self.event = struct("event", [("code", ctypes.c_ubyte), ("which", ctypes.c_ubyte), ("sample", ctypes.c_uint32),
                                       ("value", ctypes.c_int32)])  # fmt: skip
         m = max(one["m"] for one in library.manifest["filter"]["measurements"].values())
@@ -158,6 +163,14 @@ class Layout:
         return found
 
 
+def shaped(what: str, value: Any, shape: tuple[int, ...]) -> Array:
+    """An array of this shape.  Raises BoresightError."""
+    array = np.asarray(value, dtype=float)
+    if array.shape != shape:
+        raise BoresightError(f"{what} has shape {array.shape}; give {shape}")
+    return array
+
+
 class Live:
     """The live loop of a model: samples and late messages in, navigation out; by the exported C.
 
@@ -172,7 +185,8 @@ class Live:
         `gates`.
     **constants : array
         What the model's functions read beside the sensors and the messages, such as the root
-        densities of the noises; what is not given is zero.
+        densities of the noises; what is not given is zero.  One that the model carries is where
+        `begin` puts it.
 
     Raises
     ------
@@ -209,7 +223,11 @@ class Live:
         for name, value in (rules or {}).items():
             self._rule(name, value)
         known = {name for s in self.layout.described["rules"] for name in self.library.layout[s]}
+        self._carried: dict[str, Any] = {}
         for name, value in constants.items():
+            if self.layout.owner(self.layout.carried, name):
+                self._carried[name] = value
+                continue
             if name not in known:
                 raise BoresightError(
                     f"live: {self.library.name} has no constant {name!r}; it has {', '.join(sorted(known))}"
@@ -237,7 +255,10 @@ class Live:
         ]
         return int(self._function(name)(self._memory, *passed))
 
-    def begin(self, at_us: int, nav: Mapping[str, Any], sigma: Any = None, **sigmas: Any) -> None:
+    def begin(
+        self, at_us: int, nav: Mapping[str, Any], sigma: Any = None, *, P: Any = None, considered: Any = None,
+        **sigmas: Any,
+    ) -> None:  # fmt: skip
         """Begin with what is known at an instant.
 
         Parameters
@@ -248,6 +269,10 @@ class Live:
             The carried fields; one that is not given is zero.
         sigma : (n,) array, optional
             Of each state; or by block:
+        P : (n, n) array, optional
+            The covariance as a whole, in place of sigmas.
+        considered : (n,) array of bool, optional
+            States that no measurement corrects (Schmidt).
         **sigmas : float or (size,) array
             By block of states, as `phi=0.02`; a block that is not given has zero.
 
@@ -257,7 +282,7 @@ class Live:
             A field or a block that the model does not have, and what the C refuses.
         """
         carried = self.layout.carried()
-        for name, value in nav.items():
+        for name, value in {**self._carried, **nav}.items():
             if not self.layout.owner(carried, name):
                 raise BoresightError(f"begin: {self.library.name} does not carry {name!r}")
             self.layout.place(carried, name, value, "begin")
@@ -270,10 +295,21 @@ class Live:
         if sigmas:
             names = ", ".join(block["name"] for block in self.library.manifest["blocks"])
             raise BoresightError(f"begin: there is no block {next(iter(sigmas))!r} of states; there are {names}")
-        status = self._call("begin", self.rules, ctypes.c_int64(int(at_us)), carried,
-                            (self.layout.real * len(spread))(*spread))  # fmt: skip
-        if status:
-            raise BoresightError(f"begin: {Status(status).name.lower()}: a rule, nav or a sigma lies outside its range")
+        n = len(spread)
+        calls: list[tuple[str, list[Any], str]] = [
+            ("begin", [self.rules, ctypes.c_int64(int(at_us)), carried, (self.layout.real * n)(*spread)],
+             "a rule, nav or a sigma lies outside its range"),
+        ]  # fmt: skip
+        if P is not None:
+            dense = (self.layout.real * n**2)(*shaped("begin: P", P, (n, n)).ravel())
+            calls.append(("set_covariance", [dense], "P is no covariance of this model"))
+        if considered is not None:
+            flags = (ctypes.c_ubyte * n)(*shaped("begin: considered", considered, (n,)).astype(bool).tolist())
+            calls.append(("consider", [flags], "P is no covariance of this model"))
+        for name, arguments, why in calls:
+            if status := self._call(name, *arguments):
+                ctypes.memset(self._memory, 0, len(self._memory))  # no half of a beginning
+                raise BoresightError(f"begin: {Status(status).name.lower()}: {why}")
 
     def sample(self, at_us: Any, dt: Any, *, serial: Any = 0, background: bool = True, **sensed: Any) -> Array:
         """One sample of the sensors, or several one after the other, each with all that is to be done behind it.
@@ -389,14 +425,16 @@ class Live:
         Returns
         -------
         dict of str to array
-            The carried fields, and `sigma` (n,) of the states as the covariance has it.
+            The carried fields; `sigma` (n,) of the states as the covariance has it; `shift`, s, that is
+            added to the stamps of messages whose delay is a state, since their clock has stepped.
         """
         out = self.layout.output()
         sigma = (self.layout.real * len(self.library.states))()
         if self._call("output", ctypes.c_int64(int(at_us)), out):
             return {}
         self._call("sigmas", sigma, None)
-        return {**self.layout.values(out.carried), "sigma": np.array(sigma, dtype=float)}
+        shift = np.array(1e-6 * out.shift)
+        return {**self.layout.values(out.carried), "sigma": np.array(sigma, dtype=float), "shift": shift}
 
     def covariance(self) -> tuple[Array, int]:
         """The covariance of the state.

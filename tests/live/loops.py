@@ -9,7 +9,7 @@ from judge import N, Record, density, errors_of, predicted, system
 from simulator import US, Flight, matrix_of_quaternion, quaternion
 
 from boresight import Message, load, transfer
-from boresight.runtime.transfer import Increments, Transfer, Verdict
+from boresight.runtime.transfer import Increments, Transfer, Verdict, sensors
 
 
 class TooLong(Exception):
@@ -109,17 +109,17 @@ START = {"phi": [0.1, 0.1, 0.3], "dv_n": [3.0, 3.0, 3.0]}
 BLOCKS = {"gyro_bias": "d_gyro_bias", "accel_bias": "d_accel_bias", "q_b2m_wxyz": "dmu", "tau": "d_tau"}
 
 
-def fly_live(flight: Flight, runs=None, rules=None, call_s=2.0):
+def fly_live(flight: Flight, runs=None, rules=None, call_s=2.0, carrying=None):
     """Each run by a loop of its own, begun at the first message; background behind each sample until nothing is left.
 
     A row is the loop just before a message arrives, when the corrections of the one before are due.  P is that of
     `covariance`, propagated from its instant to now by what is true.  A loop that is lost begins anew from the next
-    message, as a driver would do it.
+    message, as a driver would do it.  carrying: Sensors, by the composition that has states for them.
     """
     runs, whole, rows = flight.setting.runs if runs is None else runs, Record(), {}
     for run in range(runs):
         try:
-            for k, row in one_run(flight, run, rules, call_s, whole.notes):
+            for k, row in one_run(flight, run, rules, call_s, whole.notes, carrying):
                 rows.setdefault(k, {})[run] = row
         except Exception as error:
             whole.raised = f"run {run}: {type(error).__name__}: {error}".splitlines()[0]
@@ -127,13 +127,20 @@ def fly_live(flight: Flight, runs=None, rules=None, call_s=2.0):
     return whole
 
 
-def one_run(flight, run, rules, call_s, notes):
+def one_run(flight, run, rules, call_s, notes, carrying=None):
     """(k, (errors, P, refused, came)) before each message, and at the end."""
     from boresight.runtime.live import Live
 
     constants = flight.setting.constants()
-    lever_b, k, counted, begun = constants.pop("lever_b"), -1, {}, False
-    loop = Live(MODEL, rules=rules, **constants)
+    k, counted, begun, message, known = -1, {}, False, {}, {}
+    if carrying is None:
+        message, model = {"lever_b": constants.pop("lever_b")}, MODEL
+    else:
+        wide = sensors.carried(carrying, constants, flight.setting.sigmas(), {})
+        model, constants, P = sensors.MODEL, wide.constants, wide.P.copy()
+        P[range(6), range(6)] = np.square([*START["phi"], *START["dv_n"]])
+        known = {"P": P, "considered": wide.considered}
+    loop = Live(model, rules=rules, **constants)
 
     def row():
         nonlocal counted
@@ -148,8 +155,9 @@ def one_run(flight, run, rules, call_s, notes):
         if not nav:
             return np.full(N, np.nan), np.full((N, N), np.nan), refused, taken + refused
         nav = {name: np.asarray(value, float)[None] for name, value in nav.items()}
+        nav["tau"] = nav["tau"] + nav["shift"] * -1.0  # of the stamps as they come
         P, at_us = loop.covariance()
-        P = to_now(flight, k, P, (int(flight.end_us[k]) - at_us) * US)
+        P = to_now(flight, k, P[:N, :N], (int(flight.end_us[k]) - at_us) * US)
         return errors_of(nav, true_of(flight, k, [run]))[0], P, refused, taken + refused
 
     for kind, at_us, *given in flight.events(run):
@@ -168,11 +176,12 @@ def one_run(flight, run, rules, call_s, notes):
             yield k, row()
         with within(call_s):
             if not begun or not loop.output(int(flight.end_us[k])):
-                loop.begin(int(flight.end_us[k]), start(fields, flight, run), **sigmas(flight))
+                loop.begin(int(flight.end_us[k]), start(fields, flight, run) | (wide.estimates if known else {}),
+                           **(known or sigmas(flight)))  # fmt: skip
                 notes.extend((flight.end[k], run, line) for line in loop.events() if begun)
                 begun, counted = True, {}  # it counts from here
                 continue
-            loop.message("velocity", at_us, R[:3], v_m_n=fields["v_m_n"], lever_b=lever_b)
+            loop.message("velocity", at_us, R[:3], v_m_n=fields["v_m_n"], **message)
             loop.message("dcm", at_us, R[3:], q_m2n_wxyz=fields["q_m2n_wxyz"])
             while loop.background():
                 pass

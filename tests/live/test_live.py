@@ -6,13 +6,15 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from conditions import CONDITIONS
+from conditions import CONDITIONS, Condition, scale_and_axes
 from conftest import ROOT
 from judge import judged, met
 from loops import fly_live, sigmas, start
 from simulator import standard
 
 from boresight import BoresightError, Live, generate, load
+from boresight.runtime.status import Status
+from boresight.runtime.transfer import sensors
 
 NAMED = {condition.name: condition for condition in CONDITIONS}
 
@@ -246,3 +248,36 @@ def test_a_message_a_microsecond_off_a_sample_loses_no_loop(step_us, off_us):
         if k % 10 == 0:
             loop.message("velocity", step_us * (k - 2) + off_us, np.full(3, 4e-4), v_m_n=np.zeros(3))
     assert loop.output(step_us * 105) and loop.counts()["TAKEN"] == 10
+
+
+def test_states_that_are_considered_stay_and_the_rest_is_consistent():
+    """Scale factors of 1000 ppm in turns of 2 g: NEES is 3000 of 16 without them."""
+    one = Condition("scale 1000 ppm, considered", "consistent", "s-turns", change=scale_and_axes(1000.0, 0.0))
+    flight = one.flight(runs=4)
+    record = fly_live(flight, carrying=sensors.Sensors(1e-3, 1e-3))
+    assert met(one.asked, one.refused, flight, record)
+
+
+def test_a_covariance_stands_in_place_of_sigmas_and_a_start_that_is_none_is_no_start(short):
+    by_sigma, whole, P = loop_of(short), loop_of(short), np.diag(np.arange(1.0, 17.0) ** 2 * 1e-6)
+    nav = {"q_b2n_wxyz": [1, 0, 0, 0], "q_b2m_wxyz": [1, 0, 0, 0]}
+    by_sigma.begin(0, nav, np.arange(1.0, 17.0) * 1e-3)
+    whole.begin(0, nav, P=P)
+    assert np.allclose(whole.covariance()[0], P) and np.allclose(by_sigma.covariance()[0], P)
+    with pytest.raises(BoresightError, match=r"P has shape \(16,\); give \(16, 16\)"):
+        whole.begin(0, nav, P=np.ones(16))
+    with pytest.raises(BoresightError, match="not_positive: P is no covariance of this model"):
+        whole.begin(0, nav, P=-P)
+    assert whole.sample(10_000, 0.01, dtheta_ib_b=np.zeros(3), dv_b=np.zeros(3)) == Status.NOT_READY
+
+
+def test_a_clock_of_the_master_that_steps_is_followed_and_one_that_is_late_is_not():
+    found, record = flown("stamps step by a week", runs=2)
+    assert found.nees_end < 30 and found.refused < 0.05 and any("has stepped by" in text for *_, text in record.notes)
+    late = np.int64(-2_000_000)  # a link that holds messages for two seconds says so in their stamps
+    flight = standard(runs=1, seconds=12.0)
+    stamps = flight.messages.stamp_us + late * (flight.messages.stamp_us > 5_000_000)
+    slow = replace(flight, messages=replace(flight.messages, stamp_us=stamps))
+    loop = loop_of(slow)
+    fly(slow, loop)
+    assert loop.counts()["OLD"] > 50 and loop.output(int(slow.end_us[-1]))["shift"] == 0

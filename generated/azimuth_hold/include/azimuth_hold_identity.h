@@ -20,7 +20,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "f0f1005b5d9c0d8ec87cf75c239a9bd8c6de42a9ea25fb9becf5aedf5e7f313b"
+#define AH_MODEL_HASH "cc27b8f5f70e500d503062b1b59357ba180eec7317d9ce8f4bc744d1a05848bc"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1
@@ -94,6 +94,7 @@
 #define ah_filter_variance BS_FORM(ah_filter_variance)
 #define ah_live_background BS_FORM(ah_live_background)
 #define ah_live_begin BS_FORM(ah_live_begin)
+#define ah_live_consider BS_FORM(ah_live_consider)
 #define ah_live_counted BS_FORM(ah_live_counted)
 #define ah_live_covariance BS_FORM(ah_live_covariance)
 #define ah_live_defaults BS_FORM(ah_live_defaults)
@@ -104,6 +105,7 @@
 #define ah_live_output BS_FORM(ah_live_output)
 #define ah_live_restore BS_FORM(ah_live_restore)
 #define ah_live_sample BS_FORM(ah_live_sample)
+#define ah_live_set_covariance BS_FORM(ah_live_set_covariance)
 #define ah_live_sigmas BS_FORM(ah_live_sigmas)
 #define ah_live_size BS_FORM(ah_live_size)
 #define ah_live_snapshot BS_FORM(ah_live_snapshot)

@@ -20,7 +20,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "ed227962c57d81b0497c198f172f468e78505842eee84757924316959be081b9"
+#define AHR_MODEL_HASH "597e59a82c634741f22fd6f6fb58ab5049ae3a79ac5d915d8928645f14623a25"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1
@@ -94,6 +94,7 @@
 #define ahr_filter_variance BS_FORM(ahr_filter_variance)
 #define ahr_live_background BS_FORM(ahr_live_background)
 #define ahr_live_begin BS_FORM(ahr_live_begin)
+#define ahr_live_consider BS_FORM(ahr_live_consider)
 #define ahr_live_counted BS_FORM(ahr_live_counted)
 #define ahr_live_covariance BS_FORM(ahr_live_covariance)
 #define ahr_live_defaults BS_FORM(ahr_live_defaults)
@@ -104,6 +105,7 @@
 #define ahr_live_output BS_FORM(ahr_live_output)
 #define ahr_live_restore BS_FORM(ahr_live_restore)
 #define ahr_live_sample BS_FORM(ahr_live_sample)
+#define ahr_live_set_covariance BS_FORM(ahr_live_set_covariance)
 #define ahr_live_sigmas BS_FORM(ahr_live_sigmas)
 #define ahr_live_size BS_FORM(ahr_live_size)
 #define ahr_live_snapshot BS_FORM(ahr_live_snapshot)

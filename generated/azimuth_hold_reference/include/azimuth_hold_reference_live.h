@@ -94,6 +94,8 @@ typedef struct {
     int64_t at;            /* us, by the clock of the samples */
     bs_live_state state;
     ahr_carried carried;
+    int64_t shift;         /* us, that are added to the stamps of messages whose delay is a state,
+                            * since their clock has stepped */
 } ahr_output;
 
 /* The last measurement that the filter has judged. */
@@ -217,6 +219,16 @@ bs_status ahr_live_begin(ahr_live *live,
                          int64_t at,
                          const ahr_carried *carried,
                          const bs_real sigma[AHR_N_STATES]);
+
+/* P as a whole in place of the sigmas of begin, dense and row-major.  Between begin and the first
+ * sample.
+ * returns as ahr_filter_init, or BS_NOT_READY */
+bs_status ahr_live_set_covariance(ahr_live *live, const bs_real P[AHR_N_STATES * AHR_N_STATES]);
+
+/* States that no measurement corrects, see ahr_filter_consider.  Between begin, or set_covariance,
+ * and the first sample.
+ * returns as ahr_filter_consider, or BS_NOT_READY */
+bs_status ahr_live_consider(ahr_live *live, const unsigned char considered[AHR_N_STATES]);
 
 /* Take one sample: strapdown, the correction that is due, and which messages are due.  Samples that
  * are missing before it are bridged, with as many calls of the strapdown as there are, 16 at most.

@@ -33,6 +33,7 @@ static ahr_live_counts counts;
 static ahr_measured measured;
 static bs_real sigma[N];
 static bs_real P[N * N];
+static const unsigned char considered[N];
 static unsigned char bytes[AHR_LIVE_SNAPSHOT_SIZE];
 
 static int expect(const char *what, int good)
@@ -257,6 +258,13 @@ int test_ahr_live(void)
     failures += expect("begin", ahr_live_begin(&first, &rules, 0, &carried, sigma) == BS_OK);
     failures += expect("begin", ahr_live_begin(&second, &rules, 0, &carried, sigma) == BS_OK);
     failures += expect("two that begin alike are alike", same());
+    (void)ahr_live_covariance(&first, P, NULL);
+    failures += expect("P as a whole", ahr_live_set_covariance(&second, P) == BS_OK);
+    failures += expect("no state is considered", ahr_live_consider(&second, considered) == BS_OK);
+    failures += expect("the same P is another one", same());
+    P[0] = BS_REAL(-1.0);
+    failures += expect("a P that is none", (ahr_live_set_covariance(&second, P) != BS_OK) &&
+                       same());
     for (int k = 1; k <= SAMPLES; ++k) {
         (void)give(&first, k);
         (void)give(&second, k);
@@ -274,6 +282,9 @@ int test_ahr_live(void)
     all_of(&second);
     (void)ahr_live_counted(&first, &counts);
     failures += expect("what comes out hangs on when the background runs", same());
+    failures += expect("P amid a flight", ahr_live_set_covariance(&second, P) == BS_NOT_READY);
+    failures += expect("consider amid a flight",
+                       ahr_live_consider(&second, considered) == BS_NOT_READY);
     failures += expect("samples are counted", (counts.samples + counts.bad) > 0U);
     failures += expect("a correction was late", counts.corrections_late == 0U);
     failures += expect("no message is judged",
@@ -319,6 +330,14 @@ int test_ahr_live(void)
                        ahr_live_begin(&first, &rules, 0, NULL, sigma) == BS_NULL_POINTER);
     failures += expect("begin: a null pointer",
                        ahr_live_begin(&first, &rules, 0, &carried, NULL) == BS_NULL_POINTER);
+    failures += expect("set_covariance: a null pointer",
+                       ahr_live_set_covariance(NULL, P) == BS_NULL_POINTER);
+    failures += expect("set_covariance: a null pointer",
+                       ahr_live_set_covariance(&first, NULL) == BS_NULL_POINTER);
+    failures += expect("consider: a null pointer",
+                       ahr_live_consider(NULL, considered) == BS_NULL_POINTER);
+    failures += expect("consider: a null pointer",
+                       ahr_live_consider(&first, NULL) == BS_NULL_POINTER);
     failures += expect("sample: a null pointer", ahr_live_sample(NULL, &sample) == BS_NULL_POINTER);
     failures += expect("sample: a null pointer", ahr_live_sample(&first, NULL) == BS_NULL_POINTER);
     failures += expect("background: a null pointer", ahr_live_background(NULL) == BS_NULL_POINTER);

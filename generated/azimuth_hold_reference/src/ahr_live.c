@@ -35,7 +35,6 @@ BS_EXACT_BEGIN
 #define SHORTEST BS_REAL(1e-06) /* s, of a step; what is shorter goes with the next one */
 #define LONGEST 9000000       /* us */
 #define FARTHEST (INT64_MAX / 8) /* us; sums of a few cannot overflow */
-
 #define MOST_ROWS 3
 
 /* Of a measurement under way. */
@@ -433,17 +432,17 @@ static void admit(ahr_live *live)
         ahr_waiting *const one = &live->waiting[i];
         if (one->state == STAMPED) {
             const uint32_t kind = one->message.measurement;
-            one->at = one->message.at + one->clock;
+            int64_t stamp = one->message.at + one->clock;
+            one->at = stamp;
             one->fate = BS_MSG_WAITING;
-            if ((live->came[kind] != 0U) &&
-                (live->measured[kind] == one->message.at + one->clock)) {
+            if ((live->came[kind] != 0U) && (live->measured[kind] == stamp)) {
                 one->fate = BS_MSG_TWICE;
             } else if (one->at < oldest_instant(live, live->count)) {
                 one->fate = BS_MSG_OLD;
             } else if (one->at > (now + (int64_t)live->rules.ahead_us)) {
                 one->fate = BS_MSG_AHEAD;
             } else {
-                live->measured[kind] = one->message.at + one->clock;
+                live->measured[kind] = stamp;
                 live->came[kind] = 1U;
             }
             BS_LIVE_BARRIER();
@@ -704,9 +703,7 @@ static void turn_covariance(ahr_live *live, const bs_real y[N])
             dense[(j * N) + i] = dense[(i * N) + j];
         }
     }
-    if (INIT(dense, filter->Q, filter->work) == BS_OK) {
-        copy(filter->P, filter->Q, AHR_N_PACKED);
-    }
+    (void)INIT(dense, filter->P, filter->work); /* or P stays as it is */
 }
 
 /* x is what the filter's navigation errs by, taken out of the navigation that was flown. */
@@ -1038,6 +1035,30 @@ static bs_status update(ahr_live *live, const ahr_message *message, ahr_innovati
     }
 }
 
+/* The covariance of `forget` beside considered states, which had no gain and get none: what state j
+ * has lost of its covariance with them, it and those that follow it get back. */
+static void forget_beside(ahr_live *live, int j, bs_real fall, bs_real part, bs_real along[N])
+{
+    ahr_filter *const filter = &live->filter;
+    bs_real *const dense = &filter->work[AHR_N_PACKED];
+    const bs_real variance = along[j];
+    bs_real lost[N];
+    DENSE(filter->P, dense);
+    for (int i = 0; i < N; ++i) {
+        const bool kept = filter->considered[i] != 0U;
+        lost[i] = kept ? (part * (along[i] - dense[(i * N) + j])) : BS_REAL(0.0);
+        along[i] = kept ? BS_REAL(0.0) : (along[i] / variance);
+    }
+    for (int i = 0; i < N; ++i) {
+        for (int k = 0; k <= i; ++k) {
+            dense[(i * N) + k] += (fall * ((part * along[i]) * (part * along[k]))) +
+                ((along[i] * lost[k]) + (lost[i] * along[k]));
+            dense[(k * N) + i] = dense[(i * N) + k];
+        }
+    }
+    (void)INIT(dense, filter->P, filter->work); /* or P stays as it is */
+}
+
 /* Take back a part of the information of the last measurement on state j, whose variance fell by
  * `fall`, and of all that follows it as P had it before (filter->Q): the gain of the others that is
  * left is the best that does not move it. */
@@ -1062,11 +1083,19 @@ static void forget(ahr_live *live, int j, bs_real fall, bs_real part)
     variance = along[j];
     if (variance > BS_REAL(0.0)) {
         const bs_real moved = part * live->filter.x[j];
+        if (live->filter.considering != 0U) {
+            forget_beside(live, j, fall, part, along);
+        } else {
+            for (int i = 0; i < N; ++i) {
+                along[i] /= variance;
+            }
+        }
         for (int i = 0; i < N; ++i) {
-            along[i] /= variance;
             live->filter.x[i] -= moved * along[i];
         }
-        ADD(live->filter.P, (part * part) * fall, along);
+        if (live->filter.considering == 0U) {
+            ADD(live->filter.P, (part * part) * fall, along);
+        }
     }
 }
 
@@ -1332,6 +1361,29 @@ bs_status ahr_live_begin(ahr_live *live,
     live->state = BS_LIVE_FLYING;
     note_event(live, BY_BACKGROUND, BS_EVENT_BEGUN, 0, 0);
     return status;
+}
+
+/* Whether it has begun and no sample has come. */
+static bool fresh(const ahr_live *live)
+{
+    return (live->state == BS_LIVE_FLYING) && (live->count == 0U);
+}
+
+bs_status ahr_live_set_covariance(ahr_live *live, const bs_real P[N * N])
+{
+    if ((live == NULL) || (P == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    return fresh(live) ? ahr_filter_init(&live->filter, &live->now.nav, &live->now.reference, P)
+        : BS_NOT_READY;
+}
+
+bs_status ahr_live_consider(ahr_live *live, const unsigned char considered[N])
+{
+    if ((live == NULL) || (considered == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    return fresh(live) ? ahr_filter_consider(&live->filter, considered) : BS_NOT_READY;
 }
 
 /* ---- outputs */

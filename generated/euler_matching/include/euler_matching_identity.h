@@ -20,7 +20,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "fc485e7e25a2a58f5774d1493c8e76b3462175e0f6e4230d54e8069809973f62"
+#define EM_MODEL_HASH "ebf7640b5b03ccb55a41eda0fa5f83f50a3da5e5305b7fa7d479001c34eec9eb"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1
@@ -92,6 +92,7 @@
 #define em_filter_variance BS_FORM(em_filter_variance)
 #define em_live_background BS_FORM(em_live_background)
 #define em_live_begin BS_FORM(em_live_begin)
+#define em_live_consider BS_FORM(em_live_consider)
 #define em_live_counted BS_FORM(em_live_counted)
 #define em_live_covariance BS_FORM(em_live_covariance)
 #define em_live_defaults BS_FORM(em_live_defaults)
@@ -102,6 +103,7 @@
 #define em_live_output BS_FORM(em_live_output)
 #define em_live_restore BS_FORM(em_live_restore)
 #define em_live_sample BS_FORM(em_live_sample)
+#define em_live_set_covariance BS_FORM(em_live_set_covariance)
 #define em_live_sigmas BS_FORM(em_live_sigmas)
 #define em_live_size BS_FORM(em_live_size)
 #define em_live_snapshot BS_FORM(em_live_snapshot)

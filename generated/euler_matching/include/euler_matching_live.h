@@ -95,6 +95,8 @@ typedef struct {
     int64_t at;            /* us, by the clock of the samples */
     bs_live_state state;
     em_carried carried;
+    int64_t shift;         /* us, that are added to the stamps of messages whose delay is a state,
+                            * since their clock has stepped */
 } em_output;
 
 /* The last measurement that the filter has judged. */
@@ -216,6 +218,16 @@ bs_status em_live_begin(em_live *live,
                         int64_t at,
                         const em_carried *carried,
                         const bs_real sigma[EM_N_STATES]);
+
+/* P as a whole in place of the sigmas of begin, dense and row-major.  Between begin and the first
+ * sample.
+ * returns as em_filter_init, or BS_NOT_READY */
+bs_status em_live_set_covariance(em_live *live, const bs_real P[EM_N_STATES * EM_N_STATES]);
+
+/* States that no measurement corrects, see em_filter_consider.  Between begin, or set_covariance,
+ * and the first sample.
+ * returns as em_filter_consider, or BS_NOT_READY */
+bs_status em_live_consider(em_live *live, const unsigned char considered[EM_N_STATES]);
 
 /* Take one sample: strapdown, the correction that is due, and which messages are due.  Samples that
  * are missing before it are bridged, with as many calls of the strapdown as there are, 16 at most.

@@ -35,7 +35,6 @@ BS_EXACT_BEGIN
 #define SHORTEST BS_REAL(1e-06) /* s, of a step; what is shorter goes with the next one */
 #define LONGEST 9000000       /* us */
 #define FARTHEST (INT64_MAX / 8) /* us; sums of a few cannot overflow */
-
 #define MOST_ROWS 3
 
 /* Of a measurement under way. */
@@ -393,17 +392,17 @@ static void admit(em_live *live)
         em_waiting *const one = &live->waiting[i];
         if (one->state == STAMPED) {
             const uint32_t kind = one->message.measurement;
-            one->at = one->message.at + one->clock;
+            int64_t stamp = one->message.at + one->clock;
+            one->at = stamp;
             one->fate = BS_MSG_WAITING;
-            if ((live->came[kind] != 0U) &&
-                (live->measured[kind] == one->message.at + one->clock)) {
+            if ((live->came[kind] != 0U) && (live->measured[kind] == stamp)) {
                 one->fate = BS_MSG_TWICE;
             } else if (one->at < oldest_instant(live, live->count)) {
                 one->fate = BS_MSG_OLD;
             } else if (one->at > (now + (int64_t)live->rules.ahead_us)) {
                 one->fate = BS_MSG_AHEAD;
             } else {
-                live->measured[kind] = one->message.at + one->clock;
+                live->measured[kind] = stamp;
                 live->came[kind] = 1U;
             }
             BS_LIVE_BARRIER();
@@ -651,9 +650,7 @@ static void turn_covariance(em_live *live, const bs_real y[N])
             dense[(j * N) + i] = dense[(i * N) + j];
         }
     }
-    if (INIT(dense, filter->Q, filter->work) == BS_OK) {
-        copy(filter->P, filter->Q, EM_N_PACKED);
-    }
+    (void)INIT(dense, filter->P, filter->work); /* or P stays as it is */
 }
 
 /* x is what the filter's navigation errs by, taken out of the navigation that was flown. */
@@ -973,6 +970,30 @@ static bs_status update(em_live *live, const em_message *message, em_innovation 
     }
 }
 
+/* The covariance of `forget` beside considered states, which had no gain and get none: what state j
+ * has lost of its covariance with them, it and those that follow it get back. */
+static void forget_beside(em_live *live, int j, bs_real fall, bs_real part, bs_real along[N])
+{
+    em_filter *const filter = &live->filter;
+    bs_real *const dense = &filter->work[EM_N_PACKED];
+    const bs_real variance = along[j];
+    bs_real lost[N];
+    DENSE(filter->P, dense);
+    for (int i = 0; i < N; ++i) {
+        const bool kept = filter->considered[i] != 0U;
+        lost[i] = kept ? (part * (along[i] - dense[(i * N) + j])) : BS_REAL(0.0);
+        along[i] = kept ? BS_REAL(0.0) : (along[i] / variance);
+    }
+    for (int i = 0; i < N; ++i) {
+        for (int k = 0; k <= i; ++k) {
+            dense[(i * N) + k] += (fall * ((part * along[i]) * (part * along[k]))) +
+                ((along[i] * lost[k]) + (lost[i] * along[k]));
+            dense[(k * N) + i] = dense[(i * N) + k];
+        }
+    }
+    (void)INIT(dense, filter->P, filter->work); /* or P stays as it is */
+}
+
 /* Take back a part of the information of the last measurement on state j, whose variance fell by
  * `fall`, and of all that follows it as P had it before (filter->Q): the gain of the others that is
  * left is the best that does not move it. */
@@ -997,11 +1018,19 @@ static void forget(em_live *live, int j, bs_real fall, bs_real part)
     variance = along[j];
     if (variance > BS_REAL(0.0)) {
         const bs_real moved = part * live->filter.x[j];
+        if (live->filter.considering != 0U) {
+            forget_beside(live, j, fall, part, along);
+        } else {
+            for (int i = 0; i < N; ++i) {
+                along[i] /= variance;
+            }
+        }
         for (int i = 0; i < N; ++i) {
-            along[i] /= variance;
             live->filter.x[i] -= moved * along[i];
         }
-        ADD(live->filter.P, (part * part) * fall, along);
+        if (live->filter.considering == 0U) {
+            ADD(live->filter.P, (part * part) * fall, along);
+        }
     }
 }
 
@@ -1264,6 +1293,28 @@ bs_status em_live_begin(em_live *live,
     live->state = BS_LIVE_FLYING;
     note_event(live, BY_BACKGROUND, BS_EVENT_BEGUN, 0, 0);
     return status;
+}
+
+/* Whether it has begun and no sample has come. */
+static bool fresh(const em_live *live)
+{
+    return (live->state == BS_LIVE_FLYING) && (live->count == 0U);
+}
+
+bs_status em_live_set_covariance(em_live *live, const bs_real P[N * N])
+{
+    if ((live == NULL) || (P == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    return fresh(live) ? em_filter_init(&live->filter, &live->now.nav, P) : BS_NOT_READY;
+}
+
+bs_status em_live_consider(em_live *live, const unsigned char considered[N])
+{
+    if ((live == NULL) || (considered == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    return fresh(live) ? em_filter_consider(&live->filter, considered) : BS_NOT_READY;
 }
 
 /* ---- outputs */

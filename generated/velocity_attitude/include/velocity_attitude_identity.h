@@ -20,7 +20,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "1be4ed1faa1ee6401d5acf85021878ec48d42b07e14b1bc1a7aab98529765fd8"
+#define VA_MODEL_HASH "ca96acbd70e7d2f6a57f5e9f370debb67b877f150fd521f12314126eacd40f58"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1
@@ -100,6 +100,7 @@
 #define va_filter_variance BS_FORM(va_filter_variance)
 #define va_live_background BS_FORM(va_live_background)
 #define va_live_begin BS_FORM(va_live_begin)
+#define va_live_consider BS_FORM(va_live_consider)
 #define va_live_counted BS_FORM(va_live_counted)
 #define va_live_covariance BS_FORM(va_live_covariance)
 #define va_live_defaults BS_FORM(va_live_defaults)
@@ -110,6 +111,7 @@
 #define va_live_output BS_FORM(va_live_output)
 #define va_live_restore BS_FORM(va_live_restore)
 #define va_live_sample BS_FORM(va_live_sample)
+#define va_live_set_covariance BS_FORM(va_live_set_covariance)
 #define va_live_sigmas BS_FORM(va_live_sigmas)
 #define va_live_size BS_FORM(va_live_size)
 #define va_live_snapshot BS_FORM(va_live_snapshot)

@@ -98,6 +98,8 @@ typedef struct {
     int64_t at;            /* us, by the clock of the samples */
     bs_live_state state;
     va_carried carried;
+    int64_t shift;         /* us, that are added to the stamps of messages whose delay is a state,
+                            * since their clock has stepped */
 } va_output;
 
 /* The last measurement that the filter has judged. */
@@ -174,6 +176,13 @@ typedef struct {
     volatile uint32_t count;    /* its number */
     int64_t clock;              /* us, from the samples' clock to the loop's own */
     int64_t stepped;            /* us, by which the clock stepped since the newest sample */
+    int64_t shift;              /* us, from the clock of the messages whose delay is a state to that
+                                 * of the samples */
+    int64_t usual;              /* us, how old the last of them that was in reach was when it
+                                 * came */
+    int64_t odd_age, odd_since; /* us, how old the first of some that were not said to be, and when
+                                 * it came */
+    uint16_t odd;               /* how many they are */
     int64_t stamp;              /* us, of the newest sample, by its own clock */
     uint32_t serial;
     va_past past[VA_LIVE_RING];
@@ -229,6 +238,16 @@ bs_status va_live_begin(va_live *live,
                         int64_t at,
                         const va_carried *carried,
                         const bs_real sigma[VA_N_STATES]);
+
+/* P as a whole in place of the sigmas of begin, dense and row-major.  Between begin and the first
+ * sample.
+ * returns as va_filter_init, or BS_NOT_READY */
+bs_status va_live_set_covariance(va_live *live, const bs_real P[VA_N_STATES * VA_N_STATES]);
+
+/* States that no measurement corrects, see va_filter_consider.  Between begin, or set_covariance,
+ * and the first sample.
+ * returns as va_filter_consider, or BS_NOT_READY */
+bs_status va_live_consider(va_live *live, const unsigned char considered[VA_N_STATES]);
 
 /* Take one sample: strapdown, the correction that is due, and which messages are due.  Samples that
  * are missing before it are bridged, with as many calls of the strapdown as there are, 16 at most.

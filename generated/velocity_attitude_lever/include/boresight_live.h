@@ -66,8 +66,10 @@ typedef enum {
     BS_EVENT_CORRECTION_LATE = 11, /* the background was not done when its correction was due;
                                     * value: samples */
     BS_EVENT_CORRECTION_REFUSED = 12, /* what it would correct leaves its box: it is dropped */
-    BS_EVENT_OVERRUN = 13       /* the background did not come for as long as samples are kept;
+    BS_EVENT_OVERRUN = 13,      /* the background did not come for as long as samples are kept;
                                  * value: samples */
+    BS_EVENT_STAMPS = 14        /* the messages' clock has stepped, and is followed; value: us,
+                                 * forward or back */
 } bs_event_code;
 
 typedef struct {

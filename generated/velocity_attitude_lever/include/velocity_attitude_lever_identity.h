@@ -20,7 +20,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "d08d32c188c59f11023991945077dbc92b91c0831aef1da8a5b321f6cb73f634"
+#define VAL_MODEL_HASH "3230eedb5ce47f23cc533158e28f5865aaeb712b33e4e9cbb395f6544f1e75dc"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1
@@ -100,6 +100,7 @@
 #define val_filter_variance BS_FORM(val_filter_variance)
 #define val_live_background BS_FORM(val_live_background)
 #define val_live_begin BS_FORM(val_live_begin)
+#define val_live_consider BS_FORM(val_live_consider)
 #define val_live_counted BS_FORM(val_live_counted)
 #define val_live_covariance BS_FORM(val_live_covariance)
 #define val_live_defaults BS_FORM(val_live_defaults)
@@ -110,6 +111,7 @@
 #define val_live_output BS_FORM(val_live_output)
 #define val_live_restore BS_FORM(val_live_restore)
 #define val_live_sample BS_FORM(val_live_sample)
+#define val_live_set_covariance BS_FORM(val_live_set_covariance)
 #define val_live_sigmas BS_FORM(val_live_sigmas)
 #define val_live_size BS_FORM(val_live_size)
 #define val_live_snapshot BS_FORM(val_live_snapshot)

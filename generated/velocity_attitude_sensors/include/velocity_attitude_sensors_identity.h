@@ -20,7 +20,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "163bcbbb3499c5a639616a37f1517420a3aa1610e0a1ebf3c86904ab7890f562"
+#define VAS_MODEL_HASH "dab0b134f17811eb949772e28531fbc3bbb9409d19cf62408068246f413c49c5"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1
@@ -102,6 +102,7 @@
 #define vas_filter_variance BS_FORM(vas_filter_variance)
 #define vas_live_background BS_FORM(vas_live_background)
 #define vas_live_begin BS_FORM(vas_live_begin)
+#define vas_live_consider BS_FORM(vas_live_consider)
 #define vas_live_counted BS_FORM(vas_live_counted)
 #define vas_live_covariance BS_FORM(vas_live_covariance)
 #define vas_live_defaults BS_FORM(vas_live_defaults)
@@ -112,6 +113,7 @@
 #define vas_live_output BS_FORM(vas_live_output)
 #define vas_live_restore BS_FORM(vas_live_restore)
 #define vas_live_sample BS_FORM(vas_live_sample)
+#define vas_live_set_covariance BS_FORM(vas_live_set_covariance)
 #define vas_live_sigmas BS_FORM(vas_live_sigmas)
 #define vas_live_size BS_FORM(vas_live_size)
 #define vas_live_snapshot BS_FORM(vas_live_snapshot)

@@ -101,6 +101,8 @@ typedef struct {
     int64_t at;            /* us, by the clock of the samples */
     bs_live_state state;
     vas_carried carried;
+    int64_t shift;         /* us, that are added to the stamps of messages whose delay is a state,
+                            * since their clock has stepped */
 } vas_output;
 
 /* The last measurement that the filter has judged. */
@@ -181,6 +183,13 @@ typedef struct {
     volatile uint32_t count;    /* its number */
     int64_t clock;              /* us, from the samples' clock to the loop's own */
     int64_t stepped;            /* us, by which the clock stepped since the newest sample */
+    int64_t shift;              /* us, from the clock of the messages whose delay is a state to that
+                                 * of the samples */
+    int64_t usual;              /* us, how old the last of them that was in reach was when it
+                                 * came */
+    int64_t odd_age, odd_since; /* us, how old the first of some that were not said to be, and when
+                                 * it came */
+    uint16_t odd;               /* how many they are */
     int64_t stamp;              /* us, of the newest sample, by its own clock */
     uint32_t serial;
     vas_past past[VAS_LIVE_RING];
@@ -236,6 +245,16 @@ bs_status vas_live_begin(vas_live *live,
                          int64_t at,
                          const vas_carried *carried,
                          const bs_real sigma[VAS_N_STATES]);
+
+/* P as a whole in place of the sigmas of begin, dense and row-major.  Between begin and the first
+ * sample.
+ * returns as vas_filter_init, or BS_NOT_READY */
+bs_status vas_live_set_covariance(vas_live *live, const bs_real P[VAS_N_STATES * VAS_N_STATES]);
+
+/* States that no measurement corrects, see vas_filter_consider.  Between begin, or set_covariance,
+ * and the first sample.
+ * returns as vas_filter_consider, or BS_NOT_READY */
+bs_status vas_live_consider(vas_live *live, const unsigned char considered[VAS_N_STATES]);
 
 /* Take one sample: strapdown, the correction that is due, and which messages are due.  Samples that
  * are missing before it are bridged, with as many calls of the strapdown as there are, 16 at most.

@@ -49,6 +49,7 @@ static vas_live_counts counts;
 static vas_measured measured;
 static bs_real sigma[N];
 static bs_real P[N * N];
+static const unsigned char considered[N];
 static unsigned char bytes[VAS_LIVE_SNAPSHOT_SIZE];
 
 static int expect(const char *what, int good)
@@ -328,6 +329,29 @@ static int strained(void)
     return failures;
 }
 
+/* Messages of a clock that steps again and again: too old to be said to be, they are followed once
+ * they keep step. */
+static int stepping(void)
+{
+    static const int64_t off[4] = { -20000000, 0, 1000000000000, 3000000000000 };
+    int failures = 0;
+    (void)vas_live_defaults(&rules);
+    rules.oldest_us = 8 * 10000;
+    rules.astray = 3U;
+    (void)vas_live_begin(&first, &rules, 0, &carried, sigma);
+    for (int k = 1; k <= 160; ++k) {
+        (void)give(&first, k);
+        send(&first, 0, (10000 * (int64_t)k) + off[k / 41]);
+        all_of(&first);
+        if (k == 120) {
+            const int flies = vas_live_output(&first, 10000 * (int64_t)k, &output) == BS_OK;
+            failures += expect("a clock of messages that steps", (!flies) ||
+                               (output.shift == (10000 - 1000000000000)));
+        }
+    }
+    return failures;
+}
+
 int test_vas_live(void)
 {
     bs_msg_fate fate = BS_MSG_WAITING;
@@ -337,6 +361,13 @@ int test_vas_live(void)
     failures += expect("begin", vas_live_begin(&first, &rules, 0, &carried, sigma) == BS_OK);
     failures += expect("begin", vas_live_begin(&second, &rules, 0, &carried, sigma) == BS_OK);
     failures += expect("two that begin alike are alike", same());
+    (void)vas_live_covariance(&first, P, NULL);
+    failures += expect("P as a whole", vas_live_set_covariance(&second, P) == BS_OK);
+    failures += expect("no state is considered", vas_live_consider(&second, considered) == BS_OK);
+    failures += expect("the same P is another one", same());
+    P[0] = BS_REAL(-1.0);
+    failures += expect("a P that is none", (vas_live_set_covariance(&second, P) != BS_OK) &&
+                       same());
     for (int k = 1; k <= SAMPLES; ++k) {
         (void)give(&first, k);
         (void)give(&second, k);
@@ -354,6 +385,9 @@ int test_vas_live(void)
     all_of(&second);
     (void)vas_live_counted(&first, &counts);
     failures += expect("what comes out hangs on when the background runs", same());
+    failures += expect("P amid a flight", vas_live_set_covariance(&second, P) == BS_NOT_READY);
+    failures += expect("consider amid a flight",
+                       vas_live_consider(&second, considered) == BS_NOT_READY);
     failures += expect("samples are counted", (counts.samples + counts.bad) > 0U);
     failures += expect("a correction was late", counts.corrections_late == 0U);
     failures += expect("no message is judged",
@@ -383,6 +417,7 @@ int test_vas_live(void)
     message.version = BS_LIVE_VERSION;
     failures += wrongly();
     failures += strained();
+    failures += stepping();
     rules.every = 0U;
     failures += expect("a rule out of its range",
                        vas_live_begin(&second, &rules, 0, &carried, sigma) == BS_OUT_OF_RANGE);
@@ -399,6 +434,14 @@ int test_vas_live(void)
                        vas_live_begin(&first, &rules, 0, NULL, sigma) == BS_NULL_POINTER);
     failures += expect("begin: a null pointer",
                        vas_live_begin(&first, &rules, 0, &carried, NULL) == BS_NULL_POINTER);
+    failures += expect("set_covariance: a null pointer",
+                       vas_live_set_covariance(NULL, P) == BS_NULL_POINTER);
+    failures += expect("set_covariance: a null pointer",
+                       vas_live_set_covariance(&first, NULL) == BS_NULL_POINTER);
+    failures += expect("consider: a null pointer",
+                       vas_live_consider(NULL, considered) == BS_NULL_POINTER);
+    failures += expect("consider: a null pointer",
+                       vas_live_consider(&first, NULL) == BS_NULL_POINTER);
     failures += expect("sample: a null pointer", vas_live_sample(NULL, &sample) == BS_NULL_POINTER);
     failures += expect("sample: a null pointer", vas_live_sample(&first, NULL) == BS_NULL_POINTER);
     failures += expect("background: a null pointer", vas_live_background(NULL) == BS_NULL_POINTER);

@@ -20,7 +20,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "be2d76b9647436dd8f5723d61968832241365c961a9cbd25be94d1672328335b"
+#define VD_MODEL_HASH "6056deaede3385d672b03d426b95bb1a8b629c42f1f2dfe4ff84acbaee68b172"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1
@@ -95,6 +95,7 @@
 #define vd_filter_variance BS_FORM(vd_filter_variance)
 #define vd_live_background BS_FORM(vd_live_background)
 #define vd_live_begin BS_FORM(vd_live_begin)
+#define vd_live_consider BS_FORM(vd_live_consider)
 #define vd_live_counted BS_FORM(vd_live_counted)
 #define vd_live_covariance BS_FORM(vd_live_covariance)
 #define vd_live_defaults BS_FORM(vd_live_defaults)
@@ -105,6 +106,7 @@
 #define vd_live_output BS_FORM(vd_live_output)
 #define vd_live_restore BS_FORM(vd_live_restore)
 #define vd_live_sample BS_FORM(vd_live_sample)
+#define vd_live_set_covariance BS_FORM(vd_live_set_covariance)
 #define vd_live_sigmas BS_FORM(vd_live_sigmas)
 #define vd_live_size BS_FORM(vd_live_size)
 #define vd_live_snapshot BS_FORM(vd_live_snapshot)

@@ -95,6 +95,8 @@ typedef struct {
     int64_t at;            /* us, by the clock of the samples */
     bs_live_state state;
     vd_carried carried;
+    int64_t shift;         /* us, that are added to the stamps of messages whose delay is a state,
+                            * since their clock has stepped */
 } vd_output;
 
 /* The last measurement that the filter has judged. */
@@ -170,6 +172,13 @@ typedef struct {
     volatile uint32_t count;    /* its number */
     int64_t clock;              /* us, from the samples' clock to the loop's own */
     int64_t stepped;            /* us, by which the clock stepped since the newest sample */
+    int64_t shift;              /* us, from the clock of the messages whose delay is a state to that
+                                 * of the samples */
+    int64_t usual;              /* us, how old the last of them that was in reach was when it
+                                 * came */
+    int64_t odd_age, odd_since; /* us, how old the first of some that were not said to be, and when
+                                 * it came */
+    uint16_t odd;               /* how many they are */
     int64_t stamp;              /* us, of the newest sample, by its own clock */
     uint32_t serial;
     vd_past past[VD_LIVE_RING];
@@ -225,6 +234,16 @@ bs_status vd_live_begin(vd_live *live,
                         int64_t at,
                         const vd_carried *carried,
                         const bs_real sigma[VD_N_STATES]);
+
+/* P as a whole in place of the sigmas of begin, dense and row-major.  Between begin and the first
+ * sample.
+ * returns as vd_filter_init, or BS_NOT_READY */
+bs_status vd_live_set_covariance(vd_live *live, const bs_real P[VD_N_STATES * VD_N_STATES]);
+
+/* States that no measurement corrects, see vd_filter_consider.  Between begin, or set_covariance,
+ * and the first sample.
+ * returns as vd_filter_consider, or BS_NOT_READY */
+bs_status vd_live_consider(vd_live *live, const unsigned char considered[VD_N_STATES]);
 
 /* Take one sample: strapdown, the correction that is due, and which messages are due.  Samples that
  * are missing before it are bridged, with as many calls of the strapdown as there are, 16 at most.

@@ -35,7 +35,7 @@ BS_EXACT_BEGIN
 #define SHORTEST BS_REAL(1e-06) /* s, of a step; what is shorter goes with the next one */
 #define LONGEST 9000000       /* us */
 #define FARTHEST (INT64_MAX / 8) /* us; sums of a few cannot overflow */
-
+#define FAR_US 10000000 /* no message is under way for so long */
 #define MOST_ROWS 3
 
 /* Of a measurement under way. */
@@ -423,6 +423,39 @@ static bs_status bridge(vd_live *live, const vd_sample *sample, int64_t late, in
     return status;
 }
 
+/* Stamps that are out of reach for good, ahead or by FAR_US and more old, but keep step with the
+ * samples, are of a clock that has stepped: from the next message on they count as late as the last
+ * one that was in reach, and the delay is doubted. */
+static void follow_stamps(vd_live *live, bs_msg_fate fate, int64_t now, int64_t age)
+{
+    const int64_t near = (int64_t)live->rules.oldest_us / 2;
+    const int64_t shift = live->shift + (age - live->usual);
+    const bool far = ((fate == BS_MSG_AHEAD) || (age >= FAR_US)) && (age <= FARTHEST) &&
+        (age >= -FARTHEST);
+    if (fate == BS_MSG_WAITING) {
+        live->usual = age;
+        live->odd = 0U;
+    } else if (!far) { /* it may be as old as it says */
+        live->odd = 0U;
+    } else if ((live->odd == 0U) || ((age - live->odd_age) > near) ||
+               ((age - live->odd_age) < -near)) {
+        live->odd = 1U;
+        live->odd_age = age;
+        live->odd_since = now;
+    } else if (live->odd < 65535U) {
+        live->odd = (uint16_t)(live->odd + 1U);
+    } else {
+        /* there are many by now */
+    }
+    if ((live->rules.astray > 0U) && (live->odd >= live->rules.astray) &&
+        ((now - live->odd_since) >= (4 * near)) && (shift <= FARTHEST) && (shift >= -FARTHEST)) {
+        note_event(live, BY_SAMPLE, BS_EVENT_STAMPS, 0, live->shift - shift);
+        live->shift = shift;
+        live->stepped += near / 2;
+        live->odd = 0U;
+    }
+}
+
 /* Messages whose turn has come. */
 static void admit(vd_live *live)
 {
@@ -431,20 +464,27 @@ static void admit(vd_live *live)
         vd_waiting *const one = &live->waiting[i];
         if (one->state == STAMPED) {
             const uint32_t kind = one->message.measurement;
-            one->at = one->message.at + one->clock;
-            one->delay = (delayed[kind] != 0U) ? live->now.nav.tau : BS_REAL(0.0);
-            one->at -= (int64_t)(one->delay * BS_REAL(1e6));
+            int64_t stamp = one->message.at + one->clock;
+            if (delayed[kind] != 0U) {
+                stamp += live->shift;
+                one->delay = live->now.nav.tau;
+            } else {
+                one->delay = BS_REAL(0.0);
+            }
+            one->at = stamp - (int64_t)(one->delay * BS_REAL(1e6));
             one->fate = BS_MSG_WAITING;
-            if ((live->came[kind] != 0U) &&
-                (live->measured[kind] == one->message.at + one->clock)) {
+            if ((live->came[kind] != 0U) && (live->measured[kind] == stamp)) {
                 one->fate = BS_MSG_TWICE;
             } else if (one->at < oldest_instant(live, live->count)) {
                 one->fate = BS_MSG_OLD;
             } else if (one->at > (now + (int64_t)live->rules.ahead_us)) {
                 one->fate = BS_MSG_AHEAD;
             } else {
-                live->measured[kind] = one->message.at + one->clock;
+                live->measured[kind] = stamp;
                 live->came[kind] = 1U;
+            }
+            if ((delayed[kind] != 0U) && (one->fate != BS_MSG_TWICE)) {
+                follow_stamps(live, one->fate, now, now - stamp);
             }
             BS_LIVE_BARRIER();
             one->state = (one->fate == BS_MSG_WAITING) ? ADMITTED : REFUSED;
@@ -704,9 +744,7 @@ static void turn_covariance(vd_live *live, const bs_real y[N])
             dense[(j * N) + i] = dense[(i * N) + j];
         }
     }
-    if (INIT(dense, filter->Q, filter->work) == BS_OK) {
-        copy(filter->P, filter->Q, VD_N_PACKED);
-    }
+    (void)INIT(dense, filter->P, filter->work); /* or P stays as it is */
 }
 
 /* x is what the filter's navigation errs by, taken out of the navigation that was flown. */
@@ -1085,6 +1123,30 @@ static bs_status update(vd_live *live, const vd_message *message, vd_innovation 
     }
 }
 
+/* The covariance of `forget` beside considered states, which had no gain and get none: what state j
+ * has lost of its covariance with them, it and those that follow it get back. */
+static void forget_beside(vd_live *live, int j, bs_real fall, bs_real part, bs_real along[N])
+{
+    vd_filter *const filter = &live->filter;
+    bs_real *const dense = &filter->work[VD_N_PACKED];
+    const bs_real variance = along[j];
+    bs_real lost[N];
+    DENSE(filter->P, dense);
+    for (int i = 0; i < N; ++i) {
+        const bool kept = filter->considered[i] != 0U;
+        lost[i] = kept ? (part * (along[i] - dense[(i * N) + j])) : BS_REAL(0.0);
+        along[i] = kept ? BS_REAL(0.0) : (along[i] / variance);
+    }
+    for (int i = 0; i < N; ++i) {
+        for (int k = 0; k <= i; ++k) {
+            dense[(i * N) + k] += (fall * ((part * along[i]) * (part * along[k]))) +
+                ((along[i] * lost[k]) + (lost[i] * along[k]));
+            dense[(k * N) + i] = dense[(i * N) + k];
+        }
+    }
+    (void)INIT(dense, filter->P, filter->work); /* or P stays as it is */
+}
+
 /* Take back a part of the information of the last measurement on state j, whose variance fell by
  * `fall`, and of all that follows it as P had it before (filter->Q): the gain of the others that is
  * left is the best that does not move it. */
@@ -1109,11 +1171,19 @@ static void forget(vd_live *live, int j, bs_real fall, bs_real part)
     variance = along[j];
     if (variance > BS_REAL(0.0)) {
         const bs_real moved = part * live->filter.x[j];
+        if (live->filter.considering != 0U) {
+            forget_beside(live, j, fall, part, along);
+        } else {
+            for (int i = 0; i < N; ++i) {
+                along[i] /= variance;
+            }
+        }
         for (int i = 0; i < N; ++i) {
-            along[i] /= variance;
             live->filter.x[i] -= moved * along[i];
         }
-        ADD(live->filter.P, (part * part) * fall, along);
+        if (live->filter.considering == 0U) {
+            ADD(live->filter.P, (part * part) * fall, along);
+        }
     }
 }
 
@@ -1401,6 +1471,28 @@ bs_status vd_live_begin(vd_live *live,
     return status;
 }
 
+/* Whether it has begun and no sample has come. */
+static bool fresh(const vd_live *live)
+{
+    return (live->state == BS_LIVE_FLYING) && (live->count == 0U);
+}
+
+bs_status vd_live_set_covariance(vd_live *live, const bs_real P[N * N])
+{
+    if ((live == NULL) || (P == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    return fresh(live) ? vd_filter_init(&live->filter, &live->now.nav, P) : BS_NOT_READY;
+}
+
+bs_status vd_live_consider(vd_live *live, const unsigned char considered[N])
+{
+    if ((live == NULL) || (considered == NULL)) {
+        return BS_NULL_POINTER;
+    }
+    return fresh(live) ? vd_filter_consider(&live->filter, considered) : BS_NOT_READY;
+}
+
 /* ---- outputs */
 
 bs_status vd_live_output(const vd_live *live, int64_t at, vd_output *output)
@@ -1419,6 +1511,7 @@ bs_status vd_live_output(const vd_live *live, int64_t at, vd_output *output)
         BS_LIVE_BARRIER();
         found.state = live->state;
         found.carried = live->now;
+        found.shift = live->shift;
         newest = *AT(live, live->count);
         newest.at -= live->clock;
         BS_LIVE_BARRIER();
@@ -1597,6 +1690,10 @@ static bs_status check_live(const vd_live *live)
         ((live->posted - live->passed) <= WAITING);
     good = good && (live->clock <= (4 * (FARTHEST / 2))) && (live->clock >= -(4 * (FARTHEST / 2)));
     good = good && (live->at <= (4 * (FARTHEST / 2))) && (live->at >= -(4 * (FARTHEST / 2)));
+    good = good && (live->shift <= FARTHEST) && (live->shift >= -FARTHEST) &&
+        (live->usual <= FARTHEST) && (live->usual >= -FARTHEST);
+    good = good && (live->odd_age <= (4 * (FARTHEST / 2))) &&
+        (live->odd_age >= -(4 * (FARTHEST / 2)));
     good = good && (live->measuring.stage <= POST) && (live->measuring.slot < WAITING);
     good = good && (live->since <= live->at) && (live->since >= -(4 * (FARTHEST / 2)));
     for (uint32_t i = 0U; i < WAITING; ++i) {
