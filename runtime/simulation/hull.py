@@ -19,7 +19,7 @@ from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.simulation import sea
 
-TOGETHER = 128  # instants: their waves stay in the cache, and products of this size are not split among threads
+TOGETHER = 32  # instants: their waves stay in the cache, and products of this size are not split among threads
 FREEDOMS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 
 

@@ -1,7 +1,7 @@
 """The experiment of Kang and others (2025): transfer alignment in sea states 1 to 6, with and without the delay.
 
 240 runs under each of three motions, the paper's claims judged by numbers, the closed form of an uncompensated delay
-against the simulation, and the bench.  docs/sea-state.md tells the story; `sea_flight` flies.
+against the simulation, and the bench.  docs/sea-state.md tells the story; `flight` flies.
 """
 
 from itertools import pairwise
@@ -41,7 +41,7 @@ def table_of(flight: at_sea.Flight, scenario: at_sea.Scenario) -> dict[str, Any]
     out: dict[str, Any] = {}
     for i, name in enumerate(at_sea.FILTERS):
         known = slice(0, 16 if name == "with" else 15)  # the delay that is not estimated is in no covariance
-        e, P = flight.error[-1, i][..., known], flight.P[-1, i][..., known, known]
+        e, P = flight.error[-1, i][..., known], flight.P[i][..., known, known]
         out[name] = {
             "mean_mil": size[marks, i].tolist(),
             "worst_mil": np.abs(h[marks, i]).max(-1).tolist(),

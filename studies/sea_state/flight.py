@@ -7,9 +7,9 @@ how a wave moves its platform: `MOTIONS` are three answers.  docs/sea-state.md s
 Axes of arrays: time, then filter (with compensation, without), sea state, run; then components.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
@@ -19,9 +19,10 @@ from boresight.runtime import rotation, transfer
 from boresight.runtime.array import Array
 from boresight.runtime.simulation import hull, inertial, sea, sensors
 from boresight.runtime.simulation.motions import HEIGHT_M
-from boresight.runtime.transfer import Headings, Increments, Message, Note, Rules, Transfer
+from boresight.runtime.transfer import Message
 from boresight.runtime.units import DEG, HOUR, MILLI_G
 from boresight.studies import study
+from boresight.studies.sea_state.matching import SPAN_S, Matching
 from boresight.studies.study import Seeded, option
 
 GRADES = (1, 2, 3, 4, 5, 6)
@@ -34,8 +35,6 @@ MOTIONS = {
 PHI, DV = slice(0, 3), slice(3, 6)
 LEVER_SIGMA_M = 0.1
 SETTLED_S = 10  # NIS counts from here on: at first the filter makes use of a start that is better than it was told
-# Every message is taken: without compensation nothing fits, and what becomes of that is the question.
-RULES = Rules(gate=1e-300, ahead_s=0.2)
 
 
 @dataclass(frozen=True)
@@ -95,6 +94,8 @@ def checked(scenario: Scenario) -> Scenario:
             f"sea-state: navigation_hz {s.navigation_hz} must be a multiple of covariance_hz {s.covariance_hz}, "
             f"and that of update_hz {s.update_hz}"
         )
+    if s.update_hz > 1 / (2 * SPAN_S):
+        raise BoresightError(f"sea-state: update_hz is {s.update_hz}; it must be at most {1 / (2 * SPAN_S):g}")
     return scenario
 
 
@@ -125,7 +126,7 @@ class Drawn:
     delay: Array  # (runs,) s
     gyro_bias: Array  # (runs, 3) rad/s
     accel_bias: Array  # (runs, 3) m/s^2
-    gyro_gain: Array  # (1 or states, runs, 3, 3): axes of the gyros that are not quite at right angles
+    gyro_gain: Array  # (1 or states, runs, 3, 3): what gyros at right angles do not have
     streams: tuple[np.random.Generator, ...]
 
 
@@ -137,7 +138,7 @@ def draw(scenario: Scenario, seed: int, runs: int, first_run: int = 0) -> Drawn:
     n = np.array([stream.standard_normal(12) for stream in streams])
     askew = np.zeros((runs, 3, 3))
     askew[:, [0, 0, 1, 1, 2, 2], [1, 2, 0, 2, 0, 1]] = 1e-3 * n[:, 6:]
-    gain = np.eye(3) + np.atleast_1d(s.gyro_misalignment_mrad)[:, None, None, None] * askew
+    gain = np.atleast_1d(s.gyro_misalignment_mrad)[:, None, None, None] * askew
     return Drawn(
         delay=1e-3 * (s.delay_ms[0] + (s.delay_ms[1] - s.delay_ms[0]) * part),
         gyro_bias=s.gyro_bias_deg_h * DEG / HOUR * n[:, 0:3],
@@ -191,15 +192,13 @@ class Belief:
 
     q_b2m_wxyz: (..., 4) mounting.  heading_sigma: (...,) rad, of the mounting about the master's down axis, and
     velocity_sigma, m/s: the scenario's where they are None.  compensated: (...,) bool, whether the delay is a state;
-    otherwise it is known, and zero.  master_heading: False where it is not used, and `Headings` flies in place of
-    `Transfer`, one filter of each run.
+    otherwise it is known, and zero.
     """
 
     q_b2m_wxyz: Array = field(default_factory=lambda: np.array([1.0, 0, 0, 0]))
     heading_sigma: Any = None
     velocity_sigma: float | None = None
     compensated: Any = True
-    master_heading: bool = True
 
 
 def only(name: str) -> Belief:
@@ -246,15 +245,84 @@ def constants(scenario: Scenario) -> dict[str, Any]:
 
 
 @dataclass(frozen=True)
+class Signals:
+    """What the slave's sensors and its master deliver in each run, and the truth behind it."""
+
+    drawn: Drawn  # its biases times `noise`
+    true: Truth
+    v_m_n: Array  # (U + 1, cases, runs, 3) m/s at the updates
+    q_m2n_wxyz: Array  # (U + 1, cases, runs, 4)
+    errors: Array  # (runs, U, T, 6) rad and m/s, of the increments: noise and biases
+
+    def increments(self, update: int) -> Array:
+        """(T, cases, runs, 6) between the update before and this one."""
+        samples = self.errors.shape[2]
+        part = slice((update - 1) * samples, update * samples)
+        out: Array = np.moveaxis(self.errors[:, update - 1], 0, 1)[:, None]
+        if self.drawn.gyro_gain.any():
+            turned = np.einsum("...ij,...j->...i", self.drawn.gyro_gain, self.true.dtheta[part])
+            out = out + np.concatenate([turned, np.zeros_like(turned)], axis=-1)
+        return out + np.concatenate([self.true.dtheta[part], self.true.dv[part]], axis=-1)
+
+    def error(self, nav: Mapping[str, Array], update: int) -> Array:
+        """(..., 16) computed - true, of nav (..., cases, runs, size) at an update."""
+        true, at = self.true, update * self.errors.shape[2]
+        parts = (
+            rotation.attitude_error(nav["q_b2n_wxyz"], true.slave.q_b2n_wxyz[at]),
+            nav["v_n"] - true.slave.v_n[at],
+            nav["gyro_bias"] - self.drawn.gyro_bias,
+            nav["accel_bias"] - self.drawn.accel_bias,
+            rotation.attitude_error(nav["q_b2m_wxyz"], true.q_b2m_wxyz[update]),
+            (nav["tau"] - self.drawn.delay)[..., None],
+        )
+        return np.concatenate(parts, axis=-1)
+
+
+def signals(model: Any, kind: str | hull.Motion, scenario: Scenario, *, runs: int, seed: int, first_run: int = 0,
+            mounting: Array | None = None, delay_s: Any = None, noise: float = 1.0) -> Signals:  # fmt: skip
+    """Of every run, keyed by [seed, run] in every case.
+
+    kind: one of MOTIONS, or a motion of shape (cases, 1) or (cases, runs) in the place of the six sea states.
+    mounting: true q_b2m_wxyz, (cases, runs, 4) as it broadcasts; the scenario's if left out.
+    delay_s: instead of the drawn one, as (cases, runs) broadcasts.
+    noise: a factor on all that is drawn but the delay; the filter is given the same.
+    """
+    s = checked(scenario)
+    dt, samples, updates = 1 / s.navigation_hz, s.navigation_hz // s.update_hz, s.seconds * s.update_hz
+    drawn = draw(s, seed, runs, first_run)
+    motion = motion_of(kind, s, drawn.streams) if isinstance(kind, str) else kind
+    drawn = replace(
+        drawn, delay=drawn.delay if delay_s is None else np.asarray(delay_s, float), gyro_bias=noise * drawn.gyro_bias,
+        accel_bias=noise * drawn.accel_bias, gyro_gain=noise * drawn.gyro_gain,
+    )  # fmt: skip
+    true = truth(model, motion, s, drawn, mounting)
+    # of each update in turn the slave's noise, then the master's
+    n = noise * np.array([stream.standard_normal(6 + updates * (samples + 1) * 6) for stream in drawn.streams])
+    each = n[:, 6:].reshape(runs, updates, samples + 1, 6)
+    reported = np.moveaxis(np.concatenate([n[:, None, :6], each[:, :, -1]], axis=1), 0, 1)[:, None]
+    # a turn in level axes, as the master's axes see it
+    C = rotation.matrix_from_quaternion(true.master.q_b2n_wxyz)
+    turn = np.einsum("...ji,...j->...i", C, s.attitude_noise_deg * DEG * reported[..., 3:])
+    given = constants(s)
+    walk = np.repeat([given["gyro_noise"][0], given["accel_noise"][0]], 3) * np.sqrt(dt)
+    bias = np.concatenate([drawn.gyro_bias, drawn.accel_bias], axis=-1)
+    return Signals(
+        drawn, true, true.master.v_n + s.velocity_noise_m_s * reported[..., :3],
+        rotation.turned(true.master.q_b2n_wxyz, turn), walk * each[:, :, :-1] + bias[:, None, None] * dt,
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
 class Flight:
     """(U + 1, filters, cases, runs, ...); what belongs to an update is U long."""
 
     error: Array  # (U + 1, ..., 16) computed - true, in the order of the model's states
-    P: Array  # (U + 1, ..., 16, 16)
-    nis: Array  # (U, ..., 2): velocity and attitude
+    sigma: Array  # (U + 1, ..., 16) of the filter
+    P: Array  # (..., 16, 16) at the end
+    nis: Array  # (U, ..., 2): attitude and velocity
+    rows: Array  # (U, ...) taken
+    lost: Array  # (...,) bool: an update left the model's boxes, and was left out
     delay: Array  # (runs,) s, true
-    rows: Array  # (U, ...) used
-    notes: list[Note]
     update_hz: int
 
     @property
@@ -271,123 +339,62 @@ class Flight:
 
     @property
     def heading_sigma(self) -> Array:
-        return np.sqrt(self.P[..., 2, 2])
+        return self.sigma[..., 2]
 
     @property
     def nees(self) -> Array:
         """Of all sixteen states at the end."""
-        return nees(self.error[-1], self.P[-1])
+        return nees(self.error[-1], self.P)
 
 
-def fly(
-    model: Any,
-    kind: str | hull.Motion,
-    scenario: Scenario,
-    *,
-    runs: int,
-    seed: int,
-    first_run: int = 0,
-    compensation: Literal["extrapolate", "buffer"] = "extrapolate",
-    matching: tuple[str, str] = ("velocity", "dcm"),
-    rows: Any = True,
-    mounting: Array | None = None,
-    belief: Belief | None = None,
-    delay_s: Any = None,
-    noise: float = 1.0,
-) -> Flight:
-    """Closed loops, each run with its own delay, biases and noise, keyed by [seed, run] in every case.
+def fly(model: Any, kind: str | hull.Motion, scenario: Scenario, *, attitude: str = "dcm", rows: Any = True,
+        belief: Belief | None = None, **drawn: Any) -> Flight:  # fmt: skip
+    """Closed loops, each run with its own delay, biases and noise.
 
-    kind: one of MOTIONS, or a motion of shape (cases, 1) or (cases, runs) in the place of the six sea states.
-    compensation, matching: of `transfer.Transfer`; "extrapolate" and "dcm" are the paper's.
-    rows: (3,) bool, of the attitude's.
-    mounting: true q_b2m_wxyz, (cases, runs, 4) as it broadcasts; the scenario's if left out.  belief: how the filters
-    begin: the paper's two, FILTERS, if left out.  delay_s: instead of the drawn one, as (cases, runs) broadcasts.
-    noise: a factor on all that is drawn but the delay; the filter is told the same.
+    kind, drawn (runs, seed, ...): as of `signals`.  attitude: the measurement, "dcm" as the paper's, "quaternion" or
+    "euler"; rows: (3,) bool of it.  Euler angles of a master that is steeper than the model's box are left out.
+    belief: how the filters begin: the paper's two, FILTERS, if left out.
     """
-    s = checked(scenario)
-    dt, per_update = 1 / s.navigation_hz, s.navigation_hz // s.update_hz
-    drawn = draw(s, seed, runs, first_run)
-    if delay_s is not None:
-        drawn = replace(drawn, delay=np.asarray(delay_s, float))
-    motion = motion_of(kind, s, drawn.streams) if isinstance(kind, str) else kind
-    true = truth(model, motion, s, drawn, mounting)
-    q_late, R = true.master.q_b2n_wxyz, matching_variances(s)
-    came = np.concatenate([np.ones(3, bool), np.broadcast_to(rows, 3)])
+    came, s = signals(model, kind, scenario, **drawn), scenario
+    nav, P = start(model, came, s, belief or Belief(compensated=np.array([True, False])[:, None, None]))
+    shape = np.broadcast_shapes(nav["v_n"].shape[:-1], P.shape[:-2], came.v_m_n.shape[1:-1])
 
-    def message(update: int) -> Message:
-        n = noise * np.array([stream.standard_normal(6) for stream in drawn.streams])
-        # a turn in level axes, as the master's axes see it
-        C = rotation.matrix_from_quaternion(q_late[update])
-        turn = np.einsum("...ji,...j->...i", C, s.attitude_noise_deg * DEG * n[:, 3:])
-        q = rotation.turned(q_late[update], turn)
-        return Message(
-            time=update / s.update_hz,  # when it arrives
-            R=R,
-            rows=came,
-            v_m_n=true.master.v_n[update] + s.velocity_noise_m_s * n[:, :3],
-            q_m2n_wxyz=q,
-            euler_m=rotation.euler_from_matrix(rotation.matrix_from_quaternion(q)) if "euler" in matching else None,
-            position=true.slave.position[update * per_update],  # 3 m from the master's
-        )
+    def flat(values: Array, size: tuple[int, ...]) -> Array:
+        return np.broadcast_to(values, (*shape, *size)).reshape(-1, *size)
 
-    given = constants(s)
-    every = s.navigation_hz // s.covariance_hz
-    walk = np.repeat([given["gyro_noise"][0], given["accel_noise"][0]], 3) * np.sqrt(dt) * noise
-    bias_g, bias_a = noise * drawn.gyro_bias, noise * drawn.accel_bias
-    gain = np.eye(3) + noise * (drawn.gyro_gain - np.eye(3))
+    one = {name: flat(value, np.shape(value)[-1:] if name != "tau" else ()) for name, value in nav.items()}
+    flown = Matching(model, s, one, flat(P, P.shape[-2:]), constants(s), matching_variances(s), attitude)
+    loop, newest = flown.loop, flown.newest.reshape(*shape, *flown.newest.shape[1:])
+    reported = {"v_m_n": came.v_m_n, "q_m2n_wxyz": came.q_m2n_wxyz}
+    rows = np.broadcast_to(rows, (*came.v_m_n.shape[:-1], 3))
+    if attitude == "euler":
+        box = model.field["euler_m"]
+        euler = rotation.euler_from_matrix(rotation.matrix_from_quaternion(came.q_m2n_wxyz))
+        reported["euler_m"] = np.clip(euler, box["low"], box["high"])
+        rows = rows & (np.abs(euler[..., 1:2]) <= box["high"][1])
+    error, sigma, nis, used = [], [], [], []
+    for update in range(len(came.v_m_n)):
+        if update:
+            newest[...] = np.moveaxis(came.increments(update)[::-1], 0, -2)
+            flown.measured[attitude].rows[...] = flat(rows[update], (3,))
+            flown.update(**{name: flat(value[update], value.shape[-1:]) for name, value in reported.items()})
+            nis.append(flown.nis.T.reshape(*shape, 2))
+            used.append(sum(measured.used.sum(-1) for measured in flown.measured.values()).reshape(shape))
+        now = {name: loop.nav.seen(name).reshape(*shape, *value.shape[1:]) for name, value in one.items()}
+        error.append(came.error(now, update))
+        sigma.append(np.sqrt(loop.variances()).reshape(*shape, -1))
+    P_end = loop.P.reshape(*shape, *P.shape[-2:])
+    return Flight(np.array(error), np.array(sigma), P_end, np.array(nis), np.array(used), flown.lost.reshape(shape),
+                  came.drawn.delay, s.update_hz)  # fmt: skip
 
-    def sensed(update: int) -> Increments:
-        """The slave's increments between the update before and this one."""
-        n = walk * np.array([stream.standard_normal((per_update, 6)) for stream in drawn.streams])
-        n = np.moveaxis(n, 1, 0)[:, None]  # (samples, cases, runs, 6)
-        part = np.arange((update - 1) * per_update, update * per_update)
-        dtheta = np.einsum("...ij,...j->...i", gain, true.dtheta[part]) + bias_g * dt + n[..., :3]
-        return Increments(part * dt, (part + 1) * dt, dtheta, true.dv[part] + bias_a * dt + n[..., 3:])
 
-    belief = belief or Belief(compensated=np.array([True, False])[:, None, None])
-    loop: Transfer | Headings
-    if belief.master_heading:
-        opening, begun = message(0), 0
-        nav, P0 = begin(model, opening, s, belief)
-        swing = np.cross(true.dtheta[0] / dt, s.lever_b)
-        turned = np.einsum("...ij,...j->...i", rotation.matrix_from_quaternion(nav["q_b2n_wxyz"]), swing)
-        nav["v_n"] = opening.v_m_n + turned
-        P0 = np.broadcast_to(P0, (*np.broadcast_shapes(nav["v_n"].shape[:-1], P0.shape[:-2]), 16, 16))
-        loop = Transfer(model, nav, P0, given, compensation=compensation, matching=matching, every=every, rules=RULES)
-    else:
-        past, begun = sensed(1), 1
-        sigmas, estimates = believed(s, belief)
-        loop = Headings(message(1), model, given, sigmas=sigmas, estimates=estimates, increments=past, every=every,
-                        rules=RULES)  # fmt: skip
-    shape = loop.P.shape[:-2]
-    kept: list[tuple[Array, Array]] = []
-    nis: list[Array] = []
-    used: list[Array] = []
-
-    def keep(update: int) -> None:
-        at, now = update * per_update, loop.nav
-        parts = (
-            rotation.attitude_error(now["q_b2n_wxyz"], true.slave.q_b2n_wxyz[at]),
-            now["v_n"] - true.slave.v_n[at],
-            now["gyro_bias"] - bias_g,
-            now["accel_bias"] - bias_a,
-            rotation.attitude_error(now["q_b2m_wxyz"], true.q_b2m_wxyz[update]),
-            (now["tau"] - drawn.delay)[..., None],
-        )
-        error = np.concatenate([np.broadcast_to(part, (*shape, part.shape[-1])) for part in parts], axis=-1)
-        kept.append((error, loop.P))
-
-    keep(begun)
-    for update in range(begun + 1, s.seconds * s.update_hz + 1):
-        _, end, dtheta, dv = sensed(update)
-        loop.slave(end, dtheta, dv, dt)
-        taken = loop.master(message(update)).innovations
-        nis.append(np.stack([one.nis for one in taken.values()], axis=-1))
-        used.append(sum((one.used.sum(-1) for one in taken.values()), start=np.zeros(())))
-        # a filter that is lost refuses the messages, and would sink
-        flying = loop.loop if isinstance(loop, Headings) else loop
-        place = true.slave.position[update * per_update]
-        flying.nav["lat_lon_height"] = np.broadcast_to(place, (*flying.runs, 3)).copy()
-        keep(update)
-    error, P = map(np.array, zip(*kept, strict=True))
-    return Flight(error, P, np.array(nis), drawn.delay, np.array(used), loop.notes, s.update_hz)
+def start(model: Any, came: Signals, scenario: Scenario, belief: Belief) -> tuple[dict[str, Array], Array]:
+    """nav and P (..., 16, 16) of slaves that take over what their masters report at first, and how they turn."""
+    opening = Message(
+        time=0.0, R=matching_variances(scenario), rows=np.ones(6, bool), v_m_n=came.v_m_n[0],
+        q_m2n_wxyz=came.q_m2n_wxyz[0], position=came.true.slave.position[0],
+    )  # fmt: skip
+    nav, P = begin(model, opening, scenario, belief)
+    swing = np.cross(came.true.dtheta[0] * scenario.navigation_hz, scenario.lever_b)
+    C_b2n = rotation.matrix_from_quaternion(nav["q_b2n_wxyz"])
+    return nav | {"v_n": opening.v_m_n + np.einsum("...ij,...j->...i", C_b2n, swing)}, P

@@ -1,7 +1,6 @@
 """A transfer alignment at sea, flown as often as asked for: one motion, one sea state, one filter to each run.
 
-The scenario is that of `flight`, and so is the filter's start.  Here the filter is the plain extended Kalman filter of
-the generated C, without what `Transfer` watches and judges beside it: attitude, then velocity, once a second.
+The scenario is that of `flight`, and so are the filter and its start; the covariance goes with the updates.
 
 In a random sea the truth is one of `SEAS` seas, each of them shared by `TOGETHER` neighbouring runs; what is drawn for
 each run is the delay, the biases and all noise.  An interval of the runner is one for these seas.
@@ -18,21 +17,18 @@ from boresight import BoresightError
 from boresight.analysis.consistency import nees
 from boresight.runtime import random, rotation
 from boresight.runtime.array import Array
-from boresight.runtime.filter import CompiledFilter, Epoch
 from boresight.runtime.library import Library, load
 from boresight.runtime.runs import Experiment
 from boresight.runtime.simulation import hull, sensors
-from boresight.runtime.status import Status
 from boresight.runtime.transfer import Message
 from boresight.runtime.units import DEG, HOUR, MIL, MILLI_G
 from boresight.studies.sea_state import flight as at_sea
+from boresight.studies.sea_state.matching import Matching, turned
 
 MODEL = "velocity-attitude"
 SEAS, TOGETHER = 32, 256
 NODES = 6  # of the polynomial by which the master's pose depends on the delay
 SLAVE, MASTER, DELAY = 0, 1, 2  # streams of random numbers of a run
-SPAN = 4  # samples of a rate at an update, the mean over them
-GRAVITY = 9.798  # m/s^2; to 0.01, over a delay of 10 ms, it is right to 0.1 mm/s
 
 
 @dataclass(frozen=True)
@@ -106,7 +102,7 @@ def shared(sea: Sea, seed: int, number: int) -> Shared:
     turn = np.cos(np.pi * (np.arange(NODES) + 0.5) / NODES)  # Chebyshev's
     delays = 1e-3 * (sum(s.delay_ms) + (s.delay_ms[1] - s.delay_ms[0]) * turn) / 2
     stream = sensors.generator(seed, number)  # whose key is a hash, and no [seed, run]
-    drawn = at_sea.Drawn(delays, np.zeros((1, 3)), np.zeros((1, 3)), np.eye(3)[None, None], (stream,))
+    drawn = at_sea.Drawn(delays, np.zeros((1, 3)), np.zeros((1, 3)), np.zeros((1, 1, 3, 3)), (stream,))
     motion = at_sea.motion_of(sea.motion, s, drawn.streams)
     motion = replace(motion, freedoms=Summed(motion.freedoms.omega, motion.freedoms.amplitude))
     true = at_sea.truth(model, motion, s, drawn)
@@ -152,7 +148,7 @@ def over_one(model: Library, sea: Sea, seed: int, runs: range, number: int) -> A
     """The same for runs of one sea."""
     s, true = sea.scenario, shared(sea, seed, number)
     n, updates, per_update = len(runs), s.seconds * s.update_hz, s.navigation_hz // s.update_hz
-    dt, half = 1 / s.navigation_hz, per_update // 2
+    dt = 1 / s.navigation_hz
     every = np.array(runs)
     part = (random.words(seed, every, 1, stream=DELAY)[:, 0] >> np.uint64(11)) * 2.0**-53
     delay = 1e-3 * (s.delay_ms[0] + (s.delay_ms[1] - s.delay_ms[0]) * part)
@@ -165,59 +161,26 @@ def over_one(model: Library, sea: Sea, seed: int, runs: range, number: int) -> A
     q_m2n = times(small(s.attitude_noise_deg * DEG * noise[..., 3:]), q_m2n)  # a turn in level axes
 
     given = at_sea.constants(s)
-    walk = np.repeat([given["gyro_noise"][0], given["accel_noise"][0]], 3) * np.sqrt(dt)
-    lever = np.array(s.lever_b)
-    swing = np.repeat(np.cross(true.dtheta[0] / dt, lever)[:, None], n, axis=1)
+    lever, swing = given["lever_b"], true.dtheta[0] / dt
+    swing = np.repeat(np.cross(swing, lever)[:, None], n, axis=1)
     nav = {
         "lat_lon_height": np.broadcast_to(true.position[0], (n, 3)), "q_b2n_wxyz": q_m2n[0],
         "v_n": v_m_n[0] + turned(q_m2n[0].T, swing).T, "gyro_bias": bias[:, :3], "accel_bias": bias[:, 3:],
         "q_b2m_wxyz": np.broadcast_to([1.0, 0, 0, 0], (n, 4)), "tau": np.zeros(n),
     }  # fmt: skip
-    loop = CompiledFilter(model, nav, true.P[None], np.zeros((n, 16)))  # one P of all, which is checked once
-    # The covariance is carried from update to update in the middle between them, where it is linearised.
-    alike = {"dt", "lever_b", "R", *given}
-    before = Epoch(loop, half, feedback=False, shared=alike)
-    after = Epoch(loop, per_update - half, predict=False, feedback=False, shared=alike)
-    update = Epoch(loop, 0, ("dcm", "velocity"), predict=False, shared=alike)
-    before.strapdown["dt"] = after.strapdown["dt"] = dt
-    before.predict["dt"] = per_update * dt
-    for name in before.predict.fields.keys() & given.keys():
-        before.predict[name] = given[name]
-    attitude, velocity = (update.measured[name] for name in ("dcm", "velocity"))
-    velocity["lever_b"] = lever
-    # Of `moving`: the gyros' noise comes with the rate into the velocity of the lever arm, two thirds about an axis.
-    swung = given["gyro_noise"][0] ** 2 * 2.5 / (SPAN * dt) * lever @ lever * 2 / 3
-    velocity["R"], attitude["R"] = at_sea.matching_variances(s).reshape(2, 3) + np.array([[swung], [0.0]])
+    flown = Matching(model, s, nav, true.P[None], given, at_sea.matching_variances(s))  # one P of all, checked once
+    loop = flown.loop
 
-    # Samples stand from the newest to the oldest, so that each has the one before it behind it.
     ideal = np.concatenate([true.dtheta, true.dv], axis=-1)[::-1]
-    scale = np.tile(walk, per_update)
-    samples = np.zeros((n, per_update + 1, 6))
-    newest = samples.reshape(n, -1)[:, : 6 * per_update]
-    deliver(before, samples, per_update - 1)
-    deliver(after, samples, per_update - 1 - half)
-    width, step = model.lanes(n)[0], max(1, per_update // 10)
-    nis, lost = np.zeros(n), np.zeros(n, bool)
+    walk = np.repeat([given["gyro_noise"][0], given["accel_noise"][0]], 3) * np.sqrt(dt)
+    scale, newest = np.tile(walk, per_update), flown.samples.reshape(n, -1)[:, : 6 * per_update]
+    width, nis = model.lanes(n)[0], np.zeros(n)
     for k in range(updates):
-        samples[:, -1] = samples[:, 0]
         exact = ideal[(updates - 1 - k) * per_update : (updates - k) * per_update].reshape(-1)
         random.normals(seed, every, 6 * per_update, 6 * per_update * k, SLAVE, newest, width, scale, exact)
-        if k == 0:
-            samples[:, -1] = samples[:, -2]
-        biases = loop.nav.seen("gyro_bias"), loop.nav.seen("accel_bias")
-        few = np.ascontiguousarray(samples[:, step // 2 : per_update : step, 3:].T).swapaxes(0, 1)
-        before.predict["f_b"] = (summed(few) / (len(few) * dt)).T - biases[1]  # F wants the force to a hundredth
-        failed = before() + after()
-        omega, a_n = moving(samples[:, : 2 * SPAN], loop.nav.seen("q_b2n_wxyz"), *biases, dt, lever)
-        for measured in (attitude, velocity):
-            measured["omega_ib_b"], measured["lag"] = omega, loop.nav.seen("tau")
-        attitude["q_m2n_wxyz"] = q_m2n[k + 1]
-        velocity["v_m_n"], velocity["a_n"] = v_m_n[k + 1], a_n
-        if failed + update():
-            for epoch in (before, after, update):
-                lost |= (epoch.status != Status.OK) & (epoch.status != Status.AT_CEILING)
+        flown.update(q_m2n_wxyz=q_m2n[k + 1], v_m_n=v_m_n[k + 1])
         if k >= at_sea.SETTLED_S * s.update_hz:
-            nis += attitude.nis + velocity.nis
+            nis += flown.nis.sum(0)
     error = np.concatenate(
         [
             rotation.attitude_error(loop.nav["q_b2n_wxyz"], true.q_b2n_wxyz),
@@ -232,51 +195,8 @@ def over_one(model: Library, sea: Sea, seed: int, runs: range, number: int) -> A
     settled = updates - at_sea.SETTLED_S * s.update_hz
     more = [np.abs(error[:, 2]) / MIL, nees(error, loop.P), nis / settled]
     rows = np.concatenate([error, np.sqrt(loop.variances()), np.stack(more, axis=-1)], axis=-1)
-    rows[lost] = np.nan
+    rows[flown.lost] = np.nan
     return rows
-
-
-def deliver(epoch: Epoch, samples: Array, first: int) -> None:
-    """Where an epoch reads its increments: samples (runs, T, 6), its first one at `first`, each next one before it.
-
-    The C reads twelve numbers of a sample: its own six, and those of the sample before it.
-    """
-    structs = epoch.loop.described["strapdown"]["structs"]
-    given = epoch.strapdown.given[structs.index("increments")]
-    given.at, given.stride, given.step = samples[0, first].ctypes.data, samples[0].size, -6
-
-
-def moving(
-    last: Array, q_b2n: Array, gyro_bias: Array, accel_bias: Array, dt: float, lever: Array
-) -> tuple[Array, Array]:
-    """How the slave turns, and how its master is accelerated, (runs, 3) each; by its last samples (runs, 2 SPAN, 6)."""
-    each = np.ascontiguousarray(last.T)  # components first: (6, 2 SPAN, runs)
-    later, earlier = (summed(each[:, part].swapaxes(0, 1)) / (SPAN * dt) for part in (slice(SPAN), slice(SPAN, None)))
-    change = later - earlier
-    rates = later + change / 2  # the later one is that of SPAN / 2 samples ago
-    omega, f_b, alpha = rates[:3] - gyro_bias.T, rates[3:] - accel_bias.T, change[:3] / (SPAN * dt)
-    a_n = turned(q_b2n.T, f_b - crossed(alpha, lever) - crossed(omega, crossed(omega, lever)))
-    a_n[2] += GRAVITY
-    return omega.T, a_n.T
-
-
-def crossed(a: Array, b: Array) -> Array:
-    """The cross product of (3, ...)."""
-    out = np.empty_like(a)
-    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        np.subtract(a[j] * b[k], a[k] * b[j], out=out[i])
-    return out
-
-
-def summed(values: Array) -> Array:
-    """Over the first axis, in an order that no other axis changes."""
-    while len(values) > 1:
-        half, odd = divmod(len(values), 2)
-        rest = values[2 * half :]
-        values = values[:half] + values[half : 2 * half]
-        if odd:
-            values[0] += rest[0]
-    return values[0]
 
 
 def small(turn: Array) -> Array:
@@ -298,10 +218,3 @@ def times(p: Array, q: Array) -> Array:
         [a * e - b * f - c * g - d * h, a * f + b * e + c * h - d * g,
          a * g - b * h + c * e + d * f, a * h + b * g - c * f + d * e], axis=-1,
     )  # fmt: skip
-
-
-def turned(q: Array, vector: Array) -> Array:
-    """C of q (4, runs) times a vector (3, runs)."""
-    axis = q[1:]
-    twice = 2 * crossed(axis, vector)
-    return vector + q[0] * twice + crossed(axis, twice)

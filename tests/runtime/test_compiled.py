@@ -6,13 +6,9 @@ import pytest
 from boresight import BoresightError
 from boresight.runtime.filter import CompiledFilter, Filter
 from boresight.runtime.library import load
-from boresight.runtime.transfer import filter
-from boresight.runtime.transfer.guard import Guard
-from boresight.runtime.transfer.stretch import Stretch
 from boresight.studies.azimuth_hold import alignment as azimuth_alignment
 from boresight.studies.azimuth_hold import hold as azimuth_hold
 from boresight.studies.euler_table import table as euler_table
-from boresight.studies.sea_state import flight as sea_flight
 
 U = np.finfo(float).eps / 2
 
@@ -49,11 +45,6 @@ def flown_by(kind, module, fly, monkeypatch):
     calls = []
 
     class Counted(kind):
-        def __init__(self, model, *start):  # C needs no guard: its statuses are in it
-            super().__init__(
-                model.model if issubclass(kind, CompiledFilter) and isinstance(model, Guard) else model, *start
-            )
-
         def predict(self, **inputs):
             calls.append(1)
             super().predict(**inputs)
@@ -64,16 +55,11 @@ def flown_by(kind, module, fly, monkeypatch):
     return result
 
 
-class Compiled(CompiledFilter):
-    """The filter in C under a loop that brings its Jacobian, of which the C makes its own."""
-
-    def update(self, *words, jacobian=None, **more):
-        return super().update(*words, **more)
-
-
 def held_together(module, fly, names, monkeypatch):
     """Names of the results that differ by more than rounding explains, with that and what rounding does."""
-    python, compiled, disturbed = (flown_by(kind, module, fly, monkeypatch) for kind in (Filter, Compiled, Disturbed))
+    python, compiled, disturbed = (
+        flown_by(kind, module, fly, monkeypatch) for kind in (Filter, CompiledFilter, Disturbed)
+    )
     off = {}
     for name in names:
         base = np.asarray(getattr(python, name))
@@ -127,17 +113,6 @@ def test_the_alignment_of_kim_is_flown_to_rounding(monkeypatch):
         return azimuth_alignment.align(models, scenario, runs=2, seed=1)
 
     assert held_together(azimuth_alignment, fly, ("P", "psi_history", "sigma_history"), monkeypatch) == {}
-
-
-@pytest.mark.parametrize("compensation", ["extrapolate", "buffer"])
-def test_the_sea_of_kang_is_flown_to_rounding(compensation, monkeypatch):
-    model, scenario = load("velocity-attitude"), sea_flight.Scenario(seconds=4, height_m=(0.1, 2.5))
-    monkeypatch.setattr(Stretch, "of", lambda *_: None)  # many intervals at once are flown in C by every kind
-
-    def fly():
-        return sea_flight.fly(model, "sea", scenario, runs=1, seed=1, compensation=compensation)
-
-    assert held_together(filter, fly, ("error", "P", "nis"), monkeypatch) == {}
 
 
 NOISE = {

@@ -67,7 +67,7 @@ def test_the_filter_is_consistent_and_its_intervals_say_so(slope):
 
 
 def test_the_heading_is_as_good_as_that_of_the_study_s_own_filter(slope):
-    """`flight.fly`, whose loop is `Transfer`, over the same motion: the mean of |heading error| of 100 runs."""
+    """`flight.fly` over the same motion, with biases and noise of its own: the mean of |heading error| of 100 runs."""
     s = replace(sea.Sea().scenario, height_m=(flight.HEIGHT_M[4],))
     flown = flight.fly(load(sea.MODEL), "slope", s, runs=100, seed=8, belief=flight.Belief())
     other = np.abs(flown.heading[-1]) / MIL
