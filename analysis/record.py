@@ -90,7 +90,7 @@ class Record:
 
     Notes
     -----
-    When not to use it: for `Live` and `Transfer`, whose C gives P, but neither the transitions nor
+    When not to use it: for `Live`, whose C gives P, but neither the transitions nor
     what each correction took out.  An `Epoch` in which a run is refused ends a piece.
 
     Examples

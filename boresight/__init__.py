@@ -10,7 +10,7 @@ Fly
     `Consistency` and `observability` judge the flight; `budget` splits its errors by source; `Record` keeps each step
     of it, and `smooth` estimates it afterwards; `noise` is what a log at rest, or a datasheet, has of it.
 Align in flight
-    `Live`, `Headings`, `Transfer`, `Message`, `Clock`; rules, start, and sensors that are not ideal, in `transfer`.
+    `Live`, `Headings`, `Clock`; in `transfer` a start from the first `Message`, and sensors that are not ideal.
 Recordings
     `read`; `detector` finds where an IMU is at rest.
 Many runs
@@ -73,7 +73,6 @@ PUBLIC = {
     "smooth": "boresight.analysis.smoother:smooth",
     "budget": "boresight.analysis.budget:budget",
     "noise": "boresight.analysis.noise",
-    "Transfer": "boresight.runtime.transfer:Transfer",
     "Message": "boresight.runtime.transfer:Message",
     "Live": "boresight.runtime.live:Live",
     "Headings": "boresight.runtime.headings:Headings",

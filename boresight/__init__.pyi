@@ -45,7 +45,6 @@ from boresight.runtime.runs import Experiment as Experiment
 from boresight.runtime.runs import Goal as Goal
 from boresight.runtime.runs import many as many
 from boresight.runtime.transfer import Message as Message
-from boresight.runtime.transfer import Transfer as Transfer
 
 __version__: str
 PUBLIC: dict[str, str]

@@ -251,7 +251,7 @@ class Mutator(c_generator.CGenerator):
         if n.op in ASSIGNING:
             text = f"{left} {n.op} ({right})"
             return self.choice(n, f"{n.op} to {ASSIGNING[n.op]}", text, f"{left} {ASSIGNING[n.op]} ({right})")
-        if isinstance(n.rvalue, c_ast.Constant) and float(n.rvalue.value.rstrip("fF")) == 0:
+        if isinstance(n.rvalue, c_ast.Constant) and not n.rvalue.value.strip("0.xXeEuUlLfF+-"):
             return f"{left} {n.op} {right}"  # minus zero is no other number
         return f"{left} {n.op} {self.choice(n, 'sign of what is assigned', right, f'-({right})')}"
 

@@ -62,14 +62,15 @@ class Drawn:
 
 @dataclass(frozen=True)
 class Flights:
-    """The transfer alignment in every condition that it was tried in."""
+    """The live loop of the transfer alignment in every condition of tests/live."""
 
     name: str = "flights"
 
     @property
     def hash(self) -> str:
-        """Of the filter, of what it is tried by, and of the C of its models that it calls."""
-        python = reached({path.resolve() for path in (HERE / "flights").glob("*.py")})
+        """Of what it is tried by with what that imports, and of the C of its models."""
+        tried = (path for path in (PACKAGE / "tests" / "live").glob("*.py") if not path.name.startswith("test_"))
+        python = reached({path.resolve() for path in (HERE / "flights" / "campaign.py", *tried)})
         models = [folder for folder in folders() if folder.name.startswith("velocity_attitude")]
         return hashlib.sha256("\n".join([hashed(python), *map(matched, models)]).encode()).hexdigest()
 

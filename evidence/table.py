@@ -221,27 +221,25 @@ def drawn() -> str:
     return section("Self-tests of drawn models", MODELS, rows) if rows else ""
 
 
-FLOWN = ("condition", "asked", "NEES at the start", "second half", "end", "band", "NIS", "refused",
-         "attitude at the end, mrad", "claimed", "notes")  # fmt: skip
+FLOWN = ("condition", "asked", "so", "NEES, second half", "last 5 s", "band", "refused", "attitude, mrad", "claimed",
+         "delay, ms", "claimed", "events, of runs")  # fmt: skip
 
 
 def flights() -> str:
-    """What came of each condition that the transfer alignment was tried in."""
+    """What came of each condition that the live loop was tried in."""
     kept = results.read(Flights()).get("tried", {}).get("units", {})
-    if not kept:
-        return ""
     rows: list[tuple[str, ...]] = []
     for name, of in kept.items():
-        if "error" in of:
-            rows.append((name, of["asked"], *"-" * 8, of["error"]))
-            continue
-        nees = (f"{of['nees'][when]:.3g}" for when in ("start", "second half", "end"))
-        limits = "{:.1f} to {:.1f}".format(*of["band"])
-        notes = "; ".join(of["notes"]).replace("|", "/") or "none"
-        off = (" ".join(f"{value:.2g}" for value in of["attitude"][which]) for which in ("is", "claimed"))
-        shown = f"{of['nis']:.2f}", f"{100 * of['refused']:.2g} %", *off
-        rows.append((name, of["asked"], *nees, limits, *shown, notes))
-    return section("Flights of the transfer alignment", FLOWN, rows)
+        numbers = (
+            f"{of[key]:.3g}" for key in ("attitude_mrad", "attitude_mrad_claimed", "delay_ms", "delay_ms_claimed")
+        )
+        events = "; ".join(of["events"]).replace("|", "/")
+        rows.append((
+            name, of["asked"], "yes" if of["ok"] else "**no**", f"{of['nees']:.3g}", f"{of['end']:.3g}",
+            f"{of['low']:.1f} to {of['high']:.1f}", f"{100 * of['refused']:.2g} %", *numbers,
+            f"{events} ({100 * of['told']:.0f} %)" if events else "none",
+        ))  # fmt: skip
+    return section("Flights of the live loop", FLOWN, rows) if rows else ""
 
 
 def row(unit: Source, of: dict[str, dict[str, Any]]) -> tuple[str, ...]:

@@ -251,7 +251,8 @@ class Live:
 
     def _call(self, name: str, *arguments: Any) -> int:
         passed = [
-            a if isinstance(a, (ctypes.Array, ctypes.c_int64)) or a is None else ctypes.byref(a) for a in arguments
+            a if isinstance(a, (ctypes.Array, ctypes.c_int64, ctypes._Pointer)) or a is None else ctypes.byref(a)
+            for a in arguments
         ]
         return int(self._function(name)(self._memory, *passed))
 
@@ -448,7 +449,7 @@ class Live:
         """
         n, at = len(self.library.states), ctypes.c_int64()
         P = (self.layout.real * n**2)()
-        self._call("covariance", P, at)
+        self._call("covariance", P, ctypes.pointer(at))
         return np.array(P, dtype=float).reshape(n, n), at.value
 
     def counts(self) -> dict[str, int]:

@@ -88,7 +88,7 @@ def read(
 
     Notes
     -----
-    When not to use it: for arrays that you have; `Transfer` and the filters take them as they are.
+    When not to use it: for arrays that you have; `Live` and the filters take them as they are.
     With strict=False look at `boresight replay --check` first: errors of axes and units are seen
     there alone.
 

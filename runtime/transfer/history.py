@@ -1,6 +1,6 @@
 """The slave's last samples, at any time between them."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -8,71 +8,23 @@ import numpy as np
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
 
-PHI, DV, GYRO_BIAS, ACCEL_BIAS, MOUNT = (slice(k, k + 3) for k in range(0, 15, 3))  # of the error state
-TAU, DOWN = 15, 2  # DOWN: of PHI, the heading
+PHI, DV, GYRO_BIAS, ACCEL_BIAS = (slice(k, k + 3) for k in range(0, 12, 3))  # of the error state
+TAU = 15
 SIZES = {"v_n": 3, "q_b2n_wxyz": 4, "angle": 3, "push": 3}  # angle, push: sums of the increments as delivered
 
 
 class History:
-    """The slave's last samples: (K, R, size) each, R runs, oldest first."""
+    """The slave's samples: time (K,) s; v_n, q_b2n_wxyz, angle and push (K, R, size), R runs, oldest first."""
 
-    def __init__(self, seconds: float, runs: int):
-        self.seconds, self.runs = seconds, runs
-        self.start = self.end = 0
-        self.times = np.empty(64)
-        self.values = {name: np.empty((64, runs, size)) for name, size in SIZES.items()}
-
-    def _allocate(self, rows: int) -> None:
-        """Room for so many samples, those kept at its beginning."""
-        count, times = len(self), np.empty(rows)
-        values = {name: np.empty((rows, self.runs, size)) for name, size in SIZES.items()}
-        times[:count] = self.time
-        for name, array in values.items():
-            array[:count] = self.recent(name)
-        self.times, self.values, self.start, self.end = times, values, 0, count
-
-    def append(self, time: float, **values: Array) -> None:
-        """A sample, as of `extend`."""
-        self.extend(np.array([time]), **values)
-
-    def extend(self, times: Array, **values: Array) -> None:
-        """Samples (K, ...); drops what is older than `seconds`, but for one, so that all of `seconds` is covered."""
-        new = self.end + len(times)
-        if new > len(self.times):  # twice the room that is used, so that this is rare
-            self._allocate(max(64, 2 * (new - self.start) + 2))
-            new = self.end + len(times)
-        self.times[self.end : new] = times
-        for name, value in values.items():
-            self.values[name][self.end : new] = value.reshape(len(times), -1, SIZES[name])
-        self.end = new
-        while self.end - self.start > 2 and self.times[self.start + 1] < times[-1] - self.seconds:
-            self.start += 1
-
-    def clear(self) -> None:
-        self.start = self.end = 0
-
-    def samples(self) -> Iterator[dict[str, Any]]:
-        """What `append` was called with."""
-        for k, time in enumerate(self.time):
-            yield {"time": time, **{name: self.recent(name)[k] for name in SIZES}}
-
-    def __len__(self) -> int:
-        return self.end - self.start
-
-    def recent(self, name: str) -> Array:
-        """(K, R, size), a view."""
-        return self.values[name][self.start : self.end]
-
-    @property
-    def time(self) -> Array:
-        """(K,) s, a view."""
-        return self.times[self.start : self.end]
+    def __init__(self, time: Array, **values: Array):
+        self.time, self.runs = time, values["v_n"].shape[1]
+        self.values = values
 
     def at(self, name: str, times: Array) -> Array:
         """(..., R, size) at times (..., R), on the chord between two samples, extended beyond the first and last."""
-        i = self.time[1:-1].searchsorted(times, "right") + self.start
-        before = self.times.take(i)
-        part = ((times - before) / (self.times.take(i + 1) - before))[..., None]
+        i = self.time[1:-1].searchsorted(times, "right")
+        before = self.time.take(i)
+        part = ((times - before) / (self.time.take(i + 1) - before))[..., None]
         flat = self.values[name].reshape(-1, SIZES[name])
         i = i * self.runs + np.arange(self.runs)
         low, high = flat.take(i, axis=0), flat.take(i + self.runs, axis=0)

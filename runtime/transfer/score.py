@@ -36,7 +36,7 @@ class Noticed:
 
 
 class Score:
-    """Assign it to `Transfer.score`, whose filter carries `Sensors(probed=True)`."""
+    """Of a filter that carries `Sensors(probed=True)`: `begin`, `take` each measurement, `end`, message by message."""
 
     def __init__(self, runs: tuple[int, ...]):
         self.gradient, self.information = np.zeros((*runs, 15)), np.zeros((*runs, 15, 15))

@@ -128,7 +128,7 @@ def sized(
 
 
 class Carried(NamedTuple):
-    """What `first` takes of MODEL, and what its `Transfer` does."""
+    """What `first` and `Live.begin` take of MODEL."""
 
     constants: dict[str, Any]
     P: Array  # (..., 46, 46), of which `first` makes attitude and velocity
@@ -145,9 +145,9 @@ def carried(
     Use it as
 
         wide = carried(GRADES["tactical"], constants, sigmas, estimates)
-        nav, P, past = first(message, model, wide.constants, P=wide.P, estimates=wide.estimates, increments=...)
-        loop = Transfer(model, nav, P, wide.constants, past=past, ...)
-        loop.filter.considered = wide.considered
+        nav, P = first(message, load(MODEL), wide.constants, P=wide.P, estimates=wide.estimates, increments=...)
+        loop = Live(MODEL, **wide.constants)
+        loop.begin(at_us, nav, P=P, considered=wide.considered)
     """
     constants, estimates, three = dict(constants), dict(estimates), np.ones(3)
     if "lever_b" in constants:

@@ -1,6 +1,7 @@
-"""The slave that takes its master's velocity and attitude over, at the first message or behind a gap."""
+"""The slave that takes its master's velocity and attitude over, at the first message."""
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -9,15 +10,56 @@ from boresight.errors import BoresightError, did_you_mean
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Filter
-from boresight.runtime.transfer.guard import outside
-from boresight.runtime.transfer.history import ACCEL_BIAS, DV, GYRO_BIAS, PHI, TAU, History, moment
-from boresight.runtime.transfer.lever import flown
-from boresight.runtime.transfer.messages import Message
+from boresight.runtime.transfer.history import ACCEL_BIAS, DV, GYRO_BIAS, PHI, SIZES, TAU, History, moment
 from boresight.runtime.units import STANDARD_GRAVITY
 
-LEVERS = ("lever_b", "lever_m")
+LEVER = "lever_b"
 PASSES = 3  # over the increments: tilt, then velocity, and what is left is of the order of the Earth's rate
 SHORTEST = 1e-6  # s, of a step
+
+
+@dataclass(frozen=True)
+class Message:
+    """What a master reports at one time, for `first`.
+
+    Leading axes are runs; a field without them is that of all runs.  NED, SI and rad.
+
+    Parameters
+    ----------
+    time : (...,) array
+        s, by the slave's clock: when it was measured, or, where only that is known, when it
+        arrived.
+    R : (..., 6) array
+        Variances of the velocity's three rows, (m/s)^2, then of the attitude's, rad^2: about north,
+        east, down, or of roll, pitch, yaw with `euler_m`.
+    v_m_n : (..., 3) array, optional
+        Velocity of the master, m/s.
+    q_m2n_wxyz : (..., 4) array, optional
+        Attitude of the master, scalar first, master body to NED.
+    euler_m : (..., 3) array, optional
+        Roll, pitch, yaw of the master, rad, instead of the quaternion.
+    position : (..., 3) array, optional
+        Latitude and longitude, rad, and height, m.
+
+    Notes
+    -----
+    When not to use it: for the messages that follow; `Live.message` and the filters take their
+    fields by name.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from boresight import Message
+    >>> Message(12.3, np.repeat([0.02, 1e-4], 3) ** 2, v_m_n=[10.0, 0, 0]).time
+    12.3
+    """
+
+    time: Any
+    R: Any
+    v_m_n: Any = None
+    q_m2n_wxyz: Any = None
+    euler_m: Any = None
+    position: Any = None
 
 
 class Increments(NamedTuple):
@@ -42,26 +84,24 @@ def first(
     acceleration_sigma: Any = None,
     matching: tuple[str, str] = ("velocity", "dcm"),
     half_span_s: float = 0.02,
-) -> tuple[dict[str, Array], Array, History | None]:
-    """nav, P (..., n, n) and kept past of a slave that takes the master's velocity and attitude over, for `Transfer`.
+) -> tuple[dict[str, Array], Array]:
+    """nav and P (..., n, n) of a slave that takes the master's velocity and attitude over, for a filter to begin with.
 
-    constants: as of `Transfer`.  sigmas: of each quantity that `feedback` corrects, by its name: `q_b2m_wxyz` (rad,
+    constants: what the model's functions read beside nav and the sensors: root densities of the noises, `lever_b` in m.
+    sigmas: of each quantity that `feedback` corrects, by its name: `q_b2m_wxyz` (rad,
     about the master's axes), `gyro_bias`, `accel_bias`, `tau`, `lever_b` if it is a state, and those of a composition;
-    one number, or (..., size).  Also that of a lever arm that is a constant, `lever_b` or `lever_m`, else it is exact;
-    of `lever_m` where lever_b is a state: it is turned into the slave's axes.
+    one number, or (..., size).  Also that of a lever arm that is a constant, `lever_b`, else it is exact.
     P: (..., n, n) in place of these, of which the block behind attitude and velocity is taken.
     estimates: where these quantities begin, by name; at zero, and the mounting straight, where not given; and what else
     a composition carries in nav.
     increments: the slave's, from four times `half_span_s` before the message was measured until now.  nav and P are
     those of `increments.end[-1]`: what the master said is carried there from `message.time - tau`, and P holds what its
     noise, the mounting, the lever arm, the biases, the delay and the gyros' noise do to it.
-    Without increments nav is as the master said, at `message.time`, and no past is kept; rate_sigma (rad/s) and
-    acceleration_sigma (m/s^2)
+    Without increments nav is as the master said, at `message.time`; rate_sigma (rad/s) and acceleration_sigma (m/s^2)
     then say how the slave may move.
     Raises BoresightError on a message without position, velocity or attitude, on a sigma that is missing, and on
     increments with a gap, or that do not reach from the message to now.
     """
-    model = flown(model, constants)
     fields = estimated(model)
     given = dict(sigmas or {}) if P is None else dict.fromkeys(fields, 0.0) | dict(sigmas or {})
     start, said = _begun(message, model, fields, given, dict(estimates or {}), matching[1])
@@ -85,12 +125,7 @@ def first(
         S[..., 6:, 6:] = np.asarray(P, float)[..., 6:, 6:]
     else:
         for name, places in fields.items():
-            given.setdefault(name, 0.0)  # lever_b, where lever_m is given
             S[..., places, places] = _spread(given[name], runs, len(places)) ** 2
-        if "lever_b" in fields and "lever_m" in given:
-            C_m2b = np.swapaxes(rotation.matrix_from_quaternion(start["q_b2m_wxyz"]), -1, -2)
-            lever = slice(fields["lever_b"][0], fields["lever_b"][-1] + 1)
-            S[..., lever, lever] += _through(C_m2b, _spread(given["lever_m"], runs, 3)[..., None] ** 2 * np.eye(3))
     nav = {name: _spread(value, runs, sizes[name]) for name, value in start.items()}
     loop = Filter(model, {name: v if sizes[name] > 1 else v[..., 0] for name, v in nav.items()}, S)
     then = np.broadcast_to(np.asarray(message.time, float), runs) - loop.nav["tau"]
@@ -108,7 +143,7 @@ def first(
     rate = rate[..., None, None] * np.eye(3)
     if increments is None:
         rate = rate + _spread(rate_sigma, runs, 3)[..., None] ** 2 * np.eye(3)
-    constant = next((given[name] for name in LEVERS if name in given and name not in fields), 0.0)
+    constant = given.get(LEVER, 0.0) if LEVER not in fields else 0.0
     R[..., :3, :3] += _through(by_rate, rate) + _through(
         by_lever, _spread(constant, runs, 3)[..., None] ** 2 * np.eye(3)
     )
@@ -123,7 +158,7 @@ def first(
         ago = loop.nav["tau"] ** 2 + S[..., TAU, TAU]
         for sigma, block in ((rate_sigma, PHI), (acceleration_sigma, DV)):
             loop.P[..., block, block] += (ago[..., None] * _spread(sigma, runs, 3) ** 2)[..., None] * np.eye(3)
-        return loop.nav, loop.P, None
+        return loop.nav, loop.P
     # The motion in the delay's error, of the second order: E[d^4] = 3 sigma^4.
     step = 2 * half_span_s
     change = (D @ (H(moving(step)[0]) - H(moving(-step)[0]))[..., TAU, None])[..., 0] / (2 * step)
@@ -138,35 +173,7 @@ def first(
         loop.P[..., block, block] += S[..., TAU, TAU, None, None] * rates
     assert history is not None
     _carry(loop, history, then, 2 * half_span_s, constants)
-    return loop.nav, (loop.P + np.swapaxes(loop.P, -1, -2)) / 2, history
-
-
-def again(
-    message: Message,
-    model: Any,
-    constants: Mapping[str, Any],
-    nav: Mapping[str, Any],
-    P: Any,
-    *,
-    seconds: Any,
-    walk: Mapping[str, Any] | None = None,
-    **how: Any,
-) -> tuple[dict[str, Array], Array, History | None]:
-    """nav, P and kept past of a slave that begins anew from a message, and keeps what it has estimated.
-
-    nav, P (..., n, n): as they were `seconds` (...,) ago.  Of nav all is kept but position, velocity and attitude; of P
-    the block of what is kept, opened by the model's own noise and by `walk`, root densities by name, over these
-    seconds.  Its cross terms with attitude and velocity are dropped.  how: as for `first`.
-    """
-    fields = estimated(model)
-    seconds = np.asarray(seconds, float)[..., None, None]
-    model = flown(model, constants)
-    noise = Filter(model, {name: np.asarray(value, float) for name, value in nav.items()}, P).call("Qc", **constants)
-    for name, density in (walk or {}).items():
-        noise[..., fields[name], fields[name]] += np.broadcast_to(np.asarray(density, float), len(fields[name])) ** 2
-    kept = np.asarray(P, float) + seconds * noise
-    estimates = {name: value for name, value in nav.items() if name not in ("lat_lon_height", "v_n", "q_b2n_wxyz")}
-    return first(message, model, constants, P=kept, estimates=estimates, **how)
+    return loop.nav, (loop.P + np.swapaxes(loop.P, -1, -2)) / 2
 
 
 def estimated(model: Any) -> dict[str, list[int]]:
@@ -218,23 +225,22 @@ def _begun(
             raise BoresightError(f"first: the message holds no {name}; wait for one that does")
     q, euler = message.q_m2n_wxyz, message.euler_m
     if q is None and euler is None:
-        raise BoresightError("first: the message holds no q_m2n_wxyz; wait for one that does, or begin by `headings`")
+        raise BoresightError("first: the message holds no q_m2n_wxyz; wait for one that does, or begin by `Headings`")
     for known, names in (
-        ({*fields, *LEVERS}, sigmas),
+        ({*fields, LEVER}, sigmas),
         (set(model.field) - {"lat_lon_height", "v_n", "q_b2n_wxyz"}, estimates),
     ):
         for name in set(names) - known:
             raise BoresightError(f"first: {model.name} estimates no {name!r}{did_you_mean(name, known)}")
     for name in fields:
-        if name not in sigmas and not (name == "lever_b" and "lever_m" in sigmas):
+        if name not in sigmas:
             raise BoresightError(f"first: sigmas holds no {name!r}; it needs {', '.join(fields)}")
     q = rotation.quaternion_from_euler(euler) if q is None else np.asarray(q, float)
     said = {"v_m_n": np.asarray(message.v_m_n, float), "q_m2n_wxyz": q}
     if attitude.startswith("euler"):
         said["euler_m"] = rotation.euler_from_matrix(rotation.matrix_from_quaternion(q)) if euler is None else euler
     start = {"lat_lon_height": message.position, "v_n": message.v_m_n, "q_b2n_wxyz": q}
-    _, why = outside(model, {name: np.asarray(value, float) for name, value in start.items()})
-    if why:
+    if why := outside(model, {name: np.asarray(value, float) for name, value in start.items()}):
         raise BoresightError(f"first: of the message {why}")
     return start | {name: straight(model, name) for name in fields} | estimates, said
 
@@ -253,7 +259,7 @@ def _flown(
     """
     start = dict(loop.nav)
     flat = then.reshape(-1)
-    history = None if increments is None else History(np.inf, len(flat))
+    history: History | None = None
     parts = None if increments is None else _reaching(increments, flat, half_span_s)
 
     def beside(seconds: float) -> tuple[dict[str, Any], Any]:
@@ -311,16 +317,17 @@ def _reaching(increments: Increments, then: Array, half_span_s: float) -> Increm
 def _past(loop: Filter, increments: Increments, constants: Mapping[str, Any]) -> History:
     """The strapdown over the increments, which leaves loop.nav at their end."""
     runs = loop.P.shape[:-2]
-    history = History(np.inf, int(np.prod(runs, dtype=int)))
     angle = push = np.zeros((*runs, 3))
     before = increments.dtheta[0], increments.dv[0]
-    history.append(increments.begin[0], v_n=loop.nav["v_n"], q_b2n_wxyz=loop.nav["q_b2n_wxyz"], angle=angle, push=push)
+    kept = [(loop.nav["v_n"], loop.nav["q_b2n_wxyz"], angle, push)]
     for begin, end, dtheta, dv in zip(*increments, strict=True):
         shown = {"dtheta_ib_b": dtheta, "dv_b": dv, "dtheta_before": before[0], "dv_before": before[1]}
         loop.strapdown(**shown, dt=end - begin, **constants)
         before, angle, push = (dtheta, dv), angle + dtheta, push + dv
-        history.append(end, v_n=loop.nav["v_n"], q_b2n_wxyz=loop.nav["q_b2n_wxyz"], angle=angle, push=push)
-    return history
+        kept.append((loop.nav["v_n"], loop.nav["q_b2n_wxyz"], angle, push))
+    time = np.concatenate([increments.begin[:1], increments.end])
+    columns = zip(SIZES.items(), zip(*kept, strict=True), strict=True)
+    return History(time, **{name: np.array(part).reshape(len(time), -1, size) for (name, size), part in columns})
 
 
 def _carry(loop: Filter, history: History, then: Array, shortest: float, constants: Mapping[str, Any]) -> None:
@@ -338,10 +345,26 @@ def _carry(loop: Filter, history: History, then: Array, shortest: float, constan
 def _lever(loop: Filter, at: dict[str, Any]) -> tuple[Array, Array]:
     """How the master's expected velocity moves, linearly, with the rate and with the lever arm: (..., 3, 3) each."""
     at = {name: value for name, value in at.items() if name != "a_n"}
-    name = "lever_m" if "lever_m" in at else "lever_b"
     v = loop.call("expected", **at)["v_m_n"]
     out = []
-    for field, value in (("omega_ib_b", at["omega_ib_b"]), (name, {**loop.nav, **at}[name])):
+    for field, value in (("omega_ib_b", at["omega_ib_b"]), (LEVER, {**loop.nav, **at}[LEVER])):
         moved = [loop.call("expected", **{**at, field: value + 0.1 * e})["v_m_n"] - v for e in np.eye(3)]
         out.append(np.stack(moved, axis=-1) / 0.1)
     return out[0], out[1]
+
+
+def outside(model: Any, nav: Mapping[str, Array]) -> str:
+    """The first quantity of nav that is beyond its box or no number, in words; "" where there is none."""
+    for name, value in nav.items():
+        if (box := model.field.get(name)) is None:
+            continue
+        each = value if box["size"] > 1 else value[..., None]
+        off = ~((each >= np.array(box["low"])) & (each <= np.array(box["high"])))
+        if off.any():
+            at = tuple(np.argwhere(off)[0])
+            label = f"{name}[{at[-1]}]" if box["size"] > 1 else name
+            if name == "lat_lon_height":
+                label = ("latitude", "longitude", "height")[at[-1]]
+            span = f"{box['low'][at[-1]]:.6g} to {box['high'][at[-1]]:.6g}"
+            return f"{label} is {each[at]:.6g}, and the model's range is {span}"
+    return ""

@@ -14,10 +14,10 @@ from boresight import BoresightError
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import CompiledFilter, Epoch
+from boresight.runtime.live import Fate
 from boresight.runtime.recording import Inertial
 from boresight.runtime.simulation.sensors import EARTH_RATE_RAD_S
 from boresight.runtime.transfer.history import ACCEL_BIAS, GYRO_BIAS, TAU
-from boresight.runtime.transfer.messages import Verdict
 from boresight.runtime.transfer.score import Score
 
 COVARIANCE_S = 0.1  # at most, between two steps of it
@@ -159,7 +159,7 @@ class Pass:
             if self.doubt[k].any():
                 self.loop.inflate(0, np.repeat(self.doubt[k] ** 2, 3))
             if self.same[k]:
-                self.verdict[k] = Verdict.REPEATED
+                self.verdict[k] = Fate.TWICE
             else:
                 self.take(k)
             self.variance[k] = self.loop.variances()
@@ -235,8 +235,8 @@ class Pass:
             self.score.end(self.used[k].all(-1))
         loop.feedback()
         loop.nav["lat_lon_height"] = np.broadcast_to(self.messages["position"][k], (*self.runs, 3))
-        gated = np.where(off, Verdict.BEYOND, Verdict.GATED)
-        self.verdict[k] = np.where(self.used[k].any(-1), Verdict.TAKEN, gated)
+        gated = np.where(off, Fate.REFUSED, Fate.GATED)
+        self.verdict[k] = np.where(self.used[k].any(-1), Fate.TAKEN, gated)
 
     def beyond(self) -> Array:
         """(...,) bool: runs that what they have found would lead out of the model's range."""

@@ -18,8 +18,9 @@ from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import CompiledFilter
 from boresight.runtime.library import load
+from boresight.runtime.live import Fate
 from boresight.runtime.recording import Recording, check, thinned
-from boresight.runtime.transfer import Increments, Message, Verdict, first
+from boresight.runtime.transfer import Increments, Message, first
 from boresight.runtime.transfer.score import GROUPS as SCORED
 from boresight.runtime.transfer.score import Score, driven
 from boresight.runtime.transfer.sensors import ADDED, CALIBRATION, GRADES, MODEL, Sensors, calibration, carried
@@ -188,7 +189,7 @@ def _fly(
     k = int(np.argmax(opened - begin[0] > 4 * HALF_SPAN_S + 1e-6))
     i = int(np.searchsorted(end, opened[k] + HALF_SPAN_S)) + 1
     opening = Message(master.time[k], R, v_m_n=master.v_n[k], q_m2n_wxyz=q[k], position=master.position[k])
-    nav, P, _ = first(opening, model, constants, **how, estimates=estimated, matching=MATCHING,
+    nav, P = first(opening, model, constants, **how, estimates=estimated, matching=MATCHING,
                       increments=Increments(begin[:i], end[:i], dtheta[:i], dv[:i]))  # fmt: skip
     kept = {name for struct in model.manifest["filter"]["carried"] for name in model.layout[struct]} & set(constants)
     nav |= {name: np.broadcast_to(constants.pop(name), (*P.shape[:-2], 3)) for name in sorted(kept)}
@@ -340,7 +341,7 @@ def run(
         "model": model.name,
         "duration_s": float(cut.master.time[-1] - cut.master.time[0]),
         "updates": len(track["time"]),
-        "used": int((track["verdict"][:, 0] <= Verdict.REOPENED).sum()),
+        "used": int((track["verdict"][:, 0] == Fate.TAKEN).sum()),
         "refused": refused(track["verdict"][:, 0]),
         "lever_given_m": None if lever_b is None else np.asarray(lever_b, float).tolist(),
         "noise": stated_noise,
@@ -525,7 +526,7 @@ def states(
 
 def refused(verdict: Array) -> dict[str, int]:
     """How many messages were refused, by the name of their verdict (K,)."""
-    counts = {code: int((verdict == code).sum()) for code in Verdict if code > Verdict.REOPENED}
+    counts = {code: int((verdict == code).sum()) for code in Fate if code > Fate.TAKEN}
     return {code.name.lower().replace("_", " "): count for code, count in counts.items() if count}
 
 

@@ -209,7 +209,7 @@ def only(name: str) -> Belief:
 def begin(model: Any, message: Message, scenario: Scenario, belief: Belief) -> tuple[dict[str, Array], Array]:
     """nav and P (..., n, n) from the master's first message; the scenario says what motion and delay do to it."""
     sigmas, estimates = believed(scenario, belief)
-    nav, P, _ = transfer.first(message, model, constants(scenario), sigmas=sigmas, estimates=estimates,
+    nav, P = transfer.first(message, model, constants(scenario), sigmas=sigmas, estimates=estimates,
                                rate_sigma=0.0, acceleration_sigma=0.0)  # fmt: skip
     P[..., DV, DV] += np.eye(3) * (belief.velocity_sigma or scenario.start_velocity_m_s) ** 2
     P[..., PHI, PHI] += np.eye(3) * (scenario.start_angle_deg * DEG) ** 2
@@ -391,7 +391,7 @@ def fly(model: Any, kind: str | hull.Motion, scenario: Scenario, *, attitude: st
 def start(model: Any, came: Signals, scenario: Scenario, belief: Belief) -> tuple[dict[str, Array], Array]:
     """nav and P (..., 16, 16) of slaves that take over what their masters report at first, and how they turn."""
     opening = Message(
-        time=0.0, R=matching_variances(scenario), rows=np.ones(6, bool), v_m_n=came.v_m_n[0],
+        time=0.0, R=matching_variances(scenario), v_m_n=came.v_m_n[0],
         q_m2n_wxyz=came.q_m2n_wxyz[0], position=came.true.slave.position[0],
     )  # fmt: skip
     nav, P = begin(model, opening, scenario, belief)

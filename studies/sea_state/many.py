@@ -111,7 +111,7 @@ def shared(sea: Sea, seed: int, number: int) -> Shared:
     one = (slice(None), 0, 0)
     master = np.concatenate([true.master.v_n, true.master.q_b2n_wxyz], axis=-1)[:, 0]
     opening = Message(
-        time=0.0, R=at_sea.matching_variances(s), rows=np.ones(6, bool), v_m_n=master[0, 0, :3],
+        time=0.0, R=at_sea.matching_variances(s), v_m_n=master[0, 0, :3],
         q_m2n_wxyz=master[0, 0, 3:], position=ends["lat_lon_height"][0, 0, 0],
     )  # fmt: skip
     _, P = at_sea.begin(model, opening, s, at_sea.Belief())

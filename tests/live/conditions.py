@@ -33,6 +33,8 @@ from simulator import (
     turn_between,
 )
 
+from boresight.runtime.transfer.sensors import Sensors, calibration
+
 
 def unchanged(flight):
     return flight
@@ -45,8 +47,9 @@ class Condition:
     motion: str = "ship"
     setting: dict = field(default_factory=dict)
     change: Callable[[Flight], Flight] = unchanged
-    empty_batches: bool = False
+    carrying: Sensors | None = None  # flown by the composition that has states for them
     refused: float = 0.01  # share of the messages that may be refused, of what is to be consistent
+    held: bool = True  # docs/live.md says what is not
 
     def flight(self, **changes) -> Flight:
         arm = {"lever_b": (3.0, 0.0, 0.0)} if self.motion == "turntable" else {}
@@ -358,6 +361,37 @@ def scale_and_axes(ppm, mrad):
     return sensed(off)
 
 
+def miscalibrated(sizes):
+    """Scale factors and axes of so many ppm and mrad, in the axes of the accelerometers."""
+
+    def off(flight):
+        K = drawn(flight, 15) @ np.linalg.cholesky(calibration(sizes) + 1e-30 * np.eye(15)).T
+        gyro, accel = np.zeros((2, len(K), 3, 3))
+        gyro[:, range(3), range(3)], accel[:, range(3), range(3)] = K[:, :3], K[:, 3:6]
+        gyro[:, ~np.eye(3, dtype=bool)], accel[:, [1, 2, 2], [0, 0, 1]] = K[:, 6:12], K[:, 12:]
+        dtheta, dv, _ = true_increments(flight)
+        return [times(np.linalg.inv(np.eye(3) - k) - np.eye(3), part) for k, part in ((gyro, dtheta), (accel, dv))]
+
+    return sensed(off)
+
+
+def wander(gyro, accel, seconds):
+    """Biases that wander by first-order Gauss-Markov processes about their constants: rad/s, m/s^2, one sigma."""
+
+    def change(flight):
+        random = np.random.default_rng(flight.setting.seed + 3)
+        value, course = random.standard_normal((2, flight.setting.runs, 3)), []
+        for dt in flight.dt:
+            keep = np.exp(-dt / seconds)
+            value = keep * value + np.sqrt(1 - keep**2) * random.standard_normal(value.shape)
+            course.append(value)
+        drift = np.array(course).swapaxes(0, 1) * np.array([gyro, accel])[:, None, None, None]
+        dt = flight.dt[:, None, None]
+        return replace(flight, dtheta=flight.dtheta + drift[0] * dt, dv=flight.dv + drift[1] * dt, drift=drift)
+
+    return change
+
+
 def ramps(deg_h_min, mg_min):
     def off(flight):
         size = drawn(flight, 2, 3)
@@ -473,6 +507,8 @@ def clipped(rate, force):
 # ---- the list
 
 S4 = {"seconds": 80.0}
+PLAIN, POOR = (Sensors(size, size, size, size) for size in (1e-3, 3e-3))
+WANDERS = Sensors(gyro_instability=3 * DEG_H, accel_instability=0.1 * MG, correlation_s=100.0)
 STANDING = {"seconds": 75.0}
 EARLY = {"seconds": 34.0}
 HEADING_10 = {"seconds": 75.0, "mounting": (0.6 * DEG, 0.6 * DEG, 10 * DEG), "tau_believed": 0.035, "tau_sigma": 0.02}
@@ -525,7 +561,6 @@ CONDITIONS = [
     Condition("one dt of 1e-5 s", "recovers", change=sample_of(20.0, dt=1e-5)),
     Condition("one gyro sample is no number", "recovers", change=sample_of(20.0, dtheta=np.nan)),
     Condition("one increment of 1e30", "recovers", change=sample_of(20.0, dv=1e30)),
-    Condition("empty batches", "consistent", empty_batches=True),
     # messages late, lost, copied, out of order
     Condition("messages 0.2 s late", "consistent", setting={"late": 0.2}),
     Condition("half of the messages lost", "consistent", setting={"lost": 0.5}),
@@ -578,6 +613,15 @@ CONDITIONS = [
     Condition("vibration aliased to 13 Hz, 2 deg/s", "named", change=vibration(13.0, 2.0)),
     Condition("vibration aliased to 1 Hz, 1 deg/s", "named", change=vibration(1.0, 1.0)),
     Condition("scale 300 ppm, axes .3 mrad, S-turns", "named", "s-turns", change=scale_and_axes(300.0, 0.3)),
+    Condition("scale 1000 ppm, axes 1 mrad, carried", "consistent", change=miscalibrated(PLAIN), carrying=PLAIN),
+    Condition("the same in S-turns", "consistent", "s-turns", change=miscalibrated(PLAIN), carrying=PLAIN),
+    Condition("scale 3000 ppm, axes 3 mrad, carried", "consistent", change=miscalibrated(POOR), carrying=POOR),
+    Condition(
+        "instability 3 deg/h, 100 ug, carried",
+        "consistent",
+        change=wander(3 * DEG_H, 0.1 * MG, 100.0),
+        carrying=WANDERS,
+    ),
     Condition("slave stuck for 1 s", "recovers", change=stuck(15.0, 1.0)),
     Condition("one gyro axis frozen", "named", change=stuck(20.0, 99.0, gyro=(0,), accel=())),
     Condition("one gyro axis reads 0", "named", change=stuck(20.0, 99.0, gyro=(0,), accel=(), at_zero=True)),

@@ -1,4 +1,4 @@
-"""A flight through a loop: `fly_transfer` through runtime's Transfer, `fly_live` through its Live, run by run."""
+"""A flight through the live loop, run by run."""
 
 import os
 import signal
@@ -8,8 +8,8 @@ import numpy as np
 from judge import N, Record, density, errors_of, predicted, system
 from simulator import US, Flight, matrix_of_quaternion, quaternion
 
-from boresight import Message, load, transfer
-from boresight.runtime.transfer import Increments, Transfer, Verdict, sensors
+from boresight import Live
+from boresight.runtime.transfer import sensors
 
 
 class TooLong(Exception):
@@ -38,69 +38,6 @@ def true_of(flight: Flight, k, runs=slice(None)):
     return truth | {name: truth[name][runs] for name in ("gyro_bias", "accel_bias")}
 
 
-# ---- the loop of today
-
-
-def fly_transfer(flight: Flight, rules=None, call_s=20.0, empty_batches=False, **settings):
-    """All runs side by side; with a batch of no sample before each message, if so asked."""
-    model, setting, sent, record = load("velocity-attitude"), flight.setting, flight.messages, Record()
-    order = np.argsort(sent.after, kind="stable")
-    constants, end = setting.constants(), flight.end_us * US
-    tau = np.full(setting.runs, setting.tau_believed)
-
-    def message(m):
-        return Message(
-            sent.stamp_us[m] * US,
-            sent.R[m],
-            v_m_n=sent.v_m_n[m],
-            q_m2n_wxyz=sent.q_m2n_wxyz[m],
-            position=sent.position[m],
-            rows=np.repeat(sent.came[m][:, None], 6, axis=1),
-        )
-
-    try:
-        K = int(sent.after[order[0]]) + 1
-        increments = Increments(end[:K] - flight.dt[:K], end[:K], flight.dtheta[:K], flight.dv[:K])
-        nav, P, past = transfer.first(
-            message(order[0]),
-            model,
-            constants,
-            sigmas=setting.sigmas(),
-            increments=increments,
-            estimates={"q_b2m_wxyz": flight.q_believed, "tau": tau},
-        )
-        loop = Transfer(model, nav, P, constants, time=end[K - 1], past=past, rules=rules, every=2, **settings)
-        for m in order[1:]:
-            k = int(sent.after[m]) + 1
-            with within(call_s):
-                if k > K:
-                    loop.slave(end[K:k], flight.dtheta[K:k], flight.dv[K:k], flight.dt[K:k])
-                if empty_batches:
-                    loop.slave(end[k:k], flight.dtheta[k:k], flight.dv[k:k], flight.dt[k:k])
-                K = k
-                result = loop.master(message(m))
-            came = result.verdict != Verdict.ABSENT
-            record.append(
-                time=flight.end[k - 1],
-                errors=errors_of(nav_of(loop), true_of(flight, k - 1)),
-                P=loop.P.copy(),
-                nis=np.where(result.taken & came, result.nis, np.nan),
-                came=came,
-                refused=came & ~result.taken,
-            )
-    except Exception as error:
-        record.raised = f"{type(error).__name__}: {error}".splitlines()[0]
-    if "loop" in locals():
-        record.notes = [(note.time, run, note.text) for note in loop.notes for run in note.runs]
-    return record
-
-
-def nav_of(loop):
-    """nav, with the delay by the stamps as they come: what the loop adds to them is none of it."""
-    return loop.nav | {"tau": loop.nav["tau"] - loop.stamps.clock}
-
-
-# ---- the live loop
 MODEL = os.environ.get("LIVE_MODEL", "velocity-attitude")
 
 # One sigma of a start at the first message: it is late, has no lever arm in it, and the slave's axes are not the
@@ -116,10 +53,10 @@ def fly_live(flight: Flight, runs=None, rules=None, call_s=2.0, carrying=None):
     `covariance`, propagated from its instant to now by what is true.  A loop that is lost begins anew from the next
     message, as a driver would do it.  carrying: Sensors, by the composition that has states for them.
     """
-    runs, whole, rows = flight.setting.runs if runs is None else runs, Record(), {}
+    runs, whole, rows, steps = flight.setting.runs if runs is None else runs, Record(), {}, steps_of(flight)
     for run in range(runs):
         try:
-            for k, row in one_run(flight, run, rules, call_s, whole.notes, carrying):
+            for k, row in one_run(flight, run, rules, call_s, whole.notes, steps, carrying):
                 rows.setdefault(k, {})[run] = row
         except Exception as error:
             whole.raised = f"run {run}: {type(error).__name__}: {error}".splitlines()[0]
@@ -127,10 +64,8 @@ def fly_live(flight: Flight, runs=None, rules=None, call_s=2.0, carrying=None):
     return whole
 
 
-def one_run(flight, run, rules, call_s, notes, carrying=None):
+def one_run(flight, run, rules, call_s, notes, steps, carrying=None):
     """(k, (errors, P, refused, came)) before each message, and at the end."""
-    from boresight.runtime.live import Live
-
     constants = flight.setting.constants()
     k, counted, begun, message, known = -1, {}, False, {}, {}
     if carrying is None:
@@ -157,7 +92,7 @@ def one_run(flight, run, rules, call_s, notes, carrying=None):
         nav = {name: np.asarray(value, float)[None] for name, value in nav.items()}
         nav["tau"] = nav["tau"] + nav["shift"] * -1.0  # of the stamps as they come
         P, at_us = loop.covariance()
-        P = to_now(flight, k, P[:N, :N], (int(flight.end_us[k]) - at_us) * US)
+        P = to_now(flight, k, P[:N, :N], (int(flight.end_us[k]) - at_us) * US, steps)
         return errors_of(nav, true_of(flight, k, [run]))[0], P, refused, taken + refused
 
     for kind, at_us, *given in flight.events(run):
@@ -188,16 +123,25 @@ def one_run(flight, run, rules, call_s, notes, carrying=None):
     yield k, row()
 
 
-def to_now(flight: Flight, k, P, age):
+GRID_S = 0.05
+
+
+def steps_of(flight: Flight):
+    """F (T, 16, 16) and Q (T, 16, 16) of what is true, in the middles of steps of GRID_S from GRID_S before 0 on."""
+    times = GRID_S * (np.arange(int(flight.end[-1] / GRID_S) + 3) - 0.5)
+    F, G = system(flight.track, times)
+    return F, G @ density(flight.setting.constants()) @ np.swapaxes(G, -1, -2)
+
+
+def to_now(flight: Flight, k, P, age, steps):
     """P of so many seconds before the end of the k-th sample, propagated to there by what is true."""
     if not 0 < age < 2:
         return P
-    constants = flight.setting.constants()
-    W = density(constants)
-    steps = int(np.ceil(age / 0.05))
-    dt = age / steps
-    for F, G in zip(*system(flight.track, flight.end[k] - age + dt * (np.arange(steps) + 0.5)), strict=True):
-        P = predicted(P, F, G @ W @ G.T, dt)
+    count = int(np.ceil(age / GRID_S))
+    dt = age / count
+    for middle in flight.end[k] - age + dt * (np.arange(count) + 0.5):
+        at = int(middle / GRID_S + 1)
+        P = predicted(P, steps[0][at], steps[1][at], dt)
     return P
 
 

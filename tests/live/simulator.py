@@ -369,6 +369,7 @@ class Flight:
     gyro_bias: np.ndarray  # (runs, 3) true
     accel_bias: np.ndarray  # (runs, 3)
     q_believed: np.ndarray  # (runs, 4) mounting as it is believed at the start
+    drift: np.ndarray | None = None  # (2, K, runs, 3) what the biases of gyros and accelerometers wander by
 
     @property
     def end(self):
@@ -382,8 +383,8 @@ class Flight:
             "lat_lon_height": true.place[i],
             "v_n": true.v_n[i],
             "q_b2n_wxyz": true.q_b2n_wxyz[i],
-            "gyro_bias": self.gyro_bias,
-            "accel_bias": self.accel_bias,
+            "gyro_bias": self.gyro_bias + (0.0 if self.drift is None else self.drift[0][k]),
+            "accel_bias": self.accel_bias + (0.0 if self.drift is None else self.drift[1][k]),
             "q_b2m_wxyz": quaternion(true.C_b2m),
             "tau": self.setting.tau_at(true.time[i]) + self.clock[k],
         }

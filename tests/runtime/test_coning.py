@@ -6,9 +6,7 @@ from sympy import Matrix, Rational, lambdify, symbols
 
 from boresight.derive.mechanics.mechanization import compensated, coning_coefficients
 from boresight.evidence.flights.coning import EARLIER, errors, vibrating
-from boresight.evidence.flights.motion import DEG, quaternion, turn_between
-from boresight.runtime.library import load
-from boresight.runtime.transfer import Transfer
+from boresight.evidence.flights.motion import DEG
 
 NAMES = [f"{part}_{which}" for which in ("now", *EARLIER) for part in ("dtheta", "dv")]
 
@@ -55,20 +53,3 @@ def test_four_samples_err_a_hundredth_of_what_two_do_at_5_hz_and_50_hz_samples()
     assert 2e-3 < np.linalg.norm(two[0]) / DEG < 5e-3  # .2 deg in ten minutes
     assert np.linalg.norm(four[0]) < np.linalg.norm(two[0]) / 100
     assert np.linalg.norm(four[1]) < np.linalg.norm(two[1]) / 10
-
-
-def test_the_transfer_filter_follows_them_by_choice():
-    """With a bias that it knows of: the same flight, interval by interval."""
-    motion, bias, zero = vibrating(2.0), np.array([0.01, -0.02, 0.5]), np.array(0.0)
-    dtheta, dv = motion.increments(np.arange(-3, 101) / 50)
-    nav = {"lat_lon_height": motion.position(zero), "v_n": motion.velocity(zero)[0], "gyro_bias": bias / 50,
-           "accel_bias": bias, "q_b2n_wxyz": quaternion(motion.C_b2n(zero)), "q_b2m_wxyz": np.array([1.0, 0, 0, 0]),
-           "tau": 0.0}  # fmt: skip
-    loop = Transfer(load("velocity-attitude"), nav, np.eye(16) * 1e-12, QUIET, coning=by(4))
-    loop._earlier = [np.concatenate([dtheta[k] + bias / 2500, dv[k] + bias / 50]) for k in (2, 1, 0)]
-    for k in range(100):
-        loop.slave((k + 1) / 50, dtheta[k + 3] + bias / 2500, dv[k + 3] + bias / 50, 1 / 50)
-    turned, v, _ = errors(motion, 50, 2.0, by(4))
-    end = np.array(2.0)
-    assert turn_between(loop.nav["q_b2n_wxyz"], motion.C_b2n(end)) == pytest.approx(turned, abs=1e-11)
-    assert loop.nav["v_n"] - motion.velocity(end)[0] == pytest.approx(v, abs=1e-9)

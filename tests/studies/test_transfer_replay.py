@@ -306,10 +306,10 @@ def test_what_was_refused_is_counted_and_in_no_figure(simulated, model, result):
     v_n[60:80], euler[60:80] = v_n[59], euler[59]
     frozen = replace(simulated, master=replace(simulated.master, v_n=v_n, euler=euler))
     said = tr.run(frozen, model, noise=NOISE, lever_b=LEVER_B)
-    assert said["refused"] == {"repeated": 20}
+    assert said["refused"] == {"twice": 20}
     assert said["used"] == said["updates"] - 20
     assert f"{said['updates']} messages of the master in " in tr.report(said)
-    assert f"of which {said['used']} used; refused: repeated 20;" in tr.report(said)
+    assert f"of which {said['used']} used; refused: twice 20;" in tr.report(said)
     assert said["nis"]["with"]["mean"] == pytest.approx(result["nis"]["with"]["mean"], abs=0.03)
     assert said["nis"]["with"]["by_quarter"][1] == pytest.approx(result["nis"]["with"]["by_quarter"][1], abs=0.2)
     assert_truth(said)

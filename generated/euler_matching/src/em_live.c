@@ -25,7 +25,7 @@ BS_EXACT_BEGIN
 #define MOST_BRIDGED 16       /* samples that one gap becomes */
 #define INFORMED BS_REAL(12.0)         /* the information on a state must be so many times what
                                         * errors of H seem to give */
-#define FADING BS_REAL(0.8)     /* from one message to the next, of the information on the delay */
+#define FADING BS_REAL(0.9)     /* from one message to the next, of the information on the delay */
 #define BENDING BS_REAL(1e-3)   /* s, sigma of the delay above which its second order is looked
                                  * at */
 #define LEAST_TURN BS_REAL(2e-4) /* rad, of a correction that turns the covariance */
@@ -970,89 +970,83 @@ static bs_status update(em_live *live, const em_message *message, em_innovation 
     }
 }
 
-/* The covariance of `forget` beside considered states, which had no gain and get none: what state j
- * has lost of its covariance with them, it and those that follow it get back. */
-static void forget_beside(em_live *live, int j, bs_real fall, bs_real part, bs_real along[N])
+/* How much of the gain of each state is taken back: where errors of H alone may have made a good
+ * part of the information.  1 of a considered state, which has none.
+ * returns BS_OK; whether there is any */
+static bs_status doubt(em_live *live, const em_message *message, bs_real parts[N], bool *any)
+{
+    em_measuring *const m = &live->measuring;
+    const em_innovation *const innovation = &live->judged.innovation;
+    const uint16_t kind = message->measurement;
+    bs_real after[N];
+    bs_real noise = BS_REAL(0.0); /* part of R in the variance of the innovation */
+    const bs_status status = em_filter_sigmas(&live->filter, after);
+    *any = false;
+    for (int i = 0; i < MOST_ROWS; ++i) {
+        if (((innovation->used >> (unsigned int)i) & 1U) != 0U) {
+            const bs_real part = message->variance[i * (int)next_variance[kind]] / innovation->S[i];
+            noise = (part > noise) ? part : noise;
+        }
+    }
+    for (int j = 0; (j < N) && (status == BS_OK); ++j) {
+        const bs_real was = m->before[j] * m->before[j];
+        const bs_real is = after[j] * after[j];
+        /* beside an innovation that other states make uncertain, errors of H tell less */
+        const bs_real beside = (is > (noise * was)) ? ((noise * was) / is) : BS_REAL(1.0);
+        const bs_real seeming = beside * m->seeming[j];
+        const bs_real by_errors = seeming * (was * is);
+        bs_real part = ((INFORMED * by_errors) > (was - is)) ? BS_REAL(1.0) : BS_REAL(0.0);
+        parts[j] = ((by_errors > BS_REAL(0.0)) && (was > is)) ? part : BS_REAL(0.0);
+        *any = *any || (parts[j] > BS_REAL(0.0));
+        if (live->filter.considered[j] != 0U) {
+            parts[j] = BS_REAL(1.0);
+        }
+    }
+    return status;
+}
+
+/* An entry of P, of its form, i not below j. */
+static bs_real entry(const bs_real *P, int i, int j)
+{
+#if BORESIGHT_UD
+    bs_real sum = BS_REAL(0.0);
+    for (int k = i; k < N; ++k) {
+        const bs_real *const column = &P[(k * (k + 1)) / 2];
+        const bs_real u = (i == k) ? BS_REAL(1.0) : column[i];
+        const bs_real w = (j == k) ? BS_REAL(1.0) : column[j];
+        sum += u * (column[k] * w);
+    }
+    return sum;
+#else
+    return P[((i * (i + 1)) / 2) + j];
+#endif
+}
+
+/* Take that back: of a gain (I - L) K in place of the best one K the covariance is
+ * P + L (P before - P) L'.  L has the parts on its diagonal. */
+static bs_status forget(em_live *live, const em_message *message)
 {
     em_filter *const filter = &live->filter;
     bs_real *const dense = &filter->work[EM_N_PACKED];
-    const bs_real variance = along[j];
-    bs_real lost[N];
-    DENSE(filter->P, dense);
-    for (int i = 0; i < N; ++i) {
-        const bool kept = filter->considered[i] != 0U;
-        lost[i] = kept ? (part * (along[i] - dense[(i * N) + j])) : BS_REAL(0.0);
-        along[i] = kept ? BS_REAL(0.0) : (along[i] / variance);
-    }
-    for (int i = 0; i < N; ++i) {
-        for (int k = 0; k <= i; ++k) {
-            dense[(i * N) + k] += (fall * ((part * along[i]) * (part * along[k]))) +
-                ((along[i] * lost[k]) + (lost[i] * along[k]));
-            dense[(k * N) + i] = dense[(i * N) + k];
-        }
-    }
-    (void)INIT(dense, filter->P, filter->work); /* or P stays as it is */
-}
-
-/* Take back a part of the information of the last measurement on state j, whose variance fell by
- * `fall`, and of all that follows it as P had it before (filter->Q): the gain of the others that is
- * left is the best that does not move it. */
-static void forget(em_live *live, int j, bs_real fall, bs_real part)
-{
-    const bs_real *const P = live->filter.Q;
-    bs_real along[N];
-    bs_real variance;
-    for (int i = 0; i < N; ++i) {
-#if BORESIGHT_UD
-        along[i] = BS_REAL(0.0);
-        for (int k = (i > j) ? i : j; k < N; ++k) {
-            const bs_real *const column = &P[(k * (k + 1)) / 2];
-            const bs_real u = (i == k) ? BS_REAL(1.0) : column[i];
-            const bs_real w = (j == k) ? BS_REAL(1.0) : column[j];
-            along[i] += u * (column[k] * w);
-        }
-#else
-        along[i] = (i < j) ? P[((j * (j + 1)) / 2) + i] : P[((i * (i + 1)) / 2) + j];
-#endif
-    }
-    variance = along[j];
-    if (variance > BS_REAL(0.0)) {
-        const bs_real moved = part * live->filter.x[j];
-        if (live->filter.considering != 0U) {
-            forget_beside(live, j, fall, part, along);
-        } else {
-            for (int i = 0; i < N; ++i) {
-                along[i] /= variance;
+    bs_real parts[N];
+    bool any = false;
+    const bs_status status = doubt(live, message, parts, &any);
+    if (any) {
+        DENSE(filter->P, dense);
+        for (int i = 0; i < N; ++i) {
+            for (int j = 0; j <= i; ++j) {
+                const bs_real part = parts[i] * parts[j];
+                bs_real more = (part > BS_REAL(0.0)) ? (part *
+                                                        (entry(filter->Q, i, j) -
+                                                         dense[(i * N) + j])) : BS_REAL(0.0);
+                dense[(i * N) + j] += more;
+                dense[(j * N) + i] = dense[(i * N) + j];
             }
         }
-        for (int i = 0; i < N; ++i) {
-            live->filter.x[i] -= moved * along[i];
-        }
-        if (live->filter.considering == 0U) {
-            ADD(live->filter.P, (part * part) * fall, along);
-        }
-    }
-}
-
-/* Of one state after the other: where errors of H alone may have made a good part of the
- * information, it is taken back.  Until one was. */
-static bs_status forget_next(em_live *live, uint16_t kind)
-{
-    em_measuring *const m = &live->measuring;
-    bs_real after[N];
-    const bs_status status = em_filter_sigmas(&live->filter, after);
-    bool done = status != BS_OK;
-    while ((!done) && (m->done < (uint16_t)N)) {
-        const int j = (int)m->done;
-        const bs_real was = m->before[j] * m->before[j];
-        const bs_real is = after[j] * after[j];
-        const bs_real by_errors = m->seeming[j] * (was * is);
-        bs_real part = ((INFORMED * by_errors) > (was - is)) ? BS_REAL(1.0) : BS_REAL(0.0);
-        (void)kind;
-        m->done = (uint16_t)(m->done + 1U);
-        if ((by_errors > BS_REAL(0.0)) && (was > is) && (part > BS_REAL(0.0))) {
-            forget(live, j, was - is, part);
-            done = true;
+        if (INIT(dense, filter->P, filter->work) == BS_OK) { /* or P and x stay as they are */
+            for (int i = 0; i < N; ++i) {
+                filter->x[i] -= (parts[i] * filter->x[i]);
+            }
         }
     }
     return status;
@@ -1120,10 +1114,8 @@ static void measure(em_live *live, em_waiting *one)
         }
         break;
     case FORGET:
-        for (int k = 0; (k < AT_ONCE) && (status == BS_OK) && (m->done < (uint16_t)N); ++k) {
-            status = forget_next(live, kind);
-        }
-        m->stage = (m->done < (uint16_t)N) ? FORGET : SETTLE;
+        status = forget(live, &one->message);
+        m->stage = SETTLE;
         break;
     case SETTLE:
         turn_covariance(live, live->filter.x);

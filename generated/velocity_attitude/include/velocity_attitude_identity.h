@@ -20,7 +20,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "ca96acbd70e7d2f6a57f5e9f370debb67b877f150fd521f12314126eacd40f58"
+#define VA_MODEL_HASH "5cd90d9e1f9a0e6019a7d9bdfbe62aa9ba42776ea64e1eb2a7608406e4848a6a"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

@@ -20,7 +20,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "dab0b134f17811eb949772e28531fbc3bbb9409d19cf62408068246f413c49c5"
+#define VAS_MODEL_HASH "2a61de08ac8165acff40eb3608de7a99a045caa3dac34e6e480d01c182335e4c"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1

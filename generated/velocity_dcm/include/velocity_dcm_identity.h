@@ -20,7 +20,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "6056deaede3385d672b03d426b95bb1a8b629c42f1f2dfe4ff84acbaee68b172"
+#define VD_MODEL_HASH "d36da5c7ca7e12680f68ca99c7786549e7a6b46390d6029bc268d78030079e47"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1
