@@ -24,7 +24,6 @@ from boresight.runtime.headings import SPACING
 from boresight.runtime.library import load
 from boresight.runtime.simulation import hull, sensors
 from boresight.runtime.simulation.motions import ramp, swinging, underway
-from boresight.runtime.transfer import Message
 from boresight.runtime.units import DEG, MIL, STANDARD_GRAVITY
 from boresight.studies.sea_state import flight as at_sea
 from boresight.studies.sea_state import live
@@ -82,9 +81,8 @@ def beside(poses: list[hull.Pose]) -> hull.Pose:
 
 def initial(model: Any, C_m2n: Array, scenario: at_sea.Scenario) -> Array:
     """P0 (..., 19, 19): that of the study, and the lever arm's; the attitude is the misalignment's image."""
-    message = Message(time=0.0, R=at_sea.matching_variances(scenario), v_m_n=np.zeros((*C_m2n.shape[:-2], 3)),
-                      position=np.zeros(3), q_m2n_wxyz=rotation.quaternion_from_matrix(C_m2n))  # fmt: skip
-    return at_sea.begin(model, message, scenario, at_sea.Belief())[1]
+    return at_sea.begin(model, scenario, at_sea.Belief(), v_m_n=np.zeros((*C_m2n.shape[:-2], 3)), position=np.zeros(3),
+                        q_m2n_wxyz=rotation.quaternion_from_matrix(C_m2n))[1]  # fmt: skip
 
 
 def covariances(model: Any, master: hull.Pose, scenario: at_sea.Scenario) -> Array:

@@ -206,9 +206,11 @@ def only(name: str) -> Belief:
     return Belief(compensated=np.full((1, 1, 1), name == "with"))
 
 
-def begin(model: Any, message: Message, scenario: Scenario, belief: Belief) -> tuple[dict[str, Array], Array]:
-    """nav and P (..., n, n) from the master's first message; the scenario says what motion and delay do to it."""
+def begin(model: Any, scenario: Scenario, belief: Belief, **reported: Array) -> tuple[dict[str, Array], Array]:
+    """nav and P (..., n, n) by what masters report at first: v_m_n, q_m2n_wxyz, position."""
+    message = Message(time=0.0, R=matching_variances(scenario), **reported)
     sigmas, estimates = believed(scenario, belief)
+    # the scenario says what motion and delay do to the start
     nav, P = transfer.first(message, model, constants(scenario), sigmas=sigmas, estimates=estimates,
                                rate_sigma=0.0, acceleration_sigma=0.0)  # fmt: skip
     P[..., DV, DV] += np.eye(3) * (belief.velocity_sigma or scenario.start_velocity_m_s) ** 2
@@ -389,12 +391,9 @@ def fly(model: Any, kind: str | hull.Motion, scenario: Scenario, *, attitude: st
 
 
 def start(model: Any, came: Signals, scenario: Scenario, belief: Belief) -> tuple[dict[str, Array], Array]:
-    """nav and P (..., 16, 16) of slaves that take over what their masters report at first, and how they turn."""
-    opening = Message(
-        time=0.0, R=matching_variances(scenario), v_m_n=came.v_m_n[0],
-        q_m2n_wxyz=came.q_m2n_wxyz[0], position=came.true.slave.position[0],
-    )  # fmt: skip
-    nav, P = begin(model, opening, scenario, belief)
+    """nav and P (..., 16, 16) of slaves that take over what their masters report at first, and turn as they do."""
+    nav, P = begin(model, scenario, belief, v_m_n=came.v_m_n[0], q_m2n_wxyz=came.q_m2n_wxyz[0],
+                   position=came.true.slave.position[0])  # fmt: skip
     swing = np.cross(came.true.dtheta[0] * scenario.navigation_hz, scenario.lever_b)
     C_b2n = rotation.matrix_from_quaternion(nav["q_b2n_wxyz"])
-    return nav | {"v_n": opening.v_m_n + np.einsum("...ij,...j->...i", C_b2n, swing)}, P
+    return nav | {"v_n": came.v_m_n[0] + np.einsum("...ij,...j->...i", C_b2n, swing)}, P

@@ -20,7 +20,6 @@ from boresight.runtime.array import Array
 from boresight.runtime.library import Library, load
 from boresight.runtime.runs import Experiment
 from boresight.runtime.simulation import hull, sensors
-from boresight.runtime.transfer import Message
 from boresight.runtime.units import DEG, HOUR, MIL, MILLI_G
 from boresight.studies.sea_state import flight as at_sea
 from boresight.studies.sea_state.matching import Matching, turned
@@ -110,11 +109,8 @@ def shared(sea: Sea, seed: int, number: int) -> Shared:
     ends = true.slave.nav(slice(None, None, per_update))
     one = (slice(None), 0, 0)
     master = np.concatenate([true.master.v_n, true.master.q_b2n_wxyz], axis=-1)[:, 0]
-    opening = Message(
-        time=0.0, R=at_sea.matching_variances(s), v_m_n=master[0, 0, :3],
-        q_m2n_wxyz=master[0, 0, 3:], position=ends["lat_lon_height"][0, 0, 0],
-    )  # fmt: skip
-    _, P = at_sea.begin(model, opening, s, at_sea.Belief())
+    _, P = at_sea.begin(model, s, at_sea.Belief(), v_m_n=master[0, 0, :3], q_m2n_wxyz=master[0, 0, 3:],
+                        position=ends["lat_lon_height"][0, 0, 0])  # fmt: skip
     return Shared(
         true.dtheta[one], true.dv[one], ends["lat_lon_height"][one], ends["v_n"][-1, 0, 0],
         ends["q_b2n_wxyz"][-1, 0, 0], true.q_b2m_wxyz[-1].reshape(4), delays, np.moveaxis(master, 1, 0), P,
