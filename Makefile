@@ -7,11 +7,12 @@ BIN := $(VENV)/bin
 PYTHON ?= python3
 EXTRAS ?= all
 BENCH := .venv-bench
+SITE := .venv-site
 PEERS := symforce wrenfold casadi sympy filterpy python-ins simdkalman numba jax
 COUNTING := unicorn pyelftools
 
 .NOTPARALLEL:
-.PHONY: run quick test generated check evidence proofs bench clean tools announce
+.PHONY: run quick test generated check evidence proofs bench site clean tools announce
 
 run: announce $(VENV)/.installed
 	$(BIN)/boresight generate
@@ -58,6 +59,10 @@ bench: $(BENCH)/.installed
 	$(BENCH)/bin/python -m benchmarks.growth
 	-$(BENCH)/bin/python -m benchmarks.instructions
 
+# The site of the documentation, into out/site, without a network once its environment is there.
+site: $(SITE)/.installed
+	$(SITE)/bin/python -m docs.site.build -o out/site
+
 tools:
 	@command -v $(PYTHON) >/dev/null || { echo "make: $(PYTHON) is missing; install python3 (3.11 or newer)"; exit 1; }
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "make: $(PYTHON) is older than 3.11; set PYTHON to a newer one"; exit 1; }
@@ -86,5 +91,10 @@ $(BENCH)/.installed: pyproject.toml benchmarks/constraints.txt | tools
 		|| echo "make: there is no libeigen3-dev"
 	@touch $@
 
+$(SITE)/.installed: pyproject.toml constraints.txt | tools
+	@$(PYTHON) -m venv $(SITE)
+	@$(SITE)/bin/pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[all,site]'
+	@touch $@
+
 clean:
-	rm -rf $(VENV) $(BENCH) out build dist *.egg-info
+	rm -rf $(VENV) $(BENCH) $(SITE) out build dist *.egg-info

@@ -22,9 +22,7 @@ from boresight import cli
 from boresight.runtime.store import BLOCK
 
 pytestmark = pytest.mark.usefixtures("quickly")
-OWN = [
-    ROOT / "docs" / f"{name}.md" for name in ("tutorial", "your-paper", "smoother", "observability", "design-questions")
-]
+OWN = [ROOT / "docs" / f"{name}.md" for name in ("tutorial", "from-nothing", "your-paper", "smoother", "observability")]
 PAGES = [*OWN, *sorted((ROOT / "docs" / "how-to").glob("*.md"))]
 FENCED = re.compile(r"^```(\w+)(?: (\S+))?\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 

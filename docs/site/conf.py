@@ -1,0 +1,35 @@
+"""How Sphinx makes the site of what build.py has laid out."""
+
+import boresight
+
+project = "Boresight"
+release = boresight.__version__
+copyright = "the authors of Boresight"
+extensions = ["myst_parser", "sphinx_design", "sphinx.ext.autodoc", "numpydoc"]
+html_theme = "furo"
+html_title = "Boresight"
+html_static_path = ["_static"]
+html_css_files = ["site.css"]
+html_js_files = ["filter.js"]
+html_copy_source = html_show_sphinx = False
+myst_enable_extensions = ["colon_fence"]
+myst_heading_anchors = 4
+highlight_language = "none"
+numpydoc_show_class_members = False
+autodoc_typehints = "none"
+add_module_names = toc_object_entries = False
+
+
+def marked_up(app, what, name, value, options, lines):
+    """A docstring is no reStructuredText: |x| is an absolute value there, and an item goes on without an indent."""
+    item = False
+    for i, line in enumerate(lines):
+        if not line.lstrip().startswith((">>>", "...")):
+            lines[i] = line.replace("|", r"\|")
+        if item and line[:1] not in ("", " ", "-"):
+            lines[i] = "  " + lines[i]
+        item = line.startswith("- ") or (item and bool(line))
+
+
+def setup(app):
+    app.connect("autodoc-process-docstring", marked_up)
