@@ -29,6 +29,35 @@ def test_a_dead_link_and_a_dead_anchor_are_seen(tmp_path):
     assert found.links == {"a.html": {"b.html"}, "b.html": frozenset()}
 
 
+def test_a_site_whose_equation_is_far_from_its_c_is_refused(tmp_path, monkeypatch):
+    """e -> 1 -> u and back by 2 pages is near; one more page between them is not, nor is a large one or a dead link."""
+    (folder,) = (folder for folder in folders() if folder.name == "euler_matching")
+    (unit,) = (unit for unit in trace.units_of(folder) if unit.path.stem == "em_F")
+    known = trace.Trace(units=[unit])
+    known.equations["song-lee-2001", "20"] = one = trace.Equation("song-lee-2001", "20", "(20)", "exact", "", "")
+
+    def written(*ring):
+        for page, to in zip(ring, [*ring[1:], ring[0]], strict=True):
+            path = tmp_path / f"{page}.html"
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(f'<article><a href="{layout.up(page)}{to}.html">to</a></article>')
+
+    written(one.page, "1", unit.page, "2", "3")
+    assert "clicks from an equation to its C and back: 1 by 3; no C stands on \n" in build.checked(tmp_path, known)
+    written(one.page, "1", unit.page, "2", "3", "4")
+    with pytest.raises(
+        SystemExit, match=r"site: \S+20.html and its C are more than 3 clicks apart: 2 there, \[4\] back"
+    ):
+        build.checked(tmp_path, known)
+    written(one.page, unit.page)
+    monkeypatch.setattr(build, "LARGEST", 10)
+    with pytest.raises(SystemExit, match=r"bytes, more than 10"):
+        build.checked(tmp_path, known)
+    (tmp_path / "x.html").write_text('<a href="y.html">')
+    with pytest.raises(SystemExit, match=r"site: 1 dead links; the first is x.html: y.html"):
+        build.checked(tmp_path, known)
+
+
 def test_clicks_are_those_of_the_shortest_path():
     ring = {"a": ["b", "c"], "b": ["d"], "c": ["e"], "d": ["e"], "e": ["a"], "f": []}
     assert links.clicks(ring, "a", {"e"}) == 2 and links.clicks(ring, "e", {"d"}) == 3

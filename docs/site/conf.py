@@ -15,6 +15,9 @@ html_copy_source = html_show_sphinx = False
 myst_enable_extensions = ["colon_fence"]
 myst_heading_anchors = 4
 highlight_language = "none"
+pygments_dark_style = "github-dark"
+default_role = "py:obj"  # of a docstring: a name in backticks is a link where it is documented
+smartquotes = False  # x' is a derivative
 numpydoc_show_class_members = False
 autodoc_typehints = "none"
 add_module_names = toc_object_entries = False
@@ -31,5 +34,18 @@ def marked_up(app, what, name, value, options, lines):
         item = line.startswith("- ") or (item and bool(line))
 
 
+MENUS = {}
+
+
+def menu(app, page, template, context, doctree):
+    """Pages that are not in the menu have one menu for each folder: to make menus costs half of the time."""
+    if "orphan" in app.env.metadata.get(page, {}):
+        folder, toctree = page.rpartition("/")[0], context["toctree"]
+        context["toctree"] = lambda **how: (
+            MENUS[folder] if folder in MENUS else MENUS.setdefault(folder, toctree(**how))
+        )
+
+
 def setup(app):
     app.connect("autodoc-process-docstring", marked_up)
+    app.connect("html-page-context", menu, priority=100)  # before the theme

@@ -93,8 +93,8 @@ def units_of(folder: Folder) -> list[Unit]:
     declared = prototypes(folder)
     made = []
     for path in sorted((folder.path / "src").glob("*.c")):
-        defined = DEFINED.findall(path.read_text(encoding="utf-8"))
-        functions = tuple(declared[name] for name in dict.fromkeys(defined) if name in declared)
+        defined = set(DEFINED.findall(path.read_text(encoding="utf-8")))
+        functions = tuple(one for name, one in declared.items() if name in defined)
         if functions:
             made.append(Unit(folder, path, functions, Source(folder, path).described or {}))
     return made
@@ -224,7 +224,7 @@ def shown_paper(name: str) -> dict[str, Any]:
         front, back = (sections(replace(around, sections=part, back=())) for part in (whole.front, whole.back))
         return {"lead": whole.lead, "front": front, "back": back, "equations": parts, "why": dict(one.unflown)}
 
-    return kept_ledger.kept(f"site/{name}", dict, made)
+    return kept_ledger.kept(f"site/{name}", dict, made, (Path(__file__),))
 
 
 def chip(status: str) -> str:
@@ -243,9 +243,9 @@ def equation_page(source: layout.Source, known: Trace, one: Equation) -> None:
         places = dict.fromkeys(place for unit in of if (place := known.block(unit)))
         blocks = ", ".join(f'<a href="{top}{p}">{p.rpartition("#block-")[2]}</a>' for p in places)
         c = ", ".join(f"[`{unit.path.stem}`]({top}{unit.page}.md)" for unit in of)
-        evidence = ", ".join(f'<a href="{top}models/{name}-evidence.html#{u.path.stem}">{u.path.stem}</a>' for u in of)
+        evidence = f"[evidence]({top}models/{name}-evidence.md)"
         rows.append((f"[{of[0].folder.manifest['model']}]({top}models/{name}.md)", blocks, c, evidence))
-    trail = table(("model", "block", "C", "evidence"), rows) if rows else ""
+    trail = table(("model", "block", "C", ""), rows) if rows else ""
     if why := known.why.get((one.paper, one.number)):
         trail += f"\nNo function gives a side of it by itself: {why}.\n"
     links = {
@@ -278,16 +278,12 @@ def equations(source: layout.Source, known: Trace) -> None:
             c = ", ".join(f"[`{u.path.stem}`](../{u.page}.md)" for u in known.cited.get((name, one.number), ()))
             rows.append((f"[{name} {one.title}](../{one.page}.md)", chip(one.status), c or "none"))
         squares = "".join(
-            f'<a class="square {e.status.partition(":")[0]}" href="{{top}}{e.page}.html">{escape(e.title)}</a>'
-            for e in of
+            f'<a class="square {e.status.partition(":")[0]}" href="../{e.page}.html">{escape(e.title)}</a>' for e in of
         )
-        maps.append(f"<p><b>{name}</b></p><p>{squares}</p>".replace("{top}", "../"))
+        maps.append(f"<p><b>{name}</b></p><p>{squares}</p>")
         here = f"equations/{name}"
-        text = f"# {name}\n\n" + "\n\n".join(shown["lead"]) + "\n\n" + raw(f"<p>{squares.replace('{top}', '../')}</p>")
-        parts = (("Conventions and letters", shown["front"]), ("Models, and what no function computes", shown["back"]))
-        for title, html in parts:
-            text += f"\n## {title}\n\n" + raw(known.linked(EQUATION.sub(rf'href="{name}/\1.html"', html), here))
-        source.write(here, text)
+        around = known.linked(EQUATION.sub(rf'href="{name}/\1.html"', shown["front"] + shown["back"]), here)
+        source.write(here, "\n\n".join((f"# {name}", *shown["lead"], raw(f"<p>{squares}</p>"), raw(around))))
     head = "# Equations\n\nEach printed equation, with the status that `boresight equations` computes of it.\n\n"
     listed = f"::::{{container}} filterable\n{table(('equation', 'status', 'in C'), rows)}::::\n\n"
     source.write("equations/index", head + raw("".join(maps)) + "\n" + listed + toctree(ALL))
@@ -319,7 +315,7 @@ def shown_model(folder: Folder) -> dict[str, Any]:
 
         return {"lead": page.lead, "sections": [part for one in page.sections for part in parts(one)]}
 
-    return kept_ledger.kept(f"site/{folder.name}", dict, made)
+    return kept_ledger.kept(f"site/{folder.name}", dict, made, (Path(__file__),))
 
 
 def shorter(block: Block) -> Iterable[Block]:
@@ -336,13 +332,14 @@ def models(source: layout.Source, known: Trace, shown: Mapping[str, dict[str, An
     for folder in folders():
         here, m = f"models/{folder.name}", folder.manifest
         own = [unit for unit in known.units if unit.folder.name == folder.name]
-        text = f"# {m['model']}\n\n" + "\n\n".join(shown[folder.name]["lead"] if folder.name in shown else ())
-        text += (
-            f"\n\n[Evidence of its C]({folder.name}-evidence.md). `boresight export {m['model']} -o DIR` writes it.\n"
+        headers = (source.link(here, path, f"`{path.name}`") for path in sorted(folder.include.glob("*.h")))
+        lead = (
+            *(shown[folder.name]["lead"] if folder.name in shown else ()),
+            f"[Evidence of its C]({folder.name}-evidence.md). `boresight export {m['model']} -o DIR` writes it.",
+            f"Headers: {', '.join(headers)}.",
+            f"Explained in {', '.join(explained(source, here, m['model']))}.",
         )
-        text += (
-            f"Headers: {', '.join(source.link(here, p, f'`{p.name}`') for p in sorted(folder.include.glob('*.h')))}.\n"
-        )
+        text = f"# {m['model']}\n\n" + "\n\n".join(lead) + "\n"
         for name, title, html in shown.get(folder.name, {"sections": ()})["sections"]:
             place = known.blocks[folder.name].get(name, here)
             page = place.partition(".html")[0] or here
@@ -365,6 +362,14 @@ def models(source: layout.Source, known: Trace, shown: Mapping[str, dict[str, An
             unit_page(source, known, unit)
     text = "# Models\n\n" + table(("model", "what it is", ""), rows) + "\n" + toctree(f.name for f in folders())
     source.write("models/index", text)
+
+
+def explained(source: layout.Source, here: str, model: str) -> list[str]:
+    """Links to the pages of docs/ that name a model most often."""
+    word = re.compile(rf"(?<![\w-]){model}(?![\w-])")
+    named = [(len(word.findall(path.read_text(encoding="utf-8"))), path) for path in layout.pages()]
+    most = sorted((one for one in named if one[0]), key=lambda one: -one[0])[:4]
+    return [source.link(here, path, layout.title_of(path.read_text(encoding="utf-8"))) for _, path in most]
 
 
 def evidence_page(source: layout.Source, known: Trace, folder: Folder) -> None:
@@ -393,8 +398,8 @@ def unit_page(source: layout.Source, known: Trace, unit: Unit) -> None:
     links = [f"Model [{of.manifest['model']}]({top}models/{of.name}.md)"]
     if block := known.block(unit):
         links.append(f'block <a href="{top}{block}">{block.rpartition("#block-")[2]}</a>')
-    row = f'<a href="{top}models/{of.name}-evidence.html#{unit.path.stem}">evidence</a>'
-    links.append(row if unit.path not in of.identity else f"[evidence]({top}models/{of.name}-evidence.md)")
+    row = "" if unit.path in of.identity else f"#{unit.path.stem}"  # the identity computes nothing
+    links.append(f'<a href="{top}models/{of.name}-evidence.html{row}">evidence</a>')
     text = f"{ORPHAN}# {unit.path.stem}\n\n{unit.described.get('meaning', '')}\n\n{', '.join(links)}.\n\n"
     cited = [known.equations.get(match.groups()) for one in unit.equations if (match := CITED.fullmatch(one))]
     cited_links = [f"[{e.paper} {e.title}]({top}{e.page}.md) {chip(e.status)}" for e in cited if e]
