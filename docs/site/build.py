@@ -57,7 +57,7 @@ def by_kind() -> dict[str, list[str]]:
 
 
 def flight() -> str:
-    """The first flight of the README, with two lines that keep it and four that draw it."""
+    """The first flight of the README, with what keeps it and what draws it."""
     (code,) = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL)
     begin = "\nfor k in range"
     assert code.count(begin) == 1
@@ -66,15 +66,16 @@ def flight() -> str:
         "\nimport matplotlib.pyplot as plt\n\n"
         'after = record.rows("feedback")\n'
         'plt.figure(figsize=(7, 2.6), layout="constrained")\n'
-        'plt.plot(np.degrees(record.nav["mu"][after]))\n'
+        'plt.plot(np.degrees(record.nav["mu"][after]), label=["front", "right", "down"])\n'
         'plt.hlines(np.degrees(mu), 0, len(after), "k", "dotted", linewidth=1)\n'
         'plt.xlabel("time [s]")\n'
         'plt.ylabel("misalignment [deg]")\n'
+        "plt.legend()\n"
         'plt.savefig("first-flight.png", dpi=110)\n'
     )
 
 
-def home(source: layout.Source) -> None:
+def home(source: layout.Source, kinds: Mapping[str, list[str]]) -> None:
     """What it does, a fault that it finds, how it is installed, a first flight, and four doors."""
     (source.folder / "figures").mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
@@ -89,7 +90,7 @@ def home(source: layout.Source) -> None:
     text = source.included((HERE / "home.md").read_text(encoding="utf-8"), HERE, "index")
     for name, value in names.items():
         text = text.replace(f"<!-- {name} -->", value)
-    source.write("index", text + menu(source))
+    source.write("index", "\n".join([text, *(toctree(of, kind) for kind, of in kinds.items())]))
 
 
 def fault(found: str) -> str:
@@ -106,12 +107,13 @@ def fault(found: str) -> str:
     return "\n".join([*shown, lines[-1]])
 
 
-def menu(source: layout.Source) -> str:
+def menu(source: layout.Source) -> dict[str, list[str]]:
+    """Kind -> names of all pages of the menu; those of the reference are written."""
     kinds = by_kind()
     kinds["Reference"] = [*reference.names(source), reference.commands(source), *kinds["Reference"]]
     kinds["Equation to C"] = ["equations/index", "models/index", "gallery"]
     kinds["Project"] = [f"files/{name}" for name in PROJECT]
-    return "\n" + "".join(toctree(names, kind) for kind, names in kinds.items())
+    return kinds
 
 
 def written(source: layout.Source) -> trace.Trace:
@@ -122,10 +124,11 @@ def written(source: layout.Source) -> trace.Trace:
     notebook(source)
     for name in PROJECT:
         source.page(ROOT / f"{name}.md")
-    home(source)
-    known = trace.write(source)
+    known, kinds = trace.write(source), menu(source)
     reference.gallery(source)
-    reference.for_programs(source, (HERE / "home.md").read_text(encoding="utf-8").split("\n\n")[1].replace("\n", " "))
+    home(source, kinds)
+    about = (HERE / "home.md").read_text(encoding="utf-8").split("\n\n")[1]
+    reference.for_programs(source, about.replace("\n", " "), kinds)
     source.shown_files()
     return known
 

@@ -3,6 +3,7 @@
 import ast
 import inspect
 import re
+from collections.abc import Mapping, Sequence
 from ctypes import Structure
 from functools import cache
 from pathlib import Path
@@ -144,7 +145,7 @@ def shown_on(pages: list[Path]) -> dict[str, list[tuple[Path, str]]]:
 
 def gallery(source: layout.Source) -> None:
     """Each figure with the pages that show it; those that one function draws together, and its code."""
-    text = "# Gallery\n\nEach figure, the page that explains it, and the code that draws it.\n"
+    text = "# Gallery\n\nEach figure, the page that explains it, and the function that draws it, where one names it.\n"
     shown = shown_on([ROOT / "README.md", *layout.pages()])
     by_code: dict[tuple[Path, str, str] | None, list[str]] = {}
     for name in sorted(shown):
@@ -164,16 +165,14 @@ def gallery(source: layout.Source) -> None:
 # ---------------------------------------------------------------- for programs
 
 
-def for_programs(source: layout.Source, about: str) -> None:
-    """llms.txt lists the pages of docs/ by kind, llms-full.txt has their text."""
-    pages = [ROOT / "README.md", *layout.pages()]
-    lines = [f"# Boresight\n\n> {about}\n"]
-    folder = None
-    for page in pages:
-        if page.parent != folder:
-            folder = page.parent
-            lines.append(f"\n## {folder.relative_to(ROOT).as_posix()}\n")
-        lines.append(f"- [{layout.title_of(page.read_text(encoding='utf-8'))}]({layout.docname(page)}.html)")
+def for_programs(source: layout.Source, about: str, kinds: Mapping[str, Sequence[str]]) -> None:
+    """llms.txt lists the pages of the menu by kind, llms-full.txt has the text of docs/."""
+    lines = [f"# Boresight\n\n> {about}"]
+    for kind, names in kinds.items():
+        lines.append(f"\n## {kind}\n")
+        for name in names:
+            title = layout.title_of((source.folder / f"{name}.md").read_text(encoding="utf-8"))
+            lines.append(f"- [{title}]({name}.html)")
     (source.extra / "llms.txt").write_text("\n".join(lines) + "\n", encoding="utf-8")
-    whole = "\n\n".join(page.read_text(encoding="utf-8") for page in pages)
+    whole = "\n\n".join(page.read_text(encoding="utf-8") for page in (ROOT / "README.md", *layout.pages()))
     (source.extra / "llms-full.txt").write_text(whole, encoding="utf-8")

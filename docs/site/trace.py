@@ -42,6 +42,10 @@ APART = 30_000  # characters: a longer section of a model has its own page
 TOGETHER = 40  # formulas of a block
 MOST = 150_000  # characters: what is longer has several
 LISTED = 80_000  # characters of the table of statements
+EMBED = (
+    "`boresight export MODEL -o DIR` writes the C of a model as one folder that needs nothing of Python: [embed the C]"
+    "(../own-model.md#embed-the-c), [show what is known of it](../how-to/evidence-of-an-export.md).\n\n"
+)
 STATEMENT = "By `python -m boresight.evidence.trace`: each statement, and the blocks of the result that depend on it."
 
 
@@ -81,11 +85,15 @@ class Unit:
 
     @cached_property
     def equations(self) -> tuple[str, ...]:
-        """Those that it, or the measurement that it is of, cites."""
+        """Those that it, the measurement that it is of, its prototypes, or a component's header cites."""
         measured = self.folder.manifest.get("measurements", {})
         name = self.described.get("name", "")
         of = [m["equations"] for key, m in measured.items() if name.startswith(f"{key}_")]
-        return tuple(dict.fromkeys((*self.described.get("equations", ()), *(one for each in of for one in each))))
+        text = "".join(function.text for function in self.functions)
+        if self.folder.manifest["model"] in COMPONENTS:
+            text = self.functions[0].header.read_text(encoding="utf-8")
+        in_text = (found[0] for found in CITED.finditer(text))
+        return tuple(dict.fromkeys((*self.described.get("equations", ()), *chain(*of), *in_text)))
 
 
 def units_of(folder: Folder) -> list[Unit]:
@@ -360,7 +368,7 @@ def models(source: layout.Source, known: Trace, shown: Mapping[str, dict[str, An
         evidence_page(source, known, folder)
         for unit in own:
             unit_page(source, known, unit)
-    text = "# Models\n\n" + table(("model", "what it is", ""), rows) + "\n" + toctree(f.name for f in folders())
+    text = "# Models\n\n" + EMBED + table(("model", "what it is", ""), rows) + "\n" + toctree(f.name for f in folders())
     source.write("models/index", text)
 
 
