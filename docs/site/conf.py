@@ -34,7 +34,7 @@ def marked_up(app, what, name, value, options, lines):
         item = line.startswith("- ") or (item and bool(line))
 
 
-MENUS = {}
+MENUS: dict[str, str] = {}
 
 
 def menu(app, page, template, context, doctree):

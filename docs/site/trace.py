@@ -25,7 +25,7 @@ from boresight.derive.pages.model import model_page
 from boresight.derive.pages.page import anchor, equations_page, paper_page
 from boresight.derive.papers import DERIVATIONS, PAPERS, paper
 from boresight.evidence import trace as statements
-from docs.site import layout
+from docs.site import layout, reference
 from docs.site.layout import ORPHAN, ROOT, fenced, raw, table, toctree
 
 ALL = (*PAPERS, *DERIVATIONS)
@@ -262,7 +262,7 @@ def equation_page(source: layout.Source, known: Trace, one: Equation) -> None:
     }
     lines = [f"{word} " + ", ".join(f"[{e.title}]({top}{e.page}.md)" for e in of) for word, of in links.items() if of]
     if not units and (reached := known.reached(one)):
-        lines.append("In C by way of these: " + ", ".join(f"[`{u.path.stem}`]({top}{u.page}.md)" for u in reached))
+        lines.append("In C through these: " + ", ".join(f"[`{u.path.stem}`]({top}{u.page}.md)" for u in reached))
     if tests := known.tests.get((one.paper, one.number)):
         lines.append("Tested by " + ", ".join(source.link(here, path, f"`{name}`") for path, name in tests))
     head = f"[All of {one.paper}](../{one.paper}.md)" + (f", {one.source}" if one.source else "")
@@ -362,6 +362,7 @@ def models(source: layout.Source, known: Trace, shown: Mapping[str, dict[str, An
             for unit in own
             for f in unit.functions
         ]
+        text += flown(source, here, m["model"])
         text += "\n## Every function\n\n" + table(("function", "operations", "of"), functions)
         source.write(here, text)
         rows.append((f"[{m['model']}]({folder.name}.md)", m["title"], f"[evidence]({folder.name}-evidence.md)"))
@@ -373,11 +374,25 @@ def models(source: layout.Source, known: Trace, shown: Mapping[str, dict[str, An
 
 
 def explained(source: layout.Source, here: str, model: str) -> list[str]:
-    """Links to the pages of docs/ that name a model most often."""
+    """Links to the page of docs/ that is called like a model, and to those that name it most often."""
     word = re.compile(rf"(?<![\w-]){model}(?![\w-])")
-    named = [(len(word.findall(path.read_text(encoding="utf-8"))), path) for path in layout.pages()]
-    most = sorted((one for one in named if one[0]), key=lambda one: -one[0])[:4]
-    return [source.link(here, path, layout.title_of(path.read_text(encoding="utf-8"))) for _, path in most]
+    named = [(path.stem == model, len(word.findall(path.read_text(encoding="utf-8"))), path) for path in layout.pages()]
+    most = sorted((one for one in named if one[1]), key=lambda one: (-one[0], -one[1]))[:4]
+    return [source.link(here, path, layout.title_of(path.read_text(encoding="utf-8"))) for _, _, path in most]
+
+
+def flown(source: layout.Source, here: str, model: str) -> str:
+    """A figure of a study whose code names the model, and the page that explains it; nothing if there is none."""
+    for figure, pages in sorted(reference.shown_on(layout.pages()).items()):
+        drawn = reference.drawn_by(Path(figure).stem)
+        if not drawn or ROOT / "studies" not in drawn[0].parents:
+            continue
+        if any(f'"{model}"' in path.read_text(encoding="utf-8") for path in drawn[0].parent.glob("*.py")):
+            page, words = pages[0]
+            picture = f"![{words}]({source.picture(here, ROOT / 'docs' / 'figures' / figure)})"
+            on = source.link(here, page, layout.title_of(page.read_text(encoding="utf-8")))
+            return f"\n## In a study\n\n{picture}\n\n{words}, of {on}; [all figures](../gallery.md).\n"
+    return ""
 
 
 def evidence_page(source: layout.Source, known: Trace, folder: Folder) -> None:
@@ -409,7 +424,7 @@ def unit_page(source: layout.Source, known: Trace, unit: Unit) -> None:
     row = "" if unit.path in of.identity else f"#{unit.path.stem}"  # the identity computes nothing
     links.append(f'<a href="{top}models/{of.name}-evidence.html{row}">evidence</a>')
     text = f"{ORPHAN}# {unit.path.stem}\n\n{unit.described.get('meaning', '')}\n\n{', '.join(links)}.\n\n"
-    cited = [known.equations.get(match.groups()) for one in unit.equations if (match := CITED.fullmatch(one))]
+    cited = [known.equations.get((match[1], match[2])) for one in unit.equations if (match := CITED.fullmatch(one))]
     cited_links = [f"[{e.paper} {e.title}]({top}{e.page}.md) {chip(e.status)}" for e in cited if e]
     text += f"Equations: {', '.join(cited_links)}\n\n" if cited_links else ""
     headers = dict.fromkeys(function.header for function in unit.functions)
