@@ -54,7 +54,7 @@ def test_a_site_whose_equation_is_far_from_its_c_is_refused(tmp_path, monkeypatc
     with pytest.raises(SystemExit, match=r"bytes, more than 10"):
         build.checked(tmp_path, known)
     (tmp_path / "x.html").write_text('<a href="y.html">')
-    with pytest.raises(SystemExit, match=r"site: 1 dead links; the first is x.html: y.html"):
+    with pytest.raises(SystemExit, match=r"site: dead links: 1; the first is x.html: y.html"):
         build.checked(tmp_path, known)
 
 

@@ -149,7 +149,7 @@ def checked(out: Path, known: trace.Trace) -> str:
     """One line on the site.  Raises SystemExit on a dead link, a page that is too large, an equation far from its C."""
     site = links.read(out)
     if site.dead:
-        raise SystemExit(f"site: {len(site.dead)} dead links; the first is {site.dead[0]}")
+        raise SystemExit(f"site: dead links: {len(site.dead)}; the first is {site.dead[0]}")
     sizes = {path: path.stat().st_size for path in out.rglob("*.html")}
     path, size = max(sizes.items(), key=lambda item: item[1])
     if size > LARGEST:
