@@ -142,7 +142,7 @@ def carried(
     """Constants, sigmas and estimates of the plain model, as `first` takes them, widened to MODEL.
 
     The lever arm becomes an estimate.  What the constants say of the biases' random walk stays, beside the instability.
-    Use it as
+    Use it as::
 
         wide = carried(GRADES["tactical"], constants, sigmas, estimates)
         nav, P = first(message, load(MODEL), wide.constants, P=wide.P, estimates=wide.estimates, increments=...)

@@ -537,6 +537,7 @@ CONDITIONS = [
         "parked",
         HEADING_10,
         one_off(55, turn=(0, 0, 20 * DEG)),
+        held=False,
     ),
     Condition("moving, one velocity 500 m/s off at 4.1 s", "recovers", "ship", EARLY, one_off(4.1, v=(500, 0, 0))),
     Condition("moving, one velocity 20 m/s off at 4.1 s", "recovers", "ship", EARLY, one_off(4.1, v=(0, 20, 0))),
@@ -564,7 +565,7 @@ CONDITIONS = [
     # messages late, lost, copied, out of order
     Condition("messages 0.2 s late", "consistent", setting={"late": 0.2}),
     Condition("half of the messages lost", "consistent", setting={"lost": 0.5}),
-    Condition("no message for 10 s", "recovers", change=silent(15.0, 25.0)),
+    Condition("no message for 10 s", "recovers", change=silent(15.0, 25.0), held=False),
     Condition("bursts of five", "consistent", setting={"master_hz": 25.0, "seconds": 24.0}, change=bursts(5)),
     Condition(
         "bursts of five, newest first",
