@@ -46,17 +46,18 @@ START = {"phi": [0.1, 0.1, 0.3], "dv_n": [3.0, 3.0, 3.0]}
 BLOCKS = {"gyro_bias": "d_gyro_bias", "accel_bias": "d_accel_bias", "q_b2m_wxyz": "dmu", "tau": "d_tau"}
 
 
-def fly_live(flight: Flight, runs=None, rules=None, call_s=2.0, carrying=None):
+def fly_live(flight: Flight, runs=None, rules=None, call_s=2.0, carrying=None, considered=None):
     """Each run by a loop of its own, begun at the first message; background behind each sample until nothing is left.
 
     A row is the loop just before a message arrives, when the corrections of the one before are due.  P is that of
     `covariance`, propagated from its instant to now by what is true.  A loop that is lost begins anew from the next
     message, as a driver would do it.  carrying: Sensors, by the composition that has states for them.
+    considered: (16,) bool, states that no measurement corrects.
     """
     runs, whole, rows, steps = flight.setting.runs if runs is None else runs, Record(), {}, steps_of(flight)
     for run in range(runs):
         try:
-            for k, row in one_run(flight, run, rules, call_s, whole.notes, steps, carrying):
+            for k, row in one_run(flight, run, rules, call_s, whole.notes, steps, carrying, considered):
                 rows.setdefault(k, {})[run] = row
         except Exception as error:
             whole.raised = f"run {run}: {type(error).__name__}: {error}".splitlines()[0]
@@ -64,7 +65,7 @@ def fly_live(flight: Flight, runs=None, rules=None, call_s=2.0, carrying=None):
     return whole
 
 
-def one_run(flight, run, rules, call_s, notes, steps, carrying=None):
+def one_run(flight, run, rules, call_s, notes, steps, carrying=None, considered=None):
     """(k, (errors, P, refused, came)) before each message, and at the end."""
     constants = flight.setting.constants()
     k, counted, begun, message, known = -1, {}, False, {}, {}
@@ -112,7 +113,7 @@ def one_run(flight, run, rules, call_s, notes, steps, carrying=None):
         with within(call_s):
             if not begun or not loop.output(int(flight.end_us[k])):
                 loop.begin(int(flight.end_us[k]), start(fields, flight, run) | (wide.estimates if known else {}),
-                           **(known or sigmas(flight)))  # fmt: skip
+                           **(known or sigmas(flight) | {"considered": considered}))  # fmt: skip
                 notes.extend((flight.end[k], run, line) for line in loop.events() if begun)
                 begun, counted = True, {}  # it counts from here
                 continue

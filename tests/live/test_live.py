@@ -69,7 +69,9 @@ def short():
     return standard(runs=2, seconds=12.0)
 
 
-@pytest.mark.parametrize("name", ["healthy, ship", "healthy, catapult", "healthy, parked", "messages 0.2 s late"])
+@pytest.mark.parametrize(
+    "name", ["healthy, ship", "healthy, calm", "healthy, catapult", "healthy, parked", "messages 0.2 s late"]
+)
 def test_a_healthy_flight_is_consistent_and_loses_no_message(name):
     one, runs = NAMED[name], 6
     flight = one.flight(runs=runs)
@@ -256,6 +258,17 @@ def test_states_that_are_considered_stay_and_the_rest_is_consistent():
     flight = one.flight(runs=4)
     record = fly_live(flight, carrying=sensors.Sensors(1e-3, 1e-3))
     assert met(one.asked, one.refused, flight, record)
+
+
+def test_a_delay_that_is_considered_stays_and_the_others_know_what_it_does_to_them():
+    """It is 3.5 of its sigmas off in each run: 12.25 of the NEES, and 15 of the others."""
+    flight = standard("calm", seconds=20.0, runs=6)
+    flight = replace(flight, setting=replace(flight.setting, tau_believed=0.0, tau_sigma=0.01))
+    record = fly_live(flight, considered=np.arange(16) == 15)
+    P, errors = record.P[-1], record.errors[-1]
+    np.testing.assert_allclose(1e3 * np.sqrt(P[:, 15, 15]), 10.0, rtol=1e-3)
+    np.testing.assert_allclose(1e3 * errors[:, 15], -35.0, rtol=1e-3)
+    assert 21 < judged(record, 20.0).nees < 34
 
 
 def test_a_covariance_stands_in_place_of_sigmas_and_a_start_that_is_none_is_no_start(short):

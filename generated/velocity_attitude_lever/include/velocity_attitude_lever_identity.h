@@ -20,7 +20,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "bc4d54e1d10ba36cf926ea2f709fc6ec4d20a51c2f56cf4bfc640cd241a7ba3a"
+#define VAL_MODEL_HASH "4a8508d9994de6be2925c231465e2ed26e84394e4e6b05fa2b49773024f9d44e"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

@@ -1363,7 +1363,9 @@ static bs_status forget(val_live *live, const val_message *message)
     if (any) {
         bs_real follows[N]; /* column 15 of L */
         bs_real lost[N];    /* and of P before - P */
-        const bs_real delay = parts[15];
+        /* then it has no gain to be taken back */
+        const bool considered = filter->considered[15] != 0U;
+        const bs_real delay = considered ? BS_REAL(0.0) : parts[15];
         const bs_real variance = entry(filter->Q, 15, 15);
         DENSE(filter->P, dense);
         for (int i = 0; i < N; ++i) {
@@ -1373,7 +1375,7 @@ static bs_status forget(val_live *live, const val_message *message)
                                                    (before / variance)) : BS_REAL(0.0);
         }
         follows[15] = delay;
-        parts[15] = BS_REAL(0.0);
+        parts[15] = considered ? BS_REAL(1.0) : BS_REAL(0.0);
         for (int i = 0; i < N; ++i) {
             for (int j = 0; j <= i; ++j) {
                 const bs_real part = parts[i] * parts[j];

@@ -20,7 +20,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "2a61de08ac8165acff40eb3608de7a99a045caa3dac34e6e480d01c182335e4c"
+#define VAS_MODEL_HASH "630e47b64041d840a1cb28c54ba1883f35436fea9d80ccfb5aa92152a38ca2cb"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1

@@ -20,7 +20,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "d36da5c7ca7e12680f68ca99c7786549e7a6b46390d6029bc268d78030079e47"
+#define VD_MODEL_HASH "00f424f01281ea678a122e56643f75854b86506aff727d018c45844dfe81664d"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1

@@ -1203,7 +1203,9 @@ static bs_status forget(vd_live *live, const vd_message *message)
     if (any) {
         bs_real follows[N]; /* column 9 of L */
         bs_real lost[N];    /* and of P before - P */
-        const bs_real delay = parts[9];
+        /* then it has no gain to be taken back */
+        const bool considered = filter->considered[9] != 0U;
+        const bs_real delay = considered ? BS_REAL(0.0) : parts[9];
         const bs_real variance = entry(filter->Q, 9, 9);
         DENSE(filter->P, dense);
         for (int i = 0; i < N; ++i) {
@@ -1213,7 +1215,7 @@ static bs_status forget(vd_live *live, const vd_message *message)
                                                    (before / variance)) : BS_REAL(0.0);
         }
         follows[9] = delay;
-        parts[9] = BS_REAL(0.0);
+        parts[9] = considered ? BS_REAL(1.0) : BS_REAL(0.0);
         for (int i = 0; i < N; ++i) {
             for (int j = 0; j <= i; ++j) {
                 const bs_real part = parts[i] * parts[j];
