@@ -509,6 +509,12 @@ def export(
             help="What builds it beside make and CMake: arduino, platformio, idf, zephyr, px4.",
         ),
     ] = "",
+    against: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="OLD", help="Print what changed in flash and stack since this exported folder, as Markdown."
+        ),
+    ] = None,
 ) -> None:
     """Write a folder of C that needs nothing of Python.
 
@@ -519,11 +525,19 @@ def export(
     from boresight.codegen.export import export as export_model
 
     named = tuple(name for name in places.replace(" ", "").split(",") if name)
+    if against:
+        require("evidence")
+        from boresight.evidence.against import against as compared
+        from boresight.evidence.against import exported
+
+        exported(against)
     written = export_model(target, out, precision, folder, tuple(box or ()), named)
     if written.warning:
         print(f"boresight: {written.warning}", file=sys.stderr)
     goals = "test example" if out / "example" / "main.c" in written.files else "test"
     print(f"{counted(len(written.files), 'file')} in {out}; try 'make -C {out} {goals}'")
+    if against:
+        print(f"\n{compared(against, out)}")
 
 
 @app.command()

@@ -76,7 +76,14 @@ class Objects:
 
     def run(self, command, cwd=None):
         words = [str(word) for word in command]
-        beside = ("--coverage", "-g", "-M", "-fstack-usage", "-save-temps")  # write files beside the object
+        beside = (
+            "--coverage",
+            "-g",
+            "-M",
+            "-fstack-usage",
+            "-fcallgraph-info",
+            "-save-temps",
+        )  # write files beside the object
         elsewhere = ("-I/", "-I.", "-isystem", "-iquote")  # headers that are not looked for below
         known = "-c" in words and "-o" in words and words[words.index("-c") + 1].endswith(".c")
         if cwd or not known or any(word.startswith(beside + elsewhere) for word in words):

@@ -1,0 +1,72 @@
+"""What a change costs: flash of each unit and stack of each entry point of two exported folders, as Markdown."""
+
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+
+from boresight import BoresightError
+from boresight.codegen.folder import Folder
+from boresight.evidence.stack import FLAGS, Calls
+from boresight.evidence.targets import GCC, M4F, M7, WARNINGS, Target, text_size
+from boresight.runtime.compiler import PRECISIONS, compile_sources
+
+TELLS = ("model", "precision", "form")  # what two folders share that are compared
+
+
+def exported(path: Path) -> Folder:
+    """An exported folder.  Raises BoresightError where it is none."""
+    if not (path / "manifest.json").is_file():
+        raise BoresightError(f"{path} is no exported folder: it has no manifest.json; give one that 'export' wrote")
+    return Folder(path)
+
+
+def against(old: Path, new: Path, core: Target | None = None) -> str:
+    """A page for a change request, by a core that it ships to, or by this machine where no compiler for that is.
+
+    Raises BoresightError for folders of other models, precisions or forms.
+    """
+    before, after = exported(old), exported(new)
+    for name in TELLS:
+        one, other = (str(folder.manifest.get(name)) for folder in (before, after))
+        if one != other:
+            raise BoresightError(f"{old} is of another {name} than {new}, {one} and not {other}: nothing to compare")
+    precision = str(after.manifest["precision"])
+    if core is None:
+        ships = M4F if precision == "float" else M7
+        core = GCC if ships.missing else ships
+    flash, stack = zip(*(measured(folder, core, precision) for folder in (before, after)), strict=True)
+    totals = {"flash, bytes": [sum(one.values()) for one in flash],
+              "deepest stack, bytes": [max(one.values()) for one in stack]}  # fmt: skip
+    lines = [
+        f"# {after.manifest['model']}, {precision}: what the change costs",
+        "",
+        f"From version {before.manifest['version']}, hash {before.manifest['hash'][:12]}, to "
+        f"{after.manifest['version']}, {after.manifest['hash'][:12]}.  {core.name}, `{core.version}`, -Os.",
+        "",
+        *table("", {name: (one, other) for name, (one, other) in totals.items()}),
+    ]
+    for title, (one, other) in (("flash of", flash), ("stack from", stack)):
+        rows = {name: (one.get(name), other.get(name)) for name in sorted({*one, *other})}
+        changed = {name: row for name, row in rows.items() if row[0] != row[1]}
+        lines += ["", *table(title, changed)] if changed else ["", f"No {title.split()[0]} of a function changes."]
+    return "\n".join(lines)
+
+
+def measured(folder: Folder, core: Target, precision: str) -> tuple[dict[str, int], dict[str, int]]:
+    """Bytes by unit, and by entry point."""
+    command = [core.compiler, *WARNINGS, *core.flags, *PRECISIONS[precision], *FLAGS, "-I", folder.include]
+    with tempfile.TemporaryDirectory() as out:
+        objects = compile_sources(command, {unit.path: () for unit in folder.units}, Path(out))
+        calls = Calls(sorted(Path(out).glob("*.ci")))
+        flash = {unit: text_size(path) for unit, path in objects.items()}
+    return flash, {entry.removesuffix("_f32"): calls.deepest(entry) for entry in calls.entries()}
+
+
+def table(title: str, rows: Mapping[str, tuple[int | None, int | None]]) -> list[str]:
+    """Before, after, and by how much."""
+    shown = [
+        f"| {name} | {'-' if one is None else one} | {'-' if other is None else other} | "
+        f"{'new' if one is None else 'gone' if other is None else f'{other - one:+d}'} |"
+        for name, (one, other) in rows.items()
+    ]
+    return [f"| {title} | before | after | change |", "|---|---|---|---|", *shown]
