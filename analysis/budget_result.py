@@ -20,6 +20,7 @@ ADDED = "added on purpose"
 SHOWN = {"rad": ("mrad", "rad"), "rad/s": ("deg/h", "deg/s"), "m/s^2": ("mg", "m/s^2"), "s": ("ms", "s"),
          "1": ("ppm", "1")}  # fmt: skip
 LARGEST = 1e3  # beyond it the next unit is taken
+ROUNDING = 1e-14  # share of a variance
 ACROSS = 3  # states beside each other
 COLOURS = (BLUE, ORANGE, GREEN, "#8fbfe0", "#f2bd8c", "#a9cfae")
 TIMES = 61  # in a file, at most
@@ -97,7 +98,10 @@ class Budget:
     # ---- as text, CSV and JSON
 
     def report(self, times: Sequence[float] = (), states: Sequence[str] = (), title: str = "") -> str:
-        """Tables of sources and states at these times, s, the end if none: one sigma, and its share of the variance."""
+        """Tables of sources and states at these times, s, the end if none: one sigma, and its share of the variance.
+
+        A dash stands for nothing, or for what rounding leaves of it.
+        """
         places = [self.state(name) for name in states] or list(range(len(self.states)))
         lines = [title or self.model, "One sigma of the true error by source, and its share of the variance."]
         for k in [self.at(time) for time in times] or [len(self.times) - 1]:
@@ -116,7 +120,7 @@ class Budget:
             cells = []
             for i, value in enumerate(values / scale):
                 part = "     " if share is None else f" {100 * share[i]:3.0f}%"
-                cells.append("-" + " " * 5 if share is not None and value == 0 else f"{value:.3g}" + part)
+                cells.append("-" + " " * 5 if share is not None and share[i] < ROUNDING else f"{value:.3g}" + part)
             return row(name, cells)
 
         with np.errstate(invalid="ignore", divide="ignore"):
