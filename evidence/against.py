@@ -6,9 +6,8 @@ from pathlib import Path
 
 from boresight import BoresightError
 from boresight.codegen.folder import Folder
-from boresight.evidence.stack import FLAGS, Calls
-from boresight.evidence.targets import GCC, M4F, M7, WARNINGS, Target, text_size
-from boresight.runtime.compiler import PRECISIONS, compile_sources
+from boresight.evidence.stack import built
+from boresight.evidence.targets import GCC, M4F, M7, Target
 
 TELLS = ("model", "precision", "form")  # what two folders share that are compared
 
@@ -54,11 +53,8 @@ def against(old: Path, new: Path, core: Target | None = None) -> str:
 
 def measured(folder: Folder, core: Target, precision: str) -> tuple[dict[str, int], dict[str, int]]:
     """Bytes by unit, and by entry point."""
-    command = [core.compiler, *WARNINGS, *core.flags, *PRECISIONS[precision], *FLAGS, "-I", folder.include]
     with tempfile.TemporaryDirectory() as out:
-        objects = compile_sources(command, {unit.path: () for unit in folder.units}, Path(out))
-        calls = Calls(sorted(Path(out).glob("*.ci")))
-        flash = {unit: text_size(path) for unit, path in objects.items()}
+        flash, calls = built(folder, core, precision, Path(out))
     return flash, {entry.removesuffix("_f32"): calls.deepest(entry) for entry in calls.entries()}
 
 

@@ -12,7 +12,7 @@ from typing import Any
 
 from boresight import BoresightError
 from boresight.codegen.folder import Folder
-from boresight.evidence.targets import CORES, PRECISIONS, WARNINGS, text_size
+from boresight.evidence.targets import CORES, PRECISIONS, WARNINGS, Target, text_size
 from boresight.runtime.compiler import compile_sources
 
 NODE = re.compile(r'^node: \{ title: "([^"]*)" label: "([^"]*)"', re.MULTILINE)
@@ -61,6 +61,13 @@ class Calls:
         return found.union(*(self.library(called) for called in self.calls.get(function, ())))
 
 
+def built(folder: Folder, core: Target, precision: str, out: Path) -> tuple[dict[str, int], Calls]:
+    """Bytes of code and constants by unit, and who calls whom; built into `out`."""
+    command = [core.compiler, *WARNINGS, *core.flags, *PRECISIONS[precision], *FLAGS, "-I", folder.include]
+    objects = compile_sources(command, {unit.path: () for unit in folder.units}, out)
+    return {unit: text_size(path) for unit, path in objects.items()}, Calls(sorted(out.glob("*.ci")))
+
+
 def stack(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
     """By unit: of each entry point its stack by target, in bytes; the unit's flash; of both by -Os.  `library` names
     what of the target's library is called and not counted."""
@@ -71,11 +78,9 @@ def stack(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
                 continue
             name, place = f"{core.name} {precision}", out / f"{core.name}-{precision}"
             place.mkdir()
-            command = [core.compiler, *WARNINGS, *core.flags, *PRECISIONS[precision], *FLAGS, "-I", folder.include]
-            objects = compile_sources(command, {unit.path: () for unit in folder.units}, place)
-            calls = Calls(sorted(place.glob("*.ci")))
-            for unit, path in objects.items():
-                found[unit]["flash"][name] = text_size(path)
+            flash, calls = built(folder, core, precision, place)
+            for unit, size in flash.items():
+                found[unit]["flash"][name] = size
             for entry in calls.entries():
                 of = found[calls.unit[entry]]
                 of["stack"].setdefault(entry.removesuffix("_f32"), {})[name] = calls.deepest(entry)
