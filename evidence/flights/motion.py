@@ -58,20 +58,6 @@ def still(t: Any) -> Array:
     return np.zeros((3, *np.shape(t), 3))
 
 
-def after(start: float, motion: OfTime, over: float = 2.0) -> OfTime:
-    """The motion beginning at `start`: brought in over `over` seconds by the smooth step of the fifth degree."""
-
-    def at(t: Any) -> Array:
-        s = np.clip((np.asarray(t, float) - start) / over, 0.0, 1.0)[..., None]
-        part = s**3 * (10 - 15 * s + 6 * s**2)
-        rate = 30 * s**2 * (1 - s) ** 2 / over
-        bend = 60 * s * (1 - s) * (1 - 2 * s) / over**2
-        value, first, second = motion(t)
-        return np.array([part * value, rate * value + part * first, bend * value + 2 * rate * first + part * second])
-
-    return at
-
-
 @dataclass
 class Motion:
     """Where the slave is: at t, latitude and longitude by quadrature of the velocity.
@@ -208,7 +194,3 @@ def swinging(steady: Any = (7.0, 4.0, 0.0), **more: Any) -> Motion:
         sway=waves(([1.5, 1.2, 0.8], 0.13, [0.1, 0.9, 2.5])),
         **more,
     )
-
-
-def parked(**more: Any) -> Motion:
-    return Motion(**more)
