@@ -50,6 +50,11 @@ class Event(IntEnum):
     CORRECTION_REFUSED = 12
     OVERRUN = 13
     STAMPS = 14
+    SILENT = 15
+    LARGE = 16
+    SMALL = 17
+    FOLLOWING = 18
+    OFF = 19
 
 
 WORDS = {
@@ -66,6 +71,12 @@ WORDS = {
     Event.CORRECTION_REFUSED: "a correction would have led out of the model's boxes and was dropped",
     Event.OVERRUN: "the background did not come for too long; {value} samples were not read",
     Event.STAMPS: "the messages' clock has stepped by {value} us and is followed; the delay is doubted",
+    Event.SILENT: "no message of {measurement} that could be waited for was measured for {value} us",
+    Event.LARGE: "row {row} of {measurement} fits worse than its variance says over {messages} messages",
+    Event.SMALL: "row {row} of {measurement} fits better than its variance says over {messages} messages",
+    Event.FOLLOWING: "innovations of row {row} of {measurement} follow each other over {messages} messages: an error "
+    "that is not white",
+    Event.OFF: "innovations of row {row} of {measurement} have a mean over {messages} messages: an error that stays",
 }
 MESSAGES = {
     Fate.IN_PART: "some rows lay beyond the gate",
@@ -111,7 +122,7 @@ class Layout:
         ])  # fmt: skip
         gates = struct("gates", [("rows", ctypes.c_uint), ("gate", real), ("joint", real),
                                  ("iterations", ctypes.c_int), ("options", ctypes.c_uint)])  # fmt: skip
-        us = ("jitter_us", "bridge_us", "oldest_us", "hold_us", "ahead_us", "half_us")
+        us = ("jitter_us", "bridge_us", "oldest_us", "hold_us", "ahead_us", "half_us", "silent_us")
         self.rules = struct("rules", [
             *((name, ctypes.c_int32) for name in us),
             *((name, ctypes.c_uint16) for name in ("every", "latency", "astray")),
@@ -134,7 +145,7 @@ class Layout:
             ("fate", ctypes.c_int), ("at", ctypes.c_int64),
             ("nu", real * m), ("S", real * m), ("nis", real), ("used", ctypes.c_uint), ("inflated", ctypes.c_uint),
         ])  # fmt: skip
-        names = ("samples", "missing", "held", "bad", "repeated", "clock_steps", "saturated")
+        names = ("samples", "missing", "held", "bad", "repeated", "clock_steps", "saturated", "silences", "unlikely")
         after = ("corrections", "corrections_late", "corrections_refused", "overruns", "events_lost")
         self.counts = struct("counts", [*((name, ctypes.c_uint32) for name in names),
                                         ("fate", ctypes.c_uint32 * len(Fate)),
@@ -505,7 +516,12 @@ class Live:
             else:
                 status = Status(event.value).name if 0 <= event.value < len(Status) else str(event.value)
                 text = WORDS[Event(event.code)].format(
-                    value=event.value, which=event.which, measurement=kind, status=status
+                    value=event.value,
+                    which=event.which,
+                    measurement=kind,
+                    status=status,
+                    row=event.value % 32,
+                    messages=event.value // 32,
                 )
             lines.append(f"sample {event.sample}: {text}")
         return lines

@@ -11,6 +11,8 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
+from scipy.stats import chi2
+from scipy.stats import t as student
 from sympy.printing.c import C99CodePrinter
 
 from boresight.codegen.functions.tape import evaluate
@@ -33,6 +35,8 @@ from boresight.derive.model import Model, Variable
 from boresight.derive.units import RADIAN, SECOND, units
 
 LAG, DELAY, BEFORE = "lag", "tau", "_before"
+WINDOW, WINDOWS, LEVELS = 64, 4, 3  # messages over which innovations are watched, how many of these make a longer one
+UNLIKELY = 1e-8  # so seldom is one window of one row called so where nothing is wrong
 OPENED = 0.1  # of the box of a state that others drive: by how much it may err for each second of missing samples
 
 
@@ -351,7 +355,7 @@ def live_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> di
         "sensed": sensed, "numbers": offset, "rules": rules, "message": message, "structs": structs,
         "strapdown": strapdown | wiring.dense("strapdown"), "correct": correct | wiring.dense("feedback"),
         "propagate": propagate, "measurements": measurements, "carried": wiring.carried,
-        "moving": strapdown["out"], "delay": delay and {"struct": owner[delay.name], "name": delay.name},
+        "moving": strapdown["out"], "delay": delay and late_by(delay, owner),
         "column": column, "most_change": max(u["change"] for u in measurements),
         "compared": [s.name for s in model.structs if s.name in compared and s.name not in wiring.carried],
         "functions": functions, "brings": brings,
@@ -368,8 +372,27 @@ def live_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> di
             "low": number(inputs.dt.low[0]), "high": number(inputs.dt.high[0]),
             "longest_us": max(1, int(0.9e6 * inputs.dt.high[0])),
         },
+        "rows": sum(u["m"] for u in measurements), "window": WINDOW, "windows": WINDOWS, "bounds": bounds(),
         "dt_us": max(1e6 * inputs.dt.high[0], 1e7) + 1,
     }  # fmt: skip
+
+
+def bounds() -> list[dict[str, Any]]:
+    """Of each window of white innovations: its messages, the least and the largest mean square, the square of a
+    correlation.  A correlation by Student's t, which a mean and a lag of one both follow."""
+    found = []
+    for n in (WINDOW * WINDOWS**level for level in range(LEVELS)):
+        low, high = chi2.ppf([UNLIKELY / 2, 1 - UNLIKELY / 2], n) / n
+        t2 = student.isf(UNLIKELY / 2, n) ** 2
+        numbers = {"low": low, "high": high, "correlation": t2 / (n + t2)}
+        found.append({"messages": n} | {name: number(float(f"{x:.4g}")) for name, x in numbers.items()})
+    return found
+
+
+def late_by(delay: Variable, owner: dict[str, str]) -> dict[str, Any]:
+    """The delay that is carried, its lower end in s, and the most microseconds that it may be."""
+    most = 1e6 * max(abs(delay.low[0]), abs(delay.high[0]))
+    return {"struct": owner[delay.name], "name": delay.name, "low": delay.low[0], "us": most}
 
 
 def live_manifest(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> dict[str, Any] | None:

@@ -18,6 +18,8 @@ from scipy.stats import chi2
 
 def flown(one, runs):
     """What came of a condition, and how it is said in a line."""
+    flight = one.flight()
+    runs = runs if flight.setting.seconds < 100 else -(-runs // 5)
     flight = one.flight(runs=runs)
     record = fly_live(flight, carrying=one.carrying)
     found = judged(record, flight.setting.seconds)

@@ -294,3 +294,23 @@ def test_a_clock_of_the_master_that_steps_is_followed_and_one_that_is_late_is_no
     loop = loop_of(slow)
     fly(slow, loop)
     assert loop.counts()["OLD"] > 50 and loop.output(int(slow.end_us[-1]))["shift"] == 0
+
+
+def codes(record):
+    return " ".join(text for *_, text in record.notes)
+
+
+def test_an_error_that_is_not_white_is_reported_though_each_message_fits():
+    """A seat that bends by half a mrad: hardly a message is refused, and NEES is 90 of 16."""
+    found, record = flown("flexure .5 mrad at .1 Hz", runs=1)
+    assert found.refused < 0.01 and "of dcm follow each other over 64 messages" in codes(record)
+    found, record = flown("R ten times", runs=1)
+    assert "of velocity fits better than its variance says over 64 messages" in codes(record)
+
+
+def test_samples_that_stood_still_are_forgotten_and_a_silence_is_reported():
+    """The navigation is wrong, not the delay: what would be measured after it came tells so."""
+    found, record = flown("slave stuck for 1 s", runs=2)
+    assert found.nees_end < 40 and "in a row did not fit" in codes(record)
+    _, record = flown("no message for 10 s", runs=1)
+    assert codes(record).count("that could be waited for was measured for") == 2

@@ -20,7 +20,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "49f8290de04ac5808ea4be48bb2151422130bcd7f25bc890036fdb3f20c1dd3d"
+#define AH_MODEL_HASH "63f62f798d2f26f3aae42f0d928110fb79711953638f8e589d9ee5949aefedc3"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

@@ -422,6 +422,19 @@ static bs_status bridge(ah_live *live, const ah_sample *sample, int64_t late, in
     return status;
 }
 
+/* A kind of message of which none that could be waited for has come for long is reported, once; one
+ * kind a sample. */
+static void watch_silence(ah_live *live, int64_t now)
+{
+    const uint32_t kind = live->count % (uint32_t)AH_N_MEASUREMENTS;
+    if ((live->came[kind] == 1U) && (live->rules.silent_us > 0) &&
+        ((now - live->measured[kind]) > (int64_t)live->rules.silent_us)) {
+        live->came[kind] = 2U;
+        live->counts.silences += 1U;
+        note_event(live, BY_SAMPLE, BS_EVENT_SILENT, (int)kind, now - live->measured[kind]);
+    }
+}
+
 /* Messages whose turn has come. */
 static void admit(ah_live *live)
 {
@@ -452,6 +465,7 @@ static void admit(ah_live *live)
             one->state = DUE;
         }
     }
+    watch_silence(live, now);
 }
 
 bs_status ah_live_sample(ah_live *live, const ah_sample *sample)
@@ -875,6 +889,8 @@ static int64_t step_end(const ah_live *live, int64_t goal, uint32_t last)
 static const unsigned short varied[] = { 1U, 6U, 7U, 8U, 0U };
 static const unsigned short varied_from[AH_N_MEASUREMENTS + 1] = { 0U, 0U, 0U, 4U };
 static const unsigned short rows_of[AH_N_MEASUREMENTS] = { 3U, 1U, 3U };
+/* among those of all kinds */
+static const unsigned short first_row[AH_N_MEASUREMENTS] = { 0U, 3U, 4U };
 static const unsigned short next_variance[AH_N_MEASUREMENTS] = { 1U, 1U, 1U };
 
 /* What the functions of a measurement read beside the navigation. */
@@ -1038,8 +1054,12 @@ static bs_status update(ah_live *live, const ah_message *message, ah_innovation 
 
 /* How much of the gain of each state is taken back: where errors of H alone may have made a good
  * part of the information.  1 of a considered state, which has none.
- * returns BS_OK; whether there is any */
-static bs_status doubt(ah_live *live, const ah_message *message, bs_real parts[N], bool *any)
+ * returns BS_OK; whether there is any, and whether the gain is the best one */
+static bs_status doubt(ah_live *live,
+                       const ah_message *message,
+                       bs_real parts[N],
+                       bool *any,
+                       bool *best)
 {
     ah_measuring *const m = &live->measuring;
     const ah_innovation *const innovation = &live->judged.innovation;
@@ -1048,6 +1068,7 @@ static bs_status doubt(ah_live *live, const ah_message *message, bs_real parts[N
     bs_real noise = BS_REAL(0.0); /* part of R in the variance of the innovation */
     const bs_status status = ah_filter_sigmas(&live->filter, after);
     *any = false;
+    *best = true;
     for (int i = 0; i < MOST_ROWS; ++i) {
         if (((innovation->used >> (unsigned int)i) & 1U) != 0U) {
             const bs_real part = message->variance[i * (int)next_variance[kind]] / innovation->S[i];
@@ -1067,6 +1088,7 @@ static bs_status doubt(ah_live *live, const ah_message *message, bs_real parts[N
         if (live->filter.considered[j] != 0U) {
             parts[j] = BS_REAL(1.0);
         }
+        *best = *best && ((parts[j] <= BS_REAL(0.0)));
     }
     return status;
 }
@@ -1088,6 +1110,75 @@ static bs_real entry(const bs_real *P, int i, int j)
 #endif
 }
 
+/* Innovations of a filter that is right have a mean square of 1, in parts of their sigmas, and have
+ * nothing to do with the last one.  Where that is as unlikely as one in 1e8, over one window or
+ * several, an event says so; once, until it is not so any more. */
+static void judge_window(ah_live *live, uint16_t kind, int level)
+{
+    static const unsigned short messages[AH_LIVE_LEVELS] = { 64U, 256U, 1024U };
+    static const bs_real bounds[AH_LIVE_LEVELS][3] = { /* of mean squares, and of the square of a
+                                                        * correlation */
+        { BS_REAL(0.2913), BS_REAL(2.364), BS_REAL(0.4037) },
+        { BS_REAL(0.5733), BS_REAL(1.592), BS_REAL(0.1206) },
+        { BS_REAL(0.7671), BS_REAL(1.274), BS_REAL(0.03158) },
+    };
+    const bs_real n = (bs_real)messages[level];
+    unsigned int found = 0U;
+    for (int i = 0; i < (int)rows_of[kind]; ++i) {
+        const ah_sums *const sums = &live->sums[(int)first_row[kind] + i][level];
+        const bs_real limit = bounds[level][2] * sums->squares;
+        const bool unlikely[4] = { sums->squares > (bounds[level][1] * n),
+                                   sums->squares < (bounds[level][0] * n),
+                                   (sums->products * sums->products) > (limit * sums->squares),
+                                   (sums->sum * sums->sum) > (limit * n) };
+        for (int k = 0; k < 4; ++k) {
+            const unsigned int bit = 1U << (unsigned int)((4 * level) + k);
+            if (unlikely[k] && ((found & bit) == 0U)) {
+                found |= bit;
+                live->counts.unlikely += 1U;
+                if ((live->unlikely[kind] & bit) == 0U) {
+                    note_event(live, BY_BACKGROUND, (bs_event_code)((int)BS_EVENT_LARGE + k),
+                               (int)kind, (32 * (int64_t)messages[level]) + i);
+                }
+            }
+        }
+    }
+    live->unlikely[kind] = (uint16_t)((live->unlikely[kind] & ~(0xFU << (unsigned int)(4 *
+                                                                                       level))) | found);
+}
+
+/* An innovation is added to its window, and a window that is full to the next longer one. */
+static void watch(ah_live *live, uint16_t kind)
+{
+    const ah_innovation *const innovation = &live->judged.innovation;
+    bool full = true;
+    for (int i = 0; i < (int)rows_of[kind]; ++i) {
+        const int row = (int)first_row[kind] + i;
+        const bs_real e = (((innovation->used >> (unsigned int)i) & 1U) != 0U) ? (innovation->nu[i] / BS_SQRT(innovation->S[i])) : BS_REAL(0.0);
+        live->sums[row][0].squares += e * e;
+        live->sums[row][0].products += e * live->last[row];
+        live->sums[row][0].sum += e;
+        live->last[row] = e;
+    }
+    for (int level = 0; (level < AH_LIVE_LEVELS) && full; ++level) {
+        live->windowed[kind][level] = (uint16_t)(live->windowed[kind][level] + 1U);
+        full = live->windowed[kind][level] >= ((level == 0) ? 64U : 4U);
+        if (full) {
+            judge_window(live, kind, level);
+            live->windowed[kind][level] = 0U;
+            for (int i = 0; i < (int)rows_of[kind]; ++i) {
+                ah_sums *const sums = live->sums[(int)first_row[kind] + i];
+                if ((level + 1) < AH_LIVE_LEVELS) {
+                    sums[level + 1].squares += sums[level].squares;
+                    sums[level + 1].products += sums[level].products;
+                    sums[level + 1].sum += sums[level].sum;
+                }
+                clear((unsigned char *)&sums[level], sizeof(sums[level]));
+            }
+        }
+    }
+}
+
 /* Take that back: of a gain (I - L) K in place of the best one K the covariance is
  * P + L (P before - P) L'.  L has the parts on its diagonal. */
 static bs_status forget(ah_live *live, const ah_message *message)
@@ -1096,7 +1187,11 @@ static bs_status forget(ah_live *live, const ah_message *message)
     bs_real *const dense = &filter->work[AH_N_PACKED];
     bs_real parts[N];
     bool any = false;
-    const bs_status status = doubt(live, message, parts, &any);
+    bool best = true;
+    const bs_status status = doubt(live, message, parts, &any, &best);
+    if (best) { /* else innovations that belong together are no fault */
+        watch(live, message->measurement);
+    }
     if (any) {
         DENSE(filter->P, dense);
         for (int i = 0; i < N; ++i) {
@@ -1127,13 +1222,21 @@ static bs_msg_fate judge(ah_live *live, const ah_message *message, unsigned int 
     const unsigned int asked = message->rows & live->rules.gates.rows & all[kind];
     const bs_msg_fate fate = (used == asked) ? BS_MSG_TAKEN
         : ((used == 0U) ? BS_MSG_GATED : BS_MSG_IN_PART);
+    live->misfits += 1U;
     if (fate == BS_MSG_TAKEN) {
         live->astray[kind] = 0U;
+        live->misfits = 0U;
     } else if (live->astray[kind] < 65535U) {
         live->astray[kind] = (uint16_t)(live->astray[kind] + 1U);
         if (live->astray[kind] == live->rules.astray) {
             note_event(live, BY_BACKGROUND, BS_EVENT_ASTRAY, (int)kind,
                        (int64_t)live->rules.astray);
+            if (live->misfits >= live->astray[kind]) { /* nor did any other: it is the navigation
+                                                        * that is wrong, as if samples had been
+                                                        * missing for a second */
+                live->unknown += BS_REAL(1.0);
+                live->opening = 1U;
+            }
         }
     } else {
         /* it has been reported */
@@ -1296,6 +1399,7 @@ bs_status ah_live_defaults(ah_live_rules *rules)
     rules->oldest_us = 500000;
     rules->ahead_us = 100000;
     rules->half_us = 20000;
+    rules->silent_us = 5000000;
     rules->every = 4U;
     rules->latency = 4U;
     rules->astray = 5U;
@@ -1318,7 +1422,8 @@ static bs_status check_rules(const ah_live_rules *rules)
     }
     if ((status == BS_OK) &&
         ((rules->every == 0U) || (rules->every > (RING / 4U)) || (rules->latency == 0U) ||
-         (rules->latency > RING) || (rules->hold_us > rules->oldest_us))) {
+         (rules->latency > RING) || (rules->hold_us > rules->oldest_us) ||
+         (rules->silent_us < 0))) {
         status = BS_OUT_OF_RANGE;
     }
     return status;

@@ -20,7 +20,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "07d70bd60e486ee0b5467132f2236fc3e3c98869a8819e122d491f7f80041920"
+#define AHR_MODEL_HASH "a87da0dbe7cf5b68d3563fe4185c1e3213f707d3a67dd45196976e8aa8ec41ff"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

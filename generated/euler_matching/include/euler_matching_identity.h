@@ -20,7 +20,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "f07fc22726b320c7254e7dffa7a985730d172fb628b64f5af7cc58093fd11e14"
+#define EM_MODEL_HASH "fd296c15dc1ced51292094f2384032f27dab15a6e15927fe09a86aad92c69d2e"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1

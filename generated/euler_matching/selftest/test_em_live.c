@@ -214,6 +214,7 @@ static int strained(void)
     int failures = 0;
     (void)em_live_defaults(&rules);
     rules.jitter_us = 10000 / 4;
+    rules.silent_us = 100 * 10000;
     for (int i = 0; i < EM_N_SENSED; ++i) {
         rules.full_scale[i] = BS_REAL(1e-9);
     }
@@ -238,11 +239,35 @@ static int strained(void)
     (void)give(&first, 401);
     all_of(&first);
     (void)em_live_counted(&first, &counts);
+    failures += expect("no message for long", (counts.samples < 400U) || (counts.silences > 0U));
     failures += expect("a background that does not come", (counts.samples < 400U) ||
                        (counts.overruns > 0U));
     for (int i = 0; i < 3; ++i) {
         message.variance[i] = BS_REAL(1e12);
     }
+    return failures;
+}
+/* Innovations that are too small for their variance, of a kind whose gain is never taken back. */
+static int unlikely(void)
+{
+    int failures = 0;
+    int large = 0;
+    int small = 0;
+    bs_event event;
+    (void)em_live_defaults(&rules);
+    (void)em_live_begin(&first, &rules, 0, &carried, sigma);
+    for (int k = 1; k <= 300; ++k) {
+        (void)give(&first, k);
+        send(&first, EM_MEASUREMENT_EULER, 10000 * (int64_t)k);
+        all_of(&first);
+        while (em_live_next_event(&first, &event) == BS_OK) {
+            large += (event.code == (unsigned char)BS_EVENT_LARGE) ? 1 : 0;
+            small += (event.code == (unsigned char)BS_EVENT_SMALL) ? 1 : 0;
+        }
+    }
+    failures += expect("innovations that are too large", large == 0);
+    failures += expect("innovations that are too small", (fate_of(BS_MSG_TAKEN) < 256U) ||
+                       ((small == 2) && (counts.unlikely >= 2U)));
     return failures;
 }
 
@@ -310,6 +335,7 @@ int test_em_live(void)
     message.version = BS_LIVE_VERSION;
     failures += wrongly();
     failures += strained();
+    failures += unlikely();
     rules.every = 0U;
     failures += expect("a rule out of its range",
                        em_live_begin(&second, &rules, 0, &carried, sigma) == BS_OUT_OF_RANGE);

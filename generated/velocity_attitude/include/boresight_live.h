@@ -68,8 +68,16 @@ typedef enum {
     BS_EVENT_CORRECTION_REFUSED = 12, /* what it would correct leaves its box: it is dropped */
     BS_EVENT_OVERRUN = 13,      /* the background did not come for as long as samples are kept;
                                  * value: samples */
-    BS_EVENT_STAMPS = 14        /* the messages' clock has stepped, and is followed; value: us,
+    BS_EVENT_STAMPS = 14,       /* the messages' clock has stepped, and is followed; value: us,
                                  * forward or back */
+    BS_EVENT_SILENT = 15,       /* no message of this kind that could be waited for was measured for
+                                 * silent_us; which: the measurement, value: us */
+    BS_EVENT_LARGE = 16,        /* innovations are larger than their variance says; which: the
+                                 * measurement, value: 32 times the messages of the window, and the
+                                 * row */
+    BS_EVENT_SMALL = 17,        /* they are smaller; as of LARGE */
+    BS_EVENT_FOLLOWING = 18,    /* each has to do with the one before; as of LARGE */
+    BS_EVENT_OFF = 19           /* their mean is not 0; as of LARGE */
 } bs_event_code;
 
 typedef struct {

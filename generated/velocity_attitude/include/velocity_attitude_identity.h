@@ -20,7 +20,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "4dbde1a2140756cffc8f96e78d8cfb655a239d2c95ff7cd656e194030b196a62"
+#define VA_MODEL_HASH "7016376981eeae116cbe54ecc2b1956de4cc41fca06c524903bd8266498a3c24"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

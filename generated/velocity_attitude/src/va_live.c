@@ -473,6 +473,19 @@ static void follow_stamps(va_live *live, bs_msg_fate fate, int64_t now, int64_t 
     }
 }
 
+/* A kind of message of which none that could be waited for has come for long is reported, once; one
+ * kind a sample. */
+static void watch_silence(va_live *live, int64_t now)
+{
+    const uint32_t kind = live->count % (uint32_t)VA_N_MEASUREMENTS;
+    if ((live->came[kind] == 1U) && (live->rules.silent_us > 0) &&
+        ((now - live->measured[kind]) > (int64_t)live->rules.silent_us)) {
+        live->came[kind] = 2U;
+        live->counts.silences += 1U;
+        note_event(live, BY_SAMPLE, BS_EVENT_SILENT, (int)kind, now - live->measured[kind]);
+    }
+}
+
 /* Messages whose turn has come. */
 static void admit(va_live *live)
 {
@@ -488,7 +501,14 @@ static void admit(va_live *live)
             } else {
                 one->delay = BS_REAL(0.0);
             }
-            one->at = stamp - (int64_t)(one->delay * BS_REAL(1e6));
+            one->at = stamp - (int64_t)(int32_t)(one->delay * BS_REAL(1e6));
+            if ((delayed[kind] != 0U) && (one->at > (now + (int64_t)live->rules.ahead_us)) &&
+                (BS_FABS(seconds((now - stamp) -
+                                 live->usual)) < seconds((int64_t)live->rules.oldest_us / 2))) {
+                one->at = now; /* it comes as late as ever: it is the delay that is wrong, and
+                                * nothing is measured before it has been */
+                one->delay = seconds(stamp - now);
+            }
             one->fate = BS_MSG_WAITING;
             if ((live->came[kind] != 0U) && (live->measured[kind] == stamp)) {
                 one->fate = BS_MSG_TWICE;
@@ -512,6 +532,7 @@ static void admit(va_live *live)
             one->state = DUE;
         }
     }
+    watch_silence(live, now);
 }
 
 bs_status va_live_sample(va_live *live, const va_sample *sample)
@@ -957,6 +978,8 @@ static const unsigned short varied[] = { 0U, 1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U,
                                          8U, 16U, 17U, 18U, 0U };
 static const unsigned short varied_from[VA_N_MEASUREMENTS + 1] = { 0U, 18U, 32U, 46U, 57U };
 static const unsigned short rows_of[VA_N_MEASUREMENTS] = { 3U, 3U, 3U, 3U };
+/* among those of all kinds */
+static const unsigned short first_row[VA_N_MEASUREMENTS] = { 0U, 3U, 6U, 9U };
 static const unsigned short next_variance[VA_N_MEASUREMENTS] = { 1U, 1U, 1U, 1U };
 static const unsigned short changes[VA_N_MEASUREMENTS] = { 3U, 0U, 0U, 0U };
 
@@ -1218,7 +1241,7 @@ static bs_status widen(va_live *live, const va_message *message, uint32_t last)
     const bs_real since = seconds(greater(live->at - live->taken[kind], 10000));
     /* E[d^4] = 3 sigma^4, one error in all messages of a second */
     const bs_real weight = BS_REAL(0.75) / ((since < BS_REAL(1.0)) ? since : BS_REAL(1.0));
-    bs_real H[2][MOST_ROWS * N];
+    bs_real column[2][MOST_ROWS] = { { BS_REAL(0.0) } };
     bs_status status = BS_OK;
     for (int k = 0; (k < 2) && (status == BS_OK); ++k) {
         const int64_t t = (k == 0) ? from : to;
@@ -1239,11 +1262,14 @@ static bs_status widen(va_live *live, const va_message *message, uint32_t last)
             set_change(kind, &in, change);
         }
         if (status == BS_OK) {
-            status = H_of(live, kind, &flown, &in, H[k]);
+            status = H_of(live, kind, &flown, &in, m->H); /* errors of H have been looked at */
+        }
+        for (int i = 0; i < (int)rows_of[kind]; ++i) {
+            column[k][i] = m->H[(i * N) + 15];
         }
     }
     for (int i = 0; (i < (int)rows_of[kind]) && (status == BS_OK) && (to > from); ++i) {
-        const bs_real bend = (H[1][(i * N) + 15] - H[0][(i * N) + 15]) / seconds(to - from);
+        const bs_real bend = (column[1][i] - column[0][i]) / seconds(to - from);
         const bs_real off = ((m->before[15] * m->before[15]) + (m->lag * m->lag)) * bend;
         m->variance[i * (int)next_variance[kind]] += weight * (off * off);
     }
@@ -1285,8 +1311,13 @@ static bs_status update(va_live *live, const va_message *message, va_innovation 
 /* How much of the gain of each state is taken back: where errors of H alone may have made a good
  * part of the information; of the delay that part, where it is less.  1 of a considered state,
  * which has none.
- * returns BS_OK; whether there is any */
-static bs_status doubt(va_live *live, const va_message *message, bs_real parts[N], bool *any)
+ * returns BS_OK; whether there is any, and whether the gain is the best one but for that of the
+ * delay */
+static bs_status doubt(va_live *live,
+                       const va_message *message,
+                       bs_real parts[N],
+                       bool *any,
+                       bool *best)
 {
     va_measuring *const m = &live->measuring;
     const va_innovation *const innovation = &live->judged.innovation;
@@ -1295,6 +1326,7 @@ static bs_status doubt(va_live *live, const va_message *message, bs_real parts[N
     bs_real noise = BS_REAL(0.0); /* part of R in the variance of the innovation */
     const bs_status status = va_filter_sigmas(&live->filter, after);
     *any = false;
+    *best = true;
     for (int i = 0; i < MOST_ROWS; ++i) {
         if (((innovation->used >> (unsigned int)i) & 1U) != 0U) {
             const bs_real part = message->variance[i * (int)next_variance[kind]] / innovation->S[i];
@@ -1328,6 +1360,7 @@ static bs_status doubt(va_live *live, const va_message *message, bs_real parts[N
         if (live->filter.considered[j] != 0U) {
             parts[j] = BS_REAL(1.0);
         }
+        *best = *best && ((j == 15) || (parts[j] <= BS_REAL(0.0)));
     }
     return status;
 }
@@ -1349,6 +1382,75 @@ static bs_real entry(const bs_real *P, int i, int j)
 #endif
 }
 
+/* Innovations of a filter that is right have a mean square of 1, in parts of their sigmas, and have
+ * nothing to do with the last one.  Where that is as unlikely as one in 1e8, over one window or
+ * several, an event says so; once, until it is not so any more. */
+static void judge_window(va_live *live, uint16_t kind, int level)
+{
+    static const unsigned short messages[VA_LIVE_LEVELS] = { 64U, 256U, 1024U };
+    static const bs_real bounds[VA_LIVE_LEVELS][3] = { /* of mean squares, and of the square of a
+                                                        * correlation */
+        { BS_REAL(0.2913), BS_REAL(2.364), BS_REAL(0.4037) },
+        { BS_REAL(0.5733), BS_REAL(1.592), BS_REAL(0.1206) },
+        { BS_REAL(0.7671), BS_REAL(1.274), BS_REAL(0.03158) },
+    };
+    const bs_real n = (bs_real)messages[level];
+    unsigned int found = 0U;
+    for (int i = 0; i < (int)rows_of[kind]; ++i) {
+        const va_sums *const sums = &live->sums[(int)first_row[kind] + i][level];
+        const bs_real limit = bounds[level][2] * sums->squares;
+        const bool unlikely[4] = { sums->squares > (bounds[level][1] * n),
+                                   sums->squares < (bounds[level][0] * n),
+                                   (sums->products * sums->products) > (limit * sums->squares),
+                                   (sums->sum * sums->sum) > (limit * n) };
+        for (int k = 0; k < 4; ++k) {
+            const unsigned int bit = 1U << (unsigned int)((4 * level) + k);
+            if (unlikely[k] && ((found & bit) == 0U)) {
+                found |= bit;
+                live->counts.unlikely += 1U;
+                if ((live->unlikely[kind] & bit) == 0U) {
+                    note_event(live, BY_BACKGROUND, (bs_event_code)((int)BS_EVENT_LARGE + k),
+                               (int)kind, (32 * (int64_t)messages[level]) + i);
+                }
+            }
+        }
+    }
+    live->unlikely[kind] = (uint16_t)((live->unlikely[kind] & ~(0xFU << (unsigned int)(4 *
+                                                                                       level))) | found);
+}
+
+/* An innovation is added to its window, and a window that is full to the next longer one. */
+static void watch(va_live *live, uint16_t kind)
+{
+    const va_innovation *const innovation = &live->judged.innovation;
+    bool full = true;
+    for (int i = 0; i < (int)rows_of[kind]; ++i) {
+        const int row = (int)first_row[kind] + i;
+        const bs_real e = (((innovation->used >> (unsigned int)i) & 1U) != 0U) ? (innovation->nu[i] / BS_SQRT(innovation->S[i])) : BS_REAL(0.0);
+        live->sums[row][0].squares += e * e;
+        live->sums[row][0].products += e * live->last[row];
+        live->sums[row][0].sum += e;
+        live->last[row] = e;
+    }
+    for (int level = 0; (level < VA_LIVE_LEVELS) && full; ++level) {
+        live->windowed[kind][level] = (uint16_t)(live->windowed[kind][level] + 1U);
+        full = live->windowed[kind][level] >= ((level == 0) ? 64U : 4U);
+        if (full) {
+            judge_window(live, kind, level);
+            live->windowed[kind][level] = 0U;
+            for (int i = 0; i < (int)rows_of[kind]; ++i) {
+                va_sums *const sums = live->sums[(int)first_row[kind] + i];
+                if ((level + 1) < VA_LIVE_LEVELS) {
+                    sums[level + 1].squares += sums[level].squares;
+                    sums[level + 1].products += sums[level].products;
+                    sums[level + 1].sum += sums[level].sum;
+                }
+                clear((unsigned char *)&sums[level], sizeof(sums[level]));
+            }
+        }
+    }
+}
+
 /* Take that back: of a gain (I - L) K in place of the best one K the covariance is
  * P + L (P before - P) L'.  L has the parts on its diagonal, and what follows the delay, as it did
  * before, does not learn of it either. */
@@ -1358,7 +1460,11 @@ static bs_status forget(va_live *live, const va_message *message)
     bs_real *const dense = &filter->work[VA_N_PACKED];
     bs_real parts[N];
     bool any = false;
-    const bs_status status = doubt(live, message, parts, &any);
+    bool best = true;
+    const bs_status status = doubt(live, message, parts, &any, &best);
+    if (best) { /* else innovations that belong together are no fault */
+        watch(live, message->measurement);
+    }
     if (any) {
         bs_real follows[N]; /* column 15 of L */
         bs_real lost[N];    /* and of P before - P */
@@ -1406,13 +1512,21 @@ static bs_msg_fate judge(va_live *live, const va_message *message, unsigned int 
     const unsigned int asked = message->rows & live->rules.gates.rows & all[kind];
     const bs_msg_fate fate = (used == asked) ? BS_MSG_TAKEN
         : ((used == 0U) ? BS_MSG_GATED : BS_MSG_IN_PART);
+    live->misfits += 1U;
     if (fate == BS_MSG_TAKEN) {
         live->astray[kind] = 0U;
+        live->misfits = 0U;
     } else if (live->astray[kind] < 65535U) {
         live->astray[kind] = (uint16_t)(live->astray[kind] + 1U);
         if (live->astray[kind] == live->rules.astray) {
             note_event(live, BY_BACKGROUND, BS_EVENT_ASTRAY, (int)kind,
                        (int64_t)live->rules.astray);
+            if (live->misfits >= live->astray[kind]) { /* nor did any other: it is the navigation
+                                                        * that is wrong, as if samples had been
+                                                        * missing for a second */
+                live->unknown += BS_REAL(1.0);
+                live->opening = 1U;
+            }
             if (delayed[kind] != 0U) { /* or the delay has changed */
                 const bs_real doubt = seconds((int64_t)live->rules.oldest_us / 4);
                 live->stepped_by += doubt * doubt;
@@ -1583,6 +1697,7 @@ bs_status va_live_defaults(va_live_rules *rules)
     rules->oldest_us = 500000;
     rules->ahead_us = 100000;
     rules->half_us = 20000;
+    rules->silent_us = 5000000;
     rules->every = 4U;
     rules->latency = 4U;
     rules->astray = 5U;
@@ -1605,7 +1720,8 @@ static bs_status check_rules(const va_live_rules *rules)
     }
     if ((status == BS_OK) &&
         ((rules->every == 0U) || (rules->every > (RING / 4U)) || (rules->latency == 0U) ||
-         (rules->latency > RING) || (rules->hold_us > rules->oldest_us))) {
+         (rules->latency > RING) || (rules->hold_us > rules->oldest_us) ||
+         (rules->silent_us < 0))) {
         status = BS_OUT_OF_RANGE;
     }
     return status;

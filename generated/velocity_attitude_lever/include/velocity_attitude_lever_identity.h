@@ -20,7 +20,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "4a8508d9994de6be2925c231465e2ed26e84394e4e6b05fa2b49773024f9d44e"
+#define VAL_MODEL_HASH "c39aa7b0c3621ca708ae0581ba4e3963d18761e7611afd14bcc6b7e8579b431b"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

@@ -20,7 +20,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "630e47b64041d840a1cb28c54ba1883f35436fea9d80ccfb5aa92152a38ca2cb"
+#define VAS_MODEL_HASH "de587a04e09054b6d4d86ac2cc74609d1d2585b798aac2c21df4ede4f95fd25c"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1

@@ -34,6 +34,8 @@ extern "C" {
 #define VAS_LIVE_WAITING 8U  /* messages that may wait, and corrections that are under way */
 #endif
 #define VAS_LIVE_EVENTS 16U  /* events that are kept of each context */
+#define VAS_LIVE_LEVELS 3       /* windows over which innovations are watched, of 64, 256, 1024
+                                 * messages of a kind */
 #define VAS_N_SENSED 6
 
 /* What is carried and corrected. */
@@ -66,6 +68,8 @@ typedef struct {
                          * it */
     int32_t ahead_us;   /* by so much may a message's instant lie ahead of the samples */
     int32_t half_us;    /* a rate is the mean over twice this */
+    int32_t silent_us;  /* of a kind of which messages have come none may be missing for longer, or
+                         * SILENT says so; 0: never */
     uint16_t every;     /* samples to a step of the covariance */
     uint16_t latency;   /* samples from when a message becomes due to its correction */
     uint16_t astray;    /* messages of a kind in a row that do not fit, until the next ones are
@@ -92,7 +96,7 @@ typedef struct {
 } vas_message;
 
 typedef struct {
-    uint32_t samples, missing, held, bad, repeated, clock_steps, saturated;
+    uint32_t samples, missing, held, bad, repeated, clock_steps, saturated, silences, unlikely;
     uint32_t fate[BS_MSG_FATES];
     uint32_t corrections, corrections_late, corrections_refused, overruns, events_lost;
 } vas_live_counts;
@@ -157,6 +161,13 @@ typedef struct {
     uint32_t read;
 } vas_events;
 
+/* What the innovations of one row, in parts of their sigmas, add up to over a window. */
+typedef struct {
+    bs_real squares;
+    bs_real products; /* of each and the one before */
+    bs_real sum;
+} vas_sums;
+
 /* A measurement under way, piece by piece. */
 typedef struct {
     uint16_t stage; /* 0: there is none */
@@ -211,8 +222,15 @@ typedef struct {
     bs_real unknown;            /* s, of missing samples */
     bs_real stepped_by;         /* s^2, of steps of the samples' clock */
     int64_t measured[VAS_N_MEASUREMENTS]; /* us, when the last of each kind was measured */
-    uint16_t came[VAS_N_MEASUREMENTS];    /* whether one has come, */
-    uint16_t astray[VAS_N_MEASUREMENTS];  /* and how many in a row did not fit */
+    uint16_t came[VAS_N_MEASUREMENTS];    /* whether one has come, 2: and none for long, */
+    uint16_t astray[VAS_N_MEASUREMENTS];  /* and how many in a row did not fit, */
+    uint32_t misfits;           /* of whatever kind */
+    vas_sums sums[12][VAS_LIVE_LEVELS]; /* of the rows of all kinds */
+    bs_real last[12]; /* the last innovation of each, in parts of its sigma */
+    /* messages, or windows, that are in each window by now, */
+    uint16_t windowed[VAS_N_MEASUREMENTS][VAS_LIVE_LEVELS];
+    uint16_t unlikely[VAS_N_MEASUREMENTS]; /* and what was unlikely of the last full ones, a bit
+                                            * each */
     bs_real gained[VAS_N_MEASUREMENTS]; /* 1/s^2, the information of the last messages of each kind
                                          * on the delay, */
     bs_real doubted[VAS_N_MEASUREMENTS]; /* and what errors of H alone may have made of it */

@@ -296,6 +296,7 @@ static int strained(void)
     int failures = 0;
     (void)vas_live_defaults(&rules);
     rules.jitter_us = 10000 / 4;
+    rules.silent_us = 100 * 10000;
     for (int i = 0; i < VAS_N_SENSED; ++i) {
         rules.full_scale[i] = BS_REAL(1e-9);
     }
@@ -321,11 +322,35 @@ static int strained(void)
     (void)give(&first, 401);
     all_of(&first);
     (void)vas_live_counted(&first, &counts);
+    failures += expect("no message for long", (counts.samples < 400U) || (counts.silences > 0U));
     failures += expect("a background that does not come", (counts.samples < 400U) ||
                        (counts.overruns > 0U));
     for (int i = 0; i < 3; ++i) {
         message.variance[i] = BS_REAL(1e12);
     }
+    return failures;
+}
+/* Innovations that are too small for their variance. */
+static int unlikely(void)
+{
+    int failures = 0;
+    int large = 0;
+    int small = 0;
+    bs_event event;
+    (void)vas_live_defaults(&rules);
+    (void)vas_live_begin(&first, &rules, 0, &carried, sigma);
+    for (int k = 1; k <= 300; ++k) {
+        (void)give(&first, k);
+        send(&first, VAS_MEASUREMENT_DCM, 10000 * (int64_t)k);
+        all_of(&first);
+        while (vas_live_next_event(&first, &event) == BS_OK) {
+            large += (event.code == (unsigned char)BS_EVENT_LARGE) ? 1 : 0;
+            small += (event.code == (unsigned char)BS_EVENT_SMALL) ? 1 : 0;
+        }
+    }
+    failures += expect("innovations that are too large", large == 0);
+    failures += expect("each is counted", (fate_of(BS_MSG_TAKEN) < 64U) ||
+                       (counts.unlikely >= (uint32_t)small));
     return failures;
 }
 
@@ -349,6 +374,16 @@ static int stepping(void)
                                (output.shift == (10000 - 1000000000000)));
         }
     }
+    rules.ahead_us = 0;
+    carried.nav.tau = -BS_REAL(2.0) * sample.dt;
+    (void)vas_live_begin(&first, &rules, 0, &carried, sigma);
+    for (int k = 1; k <= 8; ++k) {
+        (void)give(&first, k);
+        send(&first, 0, 10000 * (int64_t)k);
+        all_of(&first);
+    }
+    failures += expect("a delay that cannot be", fate_of(BS_MSG_AHEAD) == 0U);
+    carried.nav.tau = sample.dt / BS_REAL(2.0);
     return failures;
 }
 
@@ -417,6 +452,7 @@ int test_vas_live(void)
     message.version = BS_LIVE_VERSION;
     failures += wrongly();
     failures += strained();
+    failures += unlikely();
     failures += stepping();
     rules.every = 0U;
     failures += expect("a rule out of its range",

@@ -20,7 +20,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "00f424f01281ea678a122e56643f75854b86506aff727d018c45844dfe81664d"
+#define VD_MODEL_HASH "5daeddc771c8b7923029189a61280ba0f2da18b245bf640bbc3aa2e0863e03b9"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1

@@ -215,6 +215,7 @@ static int strained(void)
     int failures = 0;
     (void)vd_live_defaults(&rules);
     rules.jitter_us = 10000 / 4;
+    rules.silent_us = 100 * 10000;
     for (int i = 0; i < VD_N_SENSED; ++i) {
         rules.full_scale[i] = BS_REAL(1e-9);
     }
@@ -240,11 +241,35 @@ static int strained(void)
     (void)give(&first, 401);
     all_of(&first);
     (void)vd_live_counted(&first, &counts);
+    failures += expect("no message for long", (counts.samples < 400U) || (counts.silences > 0U));
     failures += expect("a background that does not come", (counts.samples < 400U) ||
                        (counts.overruns > 0U));
     for (int i = 0; i < 3; ++i) {
         message.variance[i] = BS_REAL(1e12);
     }
+    return failures;
+}
+/* Innovations that are too small for their variance, of a kind whose gain is never taken back. */
+static int unlikely(void)
+{
+    int failures = 0;
+    int large = 0;
+    int small = 0;
+    bs_event event;
+    (void)vd_live_defaults(&rules);
+    (void)vd_live_begin(&first, &rules, 0, &carried, sigma);
+    for (int k = 1; k <= 300; ++k) {
+        (void)give(&first, k);
+        send(&first, VD_MEASUREMENT_VELOCITY, 10000 * (int64_t)k);
+        all_of(&first);
+        while (vd_live_next_event(&first, &event) == BS_OK) {
+            large += (event.code == (unsigned char)BS_EVENT_LARGE) ? 1 : 0;
+            small += (event.code == (unsigned char)BS_EVENT_SMALL) ? 1 : 0;
+        }
+    }
+    failures += expect("innovations that are too large", large == 0);
+    failures += expect("innovations that are too small", (fate_of(BS_MSG_TAKEN) < 256U) ||
+                       ((small == 2) && (counts.unlikely >= 2U)));
     return failures;
 }
 
@@ -268,6 +293,16 @@ static int stepping(void)
                                (output.shift == (10000 - 1000000000000)));
         }
     }
+    rules.ahead_us = 0;
+    carried.nav.tau = -BS_REAL(2.0) * sample.dt;
+    (void)vd_live_begin(&first, &rules, 0, &carried, sigma);
+    for (int k = 1; k <= 8; ++k) {
+        (void)give(&first, k);
+        send(&first, 0, 10000 * (int64_t)k);
+        all_of(&first);
+    }
+    failures += expect("a delay that cannot be", fate_of(BS_MSG_AHEAD) == 0U);
+    carried.nav.tau = sample.dt / BS_REAL(2.0);
     return failures;
 }
 
@@ -335,6 +370,7 @@ int test_vd_live(void)
     message.version = BS_LIVE_VERSION;
     failures += wrongly();
     failures += strained();
+    failures += unlikely();
     failures += stepping();
     rules.every = 0U;
     failures += expect("a rule out of its range",
