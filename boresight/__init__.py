@@ -10,7 +10,8 @@ Fly
     `Consistency` and `observability` judge the flight; `budget` splits its errors by source; `Record` keeps each step
     of it, and `smooth` estimates it afterwards; `noise` is what a log at rest, or a datasheet, has of it.
 Align in flight
-    `Live`, `Headings`, `Clock`; in `transfer` a start from the first `Message`, and sensors that are not ideal.
+    `Driver` takes what comes from a wire into a `Live` loop; `Headings`, `Clock`; in `transfer` a start from the
+    first `Message`, and sensors that are not ideal.
 Recordings
     `read`; `detector` finds where an IMU is at rest.
 Many runs
@@ -75,6 +76,7 @@ PUBLIC = {
     "noise": "boresight.analysis.noise",
     "Message": "boresight.runtime.transfer:Message",
     "Live": "boresight.runtime.live:Live",
+    "Driver": "boresight.runtime.driver:Driver",
     "Headings": "boresight.runtime.headings:Headings",
     "Clock": "boresight.runtime.clock:Clock",
     "transfer": "boresight.runtime.transfer",

@@ -32,6 +32,7 @@ from boresight.runtime import rotation as rotation
 from boresight.runtime import transfer as transfer
 from boresight.runtime import units as units
 from boresight.runtime.clock import Clock as Clock
+from boresight.runtime.driver import Driver as Driver
 from boresight.runtime.filter import CompiledFilter as CompiledFilter
 from boresight.runtime.filter import Epoch as Epoch
 from boresight.runtime.filter import Filter as Filter

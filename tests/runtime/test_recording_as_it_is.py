@@ -607,7 +607,8 @@ def test_a_recording_without_noise_is_replayed_by_euler_angles(describe, capsys)
     with pytest.raises(SystemExit):
         main(["replay", str(path), "--model", "euler-matching", "--to", "3 s"])
     out, err = capsys.readouterr()
-    assert err == "" and "Without the bias calibration, same noises" in out
+    assert set(err.splitlines()) <= {"without the bias calibration"}  # how far it is, on a machine that takes 5 s
+    assert "Without the bias calibration, same noises" in out
     assert "cut to 0.010 s to 3.000 s" in out and "master's roll, pitch, yaw [0.000, 0.000, 0.000] arcmin" in out
 
 
