@@ -371,7 +371,8 @@ def entries_with(item: Expressions, wanted: Any) -> str:
 
 def check_kinds(item: Expressions) -> None:
     """What looks like a symbol of the model and is none, and what has no value where it matters."""
-    for part in sorted(parts_of(item.matrix), key=str):
+    strange = MatrixElement | AppliedUndef | sympy.DiracDelta
+    for part in sorted((part for part in parts_of(item.matrix) if isinstance(part, strange)), key=str):
         if isinstance(part, MatrixElement):
             fail(
                 item.part,

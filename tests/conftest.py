@@ -10,6 +10,8 @@ from contextlib import contextmanager
 from fcntl import LOCK_EX, flock
 from pathlib import Path
 
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small matrices: a second thread waits, and costs what it waits
+
 import numpy as np
 import pytest
 from xdist.scheduler import LoadFileScheduling
@@ -128,8 +130,8 @@ def quickly():
 
 @pytest.fixture(scope="module", autouse=True)
 def _quickly(request):
-    """The flights of tests/derive, runtime and studies are short, all of them."""
-    if request.path.parent.name in ("derive", "runtime", "studies"):
+    """The flights of these folders are short, all of them."""
+    if request.path.parent.name in ("analysis", "derive", "runtime", "studies"):
         request.getfixturevalue("quickly")
 
 
