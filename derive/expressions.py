@@ -1,9 +1,10 @@
 """What the matrices of a model are made of, and matrices with other things in their places."""
 
 from collections.abc import Mapping
+from functools import reduce
 from typing import Any
 
-from sympy import Matrix, Symbol
+from sympy import Add, Matrix, Symbol
 from sympy.matrices import MatrixBase
 
 from boresight.derive.constant import Constant
@@ -26,6 +27,22 @@ def parts_of(*matrices: Matrix) -> set[Any]:
             seen.add(part)
             stack += below(part)
     return seen
+
+
+def product(*matrices: Matrix) -> Matrix:
+    """The matrices multiplied from the left.  SymPy's own asks each entry whether it is infinite, which takes as long as
+    all the rest."""
+
+    def times(A: Matrix, B: Matrix) -> Matrix:
+        rows, columns = A.tolist(), B.T.tolist()
+        return Matrix(
+            [
+                [Add(*(a * b for a, b in zip(row, column, strict=True) if a != 0 and b != 0)) for column in columns]
+                for row in rows
+            ]
+        )
+
+    return reduce(times, matrices)
 
 
 def symbols_in(*matrices: Matrix) -> set[Symbol]:

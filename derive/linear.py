@@ -19,7 +19,7 @@ from sympy import Matrix, S, Symbol
 
 from boresight.derive.checks import fail, mechanics_of
 from boresight.derive.dimensions import ROOT_SECOND
-from boresight.derive.expressions import constants_in, names_in, quantities_in, substituted, symbols_in
+from boresight.derive.expressions import constants_in, names_in, product, quantities_in, substituted, symbols_in
 from boresight.derive.gradients import Gradients, Slopes, at_zero, opened, polynomial
 from boresight.derive.mechanics.rotation import (
     dcm_from_quaternion,
@@ -220,12 +220,12 @@ class Derivation:
             return found
 
         K, level = self.K, 2 * Matrix.eye(len(self.y)) - self.K  # its inverse
-        by_y = K * slopes(r, self.y) * level + moving(K)
+        by_y = product(K, slopes(r, self.y), level) + moving(K)
         shown = self.shown(rate)
-        F = self.inverse * substituted(by_y * self.J - moving(self.J), shown)
+        F = product(self.inverse, substituted(product(by_y, self.J) - moving(self.J), shown))
         if not self.mechanics.driven and spread is not None:
-            return self.settled(F), self.settled(self.inverse * spread)
-        G = self.noises(self.inverse * K, lambda s: slopes(r, [rate.get(s, s)]))
+            return self.settled(F), self.settled(product(self.inverse, spread))
+        G = self.noises(product(self.inverse, K), lambda s: slopes(r, [rate.get(s, s)]))
         return self.settled(F), self.settled(substituted(G, shown))
 
     def increments(self) -> list[Symbol]:
@@ -273,7 +273,7 @@ class Derivation:
                     "with an input of strapdown, or a state that it drives by itself",
                 )
             s = target[n]
-            columns.append(Matrix([int(s == own) for own in self.x]) if s in self.x else -inverse * slope(s))
+            columns.append(Matrix([int(s == own) for own in self.x]) if s in self.x else product(-inverse, slope(s)))
         return Matrix.hstack(*columns)
 
     # ------------------------------------------------------------ over a step
@@ -285,13 +285,13 @@ class Derivation:
         short = Shortener([*self.short.spheres, *self.turns(after)])
         slopes = Gradients([*self.y, *self.sensed()])
         back = short(substituted(self.inverse, dict(zip(self.y, after, strict=True))))
-        Phi = short(back * (slopes(after, self.y) * self.J))
+        Phi = short(product(back, product(slopes(after, self.y), self.J)))
         if spread is not None:
-            return Phi, mirrored(short(back * spread * back.T))
+            return Phi, mirrored(short(product(back, spread, back.T)))
         grown = short(self.noises(back, lambda s: slopes(after, [s])))
         rates = {n for noise, what in self.mechanics.driven if is_rate(noise, what) for n in noise.symbols}
         added = Matrix.diag(*(n**2 / dt if n in rates else n**2 * dt for n in self.model.noise))
-        return Phi, mirrored(grown * added * grown.T)
+        return Phi, mirrored(product(grown, added, grown.T))
 
     def lettered(self, column: Matrix) -> Matrix:
         """The column as polynomials, with a name for each factor that is none, such as the parts of a rotation."""
