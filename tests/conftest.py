@@ -112,9 +112,9 @@ class Objects:
         return printed
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="module", autouse=True)
 def quickly():
-    """For short flights: C without optimisation, which is compiled in a fraction of the time and gives the same bits.
+    """C without optimisation, which is compiled in a fraction of the time and gives the same bits; the flags that ship.
 
     `test_c_as_it_ships_has_the_bits_of_c_without_optimisation` of tests/runtime/test_lanes.py holds that it does.
     """
@@ -126,13 +126,6 @@ def quickly():
     shipped = compiler.FLAGS, compiler.LANES
     with optimised((*plain(compiler.FLAGS), "-O0"), plain(compiler.LANES)):
         yield shipped
-
-
-@pytest.fixture(scope="module", autouse=True)
-def _quickly(request):
-    """The flights of these folders are short, all of them."""
-    if request.path.parent.name in ("analysis", "derive", "runtime", "studies"):
-        request.getfixturevalue("quickly")
 
 
 @contextmanager

@@ -63,7 +63,6 @@ def test_c_of_two_tools_is_built_held_counted_and_timed(counted, small, monkeypa
     assert all(task.instructions["-O2"] > 100 if counted else not task.instructions for task in tasks)
 
 
-@pytest.mark.usefixtures("quickly")
 def test_many_runs_from_python_are_held_and_timed_by_every_way_to_fly_them(monkeypatch):
     kept = {tool: made for tool, made in batch.TOOLS.items() if tool.startswith(("Boresight", "NumPy"))}
     monkeypatch.setattr(batch, "TOOLS", kept)

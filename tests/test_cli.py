@@ -20,8 +20,6 @@ from boresight.derive.papers import PAPERS, paper
 from boresight.runtime.manifest import built_in, folder_of, read_manifest
 from boresight.studies.known import STUDIES, study
 
-pytestmark = pytest.mark.usefixtures("quickly")
-
 
 @pytest.fixture
 def run(capsys, monkeypatch):

@@ -21,7 +21,6 @@ from tools import TOOLS, tool
 from boresight import cli
 from boresight.runtime.store import BLOCK
 
-pytestmark = pytest.mark.usefixtures("quickly")
 OWN = [ROOT / "docs" / f"{name}.md" for name in ("tutorial", "from-nothing", "your-paper", "smoother", "observability")]
 PAGES = [*OWN, *sorted((ROOT / "docs" / "how-to").glob("*.md"))]
 FENCED = re.compile(r"^```(\w+)(?: (\S+))?\n(.*?)^```$", re.MULTILINE | re.DOTALL)

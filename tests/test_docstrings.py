@@ -86,7 +86,7 @@ def test_a_public_method_lists_its_parameters(name, method):
 
 
 @pytest.mark.parametrize("names", [*([name] for name in ALL if name not in IN_TURN), IN_TURN], ids=" ".join)
-def test_the_example_runs(names, tmp_path, monkeypatch, quickly):
+def test_the_example_runs(names, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     known = {"__name__": "__main__"}
     for name in names:

@@ -35,7 +35,7 @@ def example():
 
 
 @pytest.fixture(scope="module")
-def filters(quickly, tmp_path_factory):
+def filters(tmp_path_factory):
     """The C that is committed; `make generated` holds it against the model."""
     out = tmp_path_factory.mktemp("filters")
     for precision in ("double", "float"):
@@ -44,7 +44,7 @@ def filters(quickly, tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def minute(quickly, example):
+def minute(example):
     """(what is known, records, truth)"""
     return example[0].record()
 

@@ -16,7 +16,6 @@ from boresight import BoresightError, cli
 from boresight.codegen.generate import load_model
 from boresight.codegen.new import KINDS, new
 
-pytestmark = pytest.mark.usefixtures("quickly")
 RARE = 1e-3  # of right filters are called wrong
 
 

@@ -215,7 +215,6 @@ def test_the_command_line_without_its_packages_says_in_one_line_what_to_install(
 FOUND_AGAIN = ("boresight.derive", "boresight.codegen", "boresight.runtime.cluster")
 
 
-@pytest.mark.usefixtures("quickly")
 @pytest.mark.parametrize(
     ("words", "extra"),
     [

@@ -25,8 +25,6 @@ LIVE = ("strapdown", "stationary-detector", "euler-matching", "velocity-attitude
 FOLDERS = {folder.manifest["model"]: folder for folder in folders()}
 (VERIFIED,) = (kind for kind in KINDS if kind.name == "verified")
 
-pytestmark = pytest.mark.usefixtures("quickly")
-
 
 @pytest.fixture(scope="module", params=LIVE)
 def made(request):

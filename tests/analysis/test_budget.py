@@ -387,7 +387,7 @@ def test_sixteen_states_and_fifteen_sources_over_a_minute_at_100_hz_take_two_sec
 # ---------------------------------------------------------------- a model of one's own
 
 
-def test_the_rendezvous_that_is_published(tmp_path, monkeypatch, quickly):
+def test_the_rendezvous_that_is_published(tmp_path, monkeypatch):
     """Geller's transfer: 11.03987383 m as published, and its split as another program of the equations has it."""
     monkeypatch.setenv("BORESIGHT_CACHE", str(tmp_path / "cache"))
     script = runpy.run_path(str(ROOT / "examples" / "fly_rendezvous.py"))
@@ -403,7 +403,7 @@ def test_the_rendezvous_that_is_published(tmp_path, monkeypatch, quickly):
     assert np.abs(true[0].sum(1) - true[1]).max() < RIGHT * true[1].max()
 
 
-def test_a_total_state_is_linearised_along_its_own_motion_and_wraps(tmp_path, monkeypatch, quickly):
+def test_a_total_state_is_linearised_along_its_own_motion_and_wraps(tmp_path, monkeypatch):
     """A pendulum that goes over the top: the filter that flies the same is `Filter` at its true state."""
     monkeypatch.setenv("BORESIGHT_CACHE", str(tmp_path / "cache"))
     library = load(generate(f"{ROOT / 'examples' / 'pendulum.py'}:PENDULUM", tmp_path / "pendulum").folder)
@@ -669,7 +669,7 @@ def test_a_wrong_word_is_one_line(run, words, line):
 # ---------------------------------------------------------------- the page
 
 
-def test_what_the_page_shows_is_what_is_printed(run, tmp_path, monkeypatch, quickly):
+def test_what_the_page_shows_is_what_is_printed(run, tmp_path, monkeypatch):
     page = (ROOT / "docs" / "error-budget.md").read_text()
     (tmp_path / "pendulum.py").write_text((ROOT / "examples" / "pendulum.py").read_text())
     seen = 0

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import ROOT
+from conftest import ROOT, optimised
 
 from boresight import BoresightError, CompiledFilter, Epoch, Filter, Live, Record, load, smooth
 
@@ -311,12 +311,13 @@ def test_a_recorded_flight_has_the_bits_of_one_that_is_not(radar):
     assert record is None and all(np.array_equal(a, b) for a, b in zip(*ends, strict=True))
 
 
-def test_it_takes_at_most_15_percent_of_the_flight_of_the_example(folder_of, monkeypatch):
-    """Of GNSS/INS in 20 runs, as examples/fly_gnss_ins.py flies it."""
+def test_it_takes_at_most_15_percent_of_the_flight_of_the_example(folder_of, monkeypatch, quickly):
+    """Of GNSS/INS in 20 runs, as examples/fly_gnss_ins.py flies it, by the C as it ships."""
     monkeypatch.syspath_prepend(ROOT / "examples")
     import fly_gnss_ins as example
 
-    library = load(folder_of(f"{ROOT / 'examples' / 'gnss_ins.py'}:GNSS_INS"))
+    with optimised(*quickly):
+        library = load(folder_of(f"{ROOT / 'examples' / 'gnss_ins.py'}:GNSS_INS"))
     monkeypatch.setattr(example, "SECONDS", 40)
 
     def recorded(*args, **words):
@@ -324,7 +325,8 @@ def test_it_takes_at_most_15_percent_of_the_flight_of_the_example(folder_of, mon
         Record(loop)
         return loop
 
-    example.fly(library)  # the C of many runs is compiled when it is first called
+    with optimised(*quickly):
+        example.fly(library)  # the C of many runs is compiled when it is first called
     took = {"plain": np.inf, "recorded": np.inf}
     for _ in range(25):  # others may have the processor: the least of a few
         for name, kind in (("plain", CompiledFilter), ("recorded", recorded)):

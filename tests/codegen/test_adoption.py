@@ -23,11 +23,10 @@ from boresight.runtime.status import Status
 IN_CXX = [build for std in ("c++17", "c++20") for build in (given("g++", std), given("clang++", std))]
 STANDARDS = [build for std in ("c99", "c11", "c17", "c2x") for build in (("gcc", std), given("clang", std))] + IN_CXX
 EXACT = ("-ffp-contract=off", "-Werror")
-pytestmark = pytest.mark.usefixtures("quickly")
 
 
 @pytest.fixture(scope="module")
-def folders(quickly, compiled_once, tmp_path_factory):
+def folders(compiled_once, tmp_path_factory):
     """(model, precision) -> the exported folder, exported once."""
     place, made = tmp_path_factory.mktemp("exported"), {}
 
@@ -429,7 +428,7 @@ def test_the_bill_of_materials_brings_nothing_of_others(tmp_path):
 
 
 @pytest.fixture(scope="module")
-def everywhere(quickly, tmp_path_factory):
+def everywhere(tmp_path_factory):
     return exported_c("strapdown", tmp_path_factory.mktemp("everywhere") / "out", "float", tuple(PLACES))
 
 

@@ -32,8 +32,6 @@ int main(void)
 }
 """
 
-pytestmark = pytest.mark.usefixtures("quickly")
-
 
 @pytest.fixture(scope="module")
 def model():

@@ -16,7 +16,6 @@ from boresight.codegen.text.places import moving, reach, table
 from boresight.runtime.compiler import compile_sources
 from boresight.runtime.library import load
 
-pytestmark = pytest.mark.usefixtures("quickly")
 GENERATED = ROOT / "generated"
 FILTERS = sorted(path.parent.parent.name for path in GENERATED.glob("*/src/*_filter.c"))
 AH = GENERATED / "azimuth_hold"

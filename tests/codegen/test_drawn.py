@@ -13,7 +13,6 @@ from boresight.evidence.drawn import NUMBERS, drawn
 from boresight.evidence.sources import Drawn
 
 
-@pytest.mark.usefixtures("quickly")
 @pytest.mark.parametrize("precision", ["double", "float"])
 def test_the_self_test_of_a_drawn_model_passes(precision, tmp_path):
     model = drawn(6)  # total, in little time

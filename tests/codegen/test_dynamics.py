@@ -35,7 +35,6 @@ def example(name):
 
 
 PENDULUM = example("pendulum")
-pytestmark = pytest.mark.usefixtures("quickly")
 AT = {"x": [2.0, 0.5], "rod": [1.0, 0.1], "torque": [0.1]}
 
 dt = variable("dt", "dt", "s", "length of the step", 1e-4, 1.0)

@@ -334,7 +334,6 @@ def test_a_sine_and_a_cosine_of_one_angle_are_one_call(folder_of):
     assert pairs > 10
 
 
-@pytest.mark.usefixtures("quickly")
 def test_the_library_of_the_target_may_stand_in_and_both_precisions_link(pendulum, tmp_path):
     for flags in (["-DBORESIGHT_LIBM"], ["-DBORESIGHT_LIBM", *PRECISIONS["float"]]):
         done = self_test(pendulum, tmp_path, "-O0", *flags)

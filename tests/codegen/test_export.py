@@ -13,7 +13,6 @@ from boresight.codegen.export import export
 from boresight.codegen.generate import generate
 
 FLAGS = "-O0 -Wconversion -Wdouble-promotion -Wshadow -Wmissing-prototypes -Werror"
-pytestmark = pytest.mark.usefixtures("quickly")
 
 
 def make(folder, *targets):

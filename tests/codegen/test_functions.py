@@ -32,7 +32,6 @@ from boresight.runtime.compiler import run
 from boresight.runtime.library import load
 from boresight.runtime.status import Status
 
-pytestmark = pytest.mark.usefixtures("quickly")
 SOURCE = f"{__file__.replace('test_functions', 'sonde')}:SONDE"
 A_POINT = {"x": [4000.0, 7.0, -3.0], "air": [3e-3, 12.0], "dt": 0.5, "gust": [0.3, 0.4]}
 

@@ -18,8 +18,6 @@ from boresight.codegen.stamp import made_from
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
 
-pytestmark = pytest.mark.usefixtures("quickly")
-
 
 def contents(folder):
     return {str(p.relative_to(folder)): p.read_bytes() for p in sorted(folder.rglob("*")) if p.is_file()}

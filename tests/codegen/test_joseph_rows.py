@@ -8,10 +8,8 @@ import functools
 
 import mpmath as mp
 import numpy as np
-import pytest
 from test_covariance import Loops
 
-pytestmark = pytest.mark.usefixtures("quickly")
 TRIALS, FEW, UPDATES, R = 20, 7, 24, 1e-4  # trials of the table, and of the tests
 ROWS = {
     "one element": lambda rng, sigma: np.eye(len(sigma))[rng.integers(len(sigma))] * rng.standard_normal(),

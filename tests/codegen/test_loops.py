@@ -20,12 +20,11 @@ SWING = (
     .replace("    dt=dt.scalar,", "    dt=dt.scalar,\n    loops=True,")
     .replace("Matrix([0, 1])", "Matrix([0, 1 + theta**2 / 8])")
 )
-pytestmark = pytest.mark.usefixtures("quickly")
 GIVEN = {"rod": [1.0, 0.1], "torque": 0.1}
 
 
 @pytest.fixture(scope="module")
-def swing(quickly, tmp_path_factory):
+def swing(tmp_path_factory):
     folder = tmp_path_factory.mktemp("swing")
     (folder / "swing.py").write_text(SWING, encoding="utf-8")
     generate(f"{folder / 'swing.py'}:PENDULUM", folder / "made")

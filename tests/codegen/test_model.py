@@ -132,7 +132,6 @@ def with_gyro_bias():
     return base.extend(name="euler-matching-bias", c_prefix="emb", states=(bias,), F=F)
 
 
-@pytest.mark.usefixtures("quickly")
 def test_extend_adds_states_behind_the_old_ones(tmp_path, library, points):
     base, wide = euler_matching(), with_gyro_bias()
     assert wide.n == 9

@@ -207,26 +207,44 @@ WALK = Model(
 )
 
 
-def printed(model, folder):
-    for path, text in folder_files(model, lambda *_: "no self-test")[1].items():
+@functools.cache
+def texts(make):
+    """Of a model, all files but the self-tests."""
+    return folder_files(make(), lambda *_: "no self-test")[1]
+
+
+def printed(make, folder):
+    for path, text in texts(make).items():
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
         (folder / path).write_text(text)
     (source,) = (folder / "src").glob("*_covariance.c")
     return source
 
 
+def first_order():
+    return replace(euler_matching(), order=1)
+
+
+def third_order():
+    return replace(euler_matching(), order=3)
+
+
 @pytest.mark.parametrize("cc", ["gcc", given("clang")])
-@pytest.mark.parametrize("order", [1, 3])
-def test_another_order_has_the_bits_and_no_warning(order, cc, tmp_path):
-    source = printed(replace(euler_matching(), order=order), tmp_path)
+@pytest.mark.parametrize("of_order", [first_order, third_order])
+def test_another_order_has_the_bits_and_no_warning(of_order, cc, tmp_path):
+    source = printed(of_order, tmp_path)
     loops, rows = (Kernels(source, tmp_path / f"{name}.so", "-O2", name, cc=cc) for name in ("-DLOOPS", ROWS))
     assert differing(loops, rows) == 0
+
+
+def autopilot():
+    return completed(AUTOPILOT)
 
 
 @pytest.mark.parametrize("form", [ROWS, "-DBORESIGHT_BLOCKS"])
 def test_a_prediction_over_non_zeros_of_first_order_has_the_bits_of_the_others(form, tmp_path):
     """Of 24 states of which 9 move."""
-    source = printed(completed(AUTOPILOT), tmp_path)
+    source = printed(autopilot, tmp_path)
     assert "_OVER_NONZEROS" in source.read_text()
     kernels = [Kernels(source, tmp_path / f"{name}.so", "-O1", name) for name in ("-DNONZEROS", form)]
     assert differing(*kernels) == 0
@@ -234,7 +252,7 @@ def test_a_prediction_over_non_zeros_of_first_order_has_the_bits_of_the_others(f
 
 @pytest.mark.parametrize("cc", ["gcc", given("clang")])
 def test_a_model_in_discrete_time_has_no_warning(cc, tmp_path):
-    source = printed(WALK, tmp_path)
+    source = printed(lambda: WALK, tmp_path)
     assert "add_run" in source.read_text()
     compiler.run([cc, *FLAGS, "-O2", ROWS, "-I", tmp_path / "include", source, "-o", tmp_path / "rows.so"])
 

@@ -57,7 +57,6 @@ def given(tmp_path_factory):
     return generate(GIVEN, folder / "discrete").folder
 
 
-@pytest.mark.usefixtures("quickly")
 def test_the_C_of_an_error_state_in_discrete_time_is_the_textbook_filter(given):
     library = load(given)
     nav, P = {"p": 0.3, "v": -0.2}, np.diag([0.04, 0.01])
@@ -78,7 +77,6 @@ def test_the_C_of_an_error_state_in_discrete_time_is_the_textbook_filter(given):
             np.testing.assert_allclose(loop.P, P, rtol=1e-11)
 
 
-@pytest.mark.usefixtures("quickly")
 @pytest.mark.parametrize("precision", ["double", "float"])
 def test_its_self_test_passes(given, precision, tmp_path):
     assert export(GIVEN, tmp_path / "out", precision, given).files

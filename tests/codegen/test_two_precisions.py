@@ -9,11 +9,10 @@ from conftest import ROOT
 
 EXAMPLE = ROOT / "examples" / "two-precisions"
 STRICT = "CFLAGS=-O0 -Werror"
-pytestmark = pytest.mark.usefixtures("quickly")
 
 
 @pytest.fixture(scope="module")
-def example(quickly, compiled_once, tmp_path_factory):
+def example(compiled_once, tmp_path_factory):
     copy = tmp_path_factory.mktemp("two") / "two-precisions"
     shutil.copytree(EXAMPLE, copy, ignore=shutil.ignore_patterns("build"))
     for precision in ("double", "float"):

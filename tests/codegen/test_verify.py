@@ -32,11 +32,9 @@ from boresight.codegen.verify import (
 from boresight.runtime import compiler
 from boresight.runtime.library import load
 
-pytestmark = pytest.mark.usefixtures("quickly")
-
 
 @pytest.fixture(scope="module")
-def failed(quickly, compiled_once, tmp_path_factory):
+def failed(compiled_once, tmp_path_factory):
     """unit -> the checks that fail, of a folder in which four units are spoilt, each in its own way."""
     folder = shutil.copytree(ROOT / "generated" / "euler_matching", tmp_path_factory.mktemp("spoilt") / "em")
     for path in ("src/em_omega_in_n_kernel.h", "casadi/em_omega_in_n_casadi.c"):

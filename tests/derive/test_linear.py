@@ -23,10 +23,10 @@ HAND = ["euler-matching", "azimuth-hold", "velocity-attitude", "phi-error", "psi
 
 def apart(a, b, model, what):
     """The largest difference of two matrices at points of the model, as a part of the largest of its row."""
-    worst = 0.0
+    worst, both = 0.0, [compiled(one) for one in (a, b)]
     with precise():
         for values in points(model, what):
-            A, B = compiled(a)(values)[0], compiled(b)(values)[0]
+            A, B = (one(values)[0] for one in both)
             for i in range(A.rows):
                 size = max(abs(float(v)) for v in A[i, :]) or 1.0
                 worst = max(worst, *(abs(float(p - q)) / size for p, q in zip(A[i, :], B[i, :], strict=True)))
@@ -58,12 +58,13 @@ def test_H_at_zero_is_that_written_by_hand(name):
         law = m.first_order
         exact = next((o for o in model.measurements if law and o.name == law.of), m)
         whole = derivation.measurement(replace(exact, H=None, first_order=None, at_zero=True))
+        both = [compiled(one) for one in (m.H, whole.H)]
         with precise():
             for values in points(model, m.name):
                 here = values | {s: arb(0) for s in (inputs[law.small].symbols if law and law.small else ())}
                 for tied, expression in law.tied if law else ():
                     here |= dict(zip(inputs[tied].symbols, compiled(Matrix(expression))(here)[0], strict=True))
-                A, B = (compiled(one)(here)[0] for one in (m.H, whole.H))
+                A, B = (one(here)[0] for one in both)
                 assert max(abs(float(e)) for e in A - B) < 1e-12 * max(abs(float(e)) for e in A), m.name
         tried += 1
     assert tried
@@ -73,12 +74,12 @@ def test_H_at_zero_is_that_written_by_hand(name):
 def test_phi_of_the_exact_step_is_the_derivative_of_two_flights(name):
     model = AUTOPILOT if name == "autopilot" else load_model(name)
     Phi, Q = Derivation(model).step()
-    exact = Exact(model)
+    exact, stating = Exact(model), compiled(Phi)
     with precise():
         for values in points(model, "step"):
             moving, still = over_step(exact, values, [arb(1)] * model.n)
             found = slope(lambda x, m=moving, s=still: m.parted(x, s), [arb(1)] * model.n)
-            stated = compiled(Phi)(values)[0]
+            stated = stating(values)[0]
             sizes = [max(abs(float(v)) for v in found[i, :]) for i in range(model.n)]
             off = [abs(float(stated[i, j] - found[i, j])) / sizes[i] for i in range(model.n) for j in range(model.n)]
             assert max(off) < 1e-12

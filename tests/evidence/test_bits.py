@@ -79,7 +79,6 @@ def test_the_flight_takes_messages_and_loses_some(precision, first):
 
 
 @pytest.mark.digits
-@pytest.mark.usefixtures("quickly")
 def test_python_flies_the_same_bits(first):
     assert differs(in_python(EVERY), Flown(first["double"].digests[:1])) == 0
 

@@ -13,7 +13,7 @@ NAME = "pendulum.py:PENDULUM"
 
 
 @pytest.fixture
-def model(quickly, tmp_path, monkeypatch, request):
+def model(tmp_path, monkeypatch, request):
     """The example in a folder of the user's, generated there."""
     shutil.copy(request.config.rootpath / "examples" / "pendulum.py", tmp_path)
     monkeypatch.chdir(tmp_path)

@@ -89,7 +89,7 @@ def script(compiled_once):
 
 
 @pytest.mark.parametrize("whole", [False, True])
-def test_the_autopilot_flies_a_log_as_well_as_the_logs_own_estimator(quickly, script, tmp_path, whole):
+def test_the_autopilot_flies_a_log_as_well_as_the_logs_own_estimator(script, tmp_path, whole):
     """By the log's own parameters: as near to the ground truth as ekf2, and no more confident."""
     file = real_recording("pyulog_sample_tagged.ulg") if whole else EXCERPTS / "pad.ulg"
     of = script["flown"](file, tmp_path / "generated")
