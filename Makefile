@@ -58,6 +58,7 @@ bench: $(BENCH)/.installed
 	@test -z "$(PX4)" || PX4="$(PX4)" $(BENCH)/bin/python -m benchmarks.px4
 	$(BENCH)/bin/python -m benchmarks.growth
 	-$(BENCH)/bin/python -m benchmarks.instructions
+	-$(BENCH)/bin/python -m benchmarks.gpu
 
 # The site of the documentation, into out/site, without a network once its environment is there.
 site: $(SITE)/.installed

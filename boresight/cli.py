@@ -877,6 +877,12 @@ def many(
     dask: Annotated[
         str | None, typer.Option(help="Address of a Dask scheduler, whose workers then fly.", show_default=False)
     ] = None,
+    device: Annotated[
+        str, typer.Option(help="cpu, or gpu: one thread of an NVIDIA GPU for each run, the same SHA-256.")
+    ] = "cpu",
+    chunk: Annotated[
+        int | None, typer.Option(help="Runs of one call, or of one launch of a GPU.", show_default=False)
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Fly a transfer alignment at sea as often as asked for.
@@ -889,13 +895,16 @@ def many(
     from boresight.runtime import runs as r
     from boresight.studies.sea_state import many as sea
 
-    for extra, asked in (("parquet", out), ("cluster", dask)):
+    for extra, asked in (("parquet", out), ("cluster", dask), ("gpu", device == "gpu")):
         if asked:
             require(extra)  # before the C of the model is compiled
     flown = sea.experiment(sea.Sea(motion, grade))
     goal = None if within is None else r.Goal("heading_mil", within)
     with terminal.progress() as progress:
-        found = r.many(flown, runs=runs, seed=seed, jobs=jobs, dask=dask, directory=out, goal=goal, progress=progress)
+        found = r.many(
+            flown, runs=runs, seed=seed, chunk=chunk, jobs=jobs, dask=dask, device=device, directory=out, goal=goal,
+            progress=progress,
+        )  # fmt: skip
     if as_json:
         print_json(found.document())
     else:

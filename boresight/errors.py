@@ -15,6 +15,7 @@ EXTRAS = {
     "ros": ("rosbags",),
     "cluster": ("dask", "distributed"),
     "cli": ("typer", "rich"),
+    "gpu": ("cuda", "nvidia"),
     "evidence": ("unicorn", "elftools", "pycparser"),
 }
 

@@ -5,10 +5,14 @@
 
 #include "boresight_lanes.h"
 
+#ifndef BORESIGHT_ONE_LANE /* whose own header has these without extensions of gcc and clang */
 __extension__ typedef unsigned __int128 product;
 typedef unsigned long long words __attribute__((vector_size(8 * BORESIGHT_LANES)));
-
+#define AS_LANES(w) ((bs_lanes)(w))
+#define AS_WORDS(x) ((words)(x))
+#define HIGH(a, b) ((uint64_t)(((product)(a) * (b)) >> 64))
 #define GROUPS 16 /* of eight words, made at a time */
+#endif
 
 void boresight_words(uint64_t seed, const uint64_t *run, size_t runs, uint64_t stream, uint64_t first, size_t count,
                      uint64_t *out, ptrdiff_t run_stride, ptrdiff_t stride);
@@ -23,12 +27,13 @@ static inline void philox(uint64_t seed, uint64_t run, uint64_t stream, uint64_t
     uint64_t c = 0U;
     uint64_t d = stream;
     for (int round = 0; round < 10; ++round) {
-        const product left = (product)a * 0xD2E7470EE14C6C93U;
-        const product right = (product)c * 0xCA5A826395121157U;
-        a = (uint64_t)(right >> 64) ^ b ^ seed;
-        b = (uint64_t)right;
-        c = (uint64_t)(left >> 64) ^ d ^ run;
-        d = (uint64_t)left;
+        const uint64_t left = HIGH(a, 0xD2E7470EE14C6C93U);
+        const uint64_t right = HIGH(c, 0xCA5A826395121157U);
+        const uint64_t left_low = a * 0xD2E7470EE14C6C93U;
+        a = right ^ b ^ seed;
+        b = c * 0xCA5A826395121157U;
+        c = left ^ d ^ run;
+        d = left_low;
         seed += 0x9E3779B97F4A7C15U;
         run += 0xBB67AE8584CAA73BU;
     }
@@ -76,14 +81,14 @@ static void transform(const uint64_t word[8], double normal[16])
         words w;
         memcpy(&w, &word[i], sizeof w);
         /* u, in the middle between two multiples of 2^-40, is 2^k (1 + f), with 1 + f from sqrt(1/2) to sqrt(2) */
-        const bs_lanes u = (bs_lanes)(((w >> 12U) & 0x000FFFFFFFFFF000U) | 0x3FF0000000000800U) - 1.0;
-        const words above = (words)u + (0x3FF0000000000000U - 0x3FE6A09E667F3BCDU);
-        const bs_lanes k = (bs_lanes)((above >> 52U) | 0x4330000000000000U) - (4503599627370496.0 + 1023.0);
-        const bs_lanes f = (bs_lanes)((above & 0x000FFFFFFFFFFFFFU) + 0x3FE6A09E667F3BCDU) - 1.0;
+        const bs_lanes u = AS_LANES(((w >> 12U) & 0x000FFFFFFFFFF000U) | 0x3FF0000000000800U) - 1.0;
+        const words above = AS_WORDS(u) + (0x3FF0000000000000U - 0x3FE6A09E667F3BCDU);
+        const bs_lanes k = AS_LANES((above >> 52U) | 0x4330000000000000U) - (4503599627370496.0 + 1023.0);
+        const bs_lanes f = AS_LANES((above & 0x000FFFFFFFFFFFFFU) + 0x3FE6A09E667F3BCDU) - 1.0;
         const bs_lanes s = f / (2.0 + f);
         const bs_lanes root = bs_root((k * -1.3862943611198906) - (s * polynomial(of_log, 8, s * s))); /* -2 log u */
-        const bs_lanes radius = (bs_lanes)((words)root ^ ((w << 40U) & 0x8000000000000000U)); /* a half turn on */
-        const bs_lanes angle = ((bs_lanes)(((w & 0x3FFFFFU) << 30U) | 0x3FF0000020000000U) - 1.5) * 1.5707963267948966;
+        const bs_lanes radius = AS_LANES(AS_WORDS(root) ^ ((w << 40U) & 0x8000000000000000U)); /* a half turn on */
+        const bs_lanes angle = (AS_LANES(((w & 0x3FFFFFU) << 30U) | 0x3FF0000020000000U) - 1.5) * 1.5707963267948966;
         const bs_lanes y = angle * angle;
         const bs_lanes sine = angle - ((angle * y) * polynomial(of_sine, 6, y));
         const bs_lanes cosine = 1.0 - (y * (0.5 - (y * polynomial(of_cosine, 6, y))));

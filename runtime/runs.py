@@ -37,6 +37,7 @@ from boresight.runtime.summary import Experiment, Goal, Known, Outcome
 
 __all__ = ["Experiment", "Goal", "Outcome", "many"]
 
+DEVICES = {"cpu": 512, "gpu": 2**18}  # what flies, and runs of one call: an H100 flies some 33 000 at a time
 GROWTH = 1.25  # from one count of runs, at which it is asked whether enough is known, to the next
 
 Progress = Callable[[int, int, str], None]  # runs that are done, runs in all as far as is known, and what is found
@@ -47,9 +48,10 @@ def many(
     *,
     runs: int,
     seed: int = 0,
-    chunk: int = 512,
+    chunk: int | None = None,
     jobs: int = 1,
     dask: str | None = None,
+    device: str = "cpu",
     directory: str | Path | None = None,
     goal: Goal | None = None,
     progress: Progress = lambda done, total, text: None,
@@ -68,11 +70,15 @@ def many(
     seed : int, optional
         A run draws its numbers by [seed, run].
     chunk : int, optional
-        Runs of one call of `experiment.fly`.
+        Runs of one call of `experiment.fly`, by default 512; on a GPU those that it is given at a
+        time, by default 262 144.
     jobs : int, optional
         Processes on this machine.
     dask : str, optional
         Address of a Dask scheduler, whose workers then fly in the place of processes.
+    device : str, optional
+        "cpu", or "gpu" for the experiment's C with a thread for each run: the first GPU that the
+        variable CUDA_VISIBLE_DEVICES leaves, on a cluster that of each worker.
     directory : str or Path, optional
         Keeps final states as Parquet, a file for each 1024 runs; those that it holds already are
         not flown a second time.
@@ -90,8 +96,8 @@ def many(
     Raises
     ------
     BoresightError
-        A number that has no meaning, jobs beside a cluster, a column that is not there, a directory
-        of another experiment, seed or model.
+        A number that has no meaning, jobs beside a cluster or a GPU, a column that is not there, a
+        directory of another experiment, seed or model; no GPU, no driver, too little memory.
     KeyboardInterrupt
         After Ctrl-C, once what is in flight is finished and kept; a second Ctrl-C ends at once.
 
@@ -112,11 +118,16 @@ def many(
     >>> found.runs, found.digest == many(walk, runs=100, seed=1, chunk=7).digest
     (100, True)
     """
+    if device not in DEVICES:
+        raise BoresightError(f"many: device is {device!r}; it is {' or '.join(DEVICES)}")
+    chunk = DEVICES[device] if chunk is None else chunk
     for name, value, low in (("runs", runs, 1), ("chunk", chunk, 1), ("jobs", jobs, 1), ("seed", seed, 0)):
         if not whole(value) or not low <= value < 2**63:
             raise BoresightError(f"many: {name} is {value!r}; it must be a whole number from {low} to 2^63")
     if dask is not None and jobs != 1:
         raise BoresightError("many: jobs are processes here, and dask flies on a cluster; leave one of them out")
+    if device == "gpu":
+        _on_a_gpu(experiment, jobs, here=dask is None)
     if directory == "":  # as a Path it would be the current folder
         raise BoresightError("many: directory is ''; give a folder, '.' for the current one")
     watched = _watched(experiment, goal)
@@ -128,7 +139,7 @@ def many(
         executor: Executor | None = None
         where, window = str(folder.resolve()), 2 * jobs + 1
         for count in _counts(runs, goal):
-            pieces = store.missing(count, chunk)
+            pieces = _together(store.missing(count, min(chunk, BLOCK)), chunk)
             first = list(islice(pieces, 1))
             if first and executor is None:  # only where there is something to fly
                 if dask is not None:
@@ -137,10 +148,11 @@ def many(
                     executor, where, window = stack.enter_context(connected(dask, folder))
                 elif jobs > 1:
                     executor = stack.enter_context(_processes(jobs))
-            flown = _flown(chain(first, pieces), executor, window, asked, (experiment, where, seed))
+            flown = _flown(chain(first, pieces), executor, window, asked, (experiment, where, seed, device))
             try:
                 for piece, rows in flown:
-                    store.take(piece, rows)
+                    for part in _apart(piece):
+                        store.take(part, rows[part.start - piece.start : part.stop - piece.start])
                     progress(store.held, max(count, min(runs, known.needed)) if goal else runs, known.text)
             finally:
                 store.keep()
@@ -166,6 +178,41 @@ def _counts(runs: int, goal: Goal | None) -> Iterator[int]:
     yield runs
 
 
+def _together(pieces: Iterable[range], chunk: int) -> Iterator[range]:
+    """Pieces that follow each other as one, of at most `chunk` runs."""
+    held = range(0)
+    for piece in pieces:
+        if held and (held.stop != piece.start or len(held) + len(piece) > chunk):
+            yield held
+            held = range(0)
+        held = range(held.start, piece.stop) if held else piece
+    if held:
+        yield held
+
+
+def _apart(piece: range) -> Iterator[range]:
+    """Its parts in each block."""
+    while piece:
+        end = min(piece.stop, (piece.start // BLOCK + 1) * BLOCK)
+        yield range(piece.start, end)
+        piece = range(end, piece.stop)
+
+
+def _on_a_gpu(experiment: Experiment, jobs: int, here: bool) -> None:
+    """Raise BoresightError where this experiment cannot fly there, before anything is begun."""
+    if experiment.in_c is None or experiment.given is None:
+        raise BoresightError(
+            f"{experiment.name} is written in Python, which flies on the host; a GPU needs it in C, see 'in_c' of "
+            "Experiment"
+        )
+    if jobs != 1:
+        raise BoresightError("many: a GPU is given all runs by one process; leave jobs out")
+    if here:
+        from boresight.runtime.gpu.card import card
+
+        card()
+
+
 def _watched(experiment: Experiment, goal: Goal | None) -> tuple[str, ...]:
     """The columns of which percentiles are told; raises BoresightError on a name that is no column."""
     asked = dict.fromkeys((*experiment.percentiles, *([goal.column] if goal else [])))
@@ -189,6 +236,8 @@ def _identity(experiment: Experiment, manifest: Mapping[str, Any], seed: int) ->
         code = inspect.getsource(fly if fly.__module__ == "__main__" else sys.modules[fly.__module__])
     except (OSError, TypeError):  # typed at a prompt
         code = ""
+    if experiment.in_c is not None:
+        code += _source(experiment).read_text()
     contents = json.dumps(manifest["files"], sort_keys=True)
     identity = {
         "experiment": experiment.name,
@@ -213,7 +262,7 @@ def _flown(
     executor: Executor | None,
     window: int,
     asked: list[bool],
-    task: tuple[Experiment, str, int],
+    task: tuple[Experiment, str, int, str],
 ) -> Iterator[tuple[range, Array]]:
     """Pieces and their final states as they come.  Once `asked` is not empty nothing more is begun."""
     if executor is None:
@@ -248,15 +297,34 @@ def _whole() -> Iterator[None]:
         ) from None
 
 
-def fly_piece(experiment: Experiment, where: str, seed: int, piece: range) -> Array:
+def fly_piece(experiment: Experiment, where: str, seed: int, device: str, piece: range) -> Array:
     """Final states (len(piece), columns) of a few runs.  where: the folder of the model, or its hash on a cluster."""
-    rows = np.asarray(experiment.fly(_library(where), experiment.settings, seed, piece), float)
+    if device == "gpu":
+        rows = _by_card(experiment, _library(where), seed, piece)
+    else:
+        rows = np.asarray(experiment.fly(_library(where), experiment.settings, seed, piece), float)
     shape = len(piece), len(experiment.columns)
     if rows.shape != shape:
         raise BoresightError(f"{experiment.name}: fly gave an array of shape {rows.shape} in place of {shape}")
     lost = ~np.isfinite(rows).all(-1)
     rows[lost] = np.nan
     return rows
+
+
+def _by_card(experiment: Experiment, library: Library, seed: int, piece: range) -> Array:
+    from boresight.runtime.gpu.card import card
+
+    assert experiment.given is not None
+    kernel = card().kernel(library.folder, _source(experiment))
+    given = np.ascontiguousarray(experiment.given(library, experiment.settings, seed, piece), float)
+    return card().fly(kernel, given, seed, piece, len(experiment.columns))[0]
+
+
+def _source(experiment: Experiment) -> Path:
+    """The experiment in C, which lies beside its Python."""
+    file = inspect.getsourcefile(experiment.fly)
+    assert file is not None and experiment.in_c is not None
+    return Path(file).with_name(experiment.in_c)
 
 
 @lru_cache(maxsize=4)

@@ -40,6 +40,12 @@ class Experiment:
         Mean of a column, where the filter is consistent.
     percentiles : tuple of str, optional
         Columns of which percentiles are computed.
+    in_c : str, optional
+        The same runs as C, bit for bit, for a GPU: a file beside the module of `fly` that defines
+        `boresight_run` of boresight/runtime/gpu/run.h.
+    given : function, optional
+        given(library, settings, seed, runs): the float64 numbers that this C reads, the same for
+        all of these runs.
 
     Raises
     ------
@@ -68,6 +74,8 @@ class Experiment:
     settings: Any = field(default_factory=dict)
     expected: Mapping[str, float] = field(default_factory=dict)
     percentiles: tuple[str, ...] = ()
+    in_c: str | None = None
+    given: Callable[[Library, Any, int, range], Array] | None = None
 
 
 @dataclass(frozen=True)

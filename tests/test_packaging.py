@@ -88,6 +88,7 @@ def test_sdist_and_wheel_hold_the_package_and_an_installed_one_flies(built, tmp_
     wanted = {
         "codegen/templates/src/UNIT.c.j2", "derive/model.py", "codegen/templates/src/stationary_detector.c.j2",
         "derive/pages/templates/page.html.j2", "runtime/random.c", "runtime/recording/built_in/fog_mems_transfer.toml",
+        "runtime/gpu/run.h", "runtime/gpu/runs.c", "studies/sea_state/many.c",
         "runtime/recording/built_in/template.toml", "studies/euler_table/table.py", "examples/pendulum.py",
         "examples/fly_gnss_ins.py", "evidence/trace.py", "cli.py", "py.typed",
         "examples/papers/first/paper.toml", "examples/papers/first/printed.tex",
@@ -227,6 +228,7 @@ FOUND_AGAIN = ("boresight.derive", "boresight.codegen", "boresight.runtime.clust
         ("study euler-table -o out", "replay"),
         ("many -o out", "parquet"),
         ("many --runs 1 --dask tcp://127.0.0.1:1", "cluster"),
+        ("many --runs 1 --device gpu", "gpu"),
     ],
 )
 def test_a_command_without_its_extra_says_in_one_line_what_to_install(monkeypatch, capsys, tmp_path, words, extra):
@@ -266,12 +268,13 @@ def test_a_file_whose_extra_is_missing_says_what_to_install(monkeypatch, tmp_pat
 
 def test_every_module_of_an_extra_is_named_in_it():
     extras = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["optional-dependencies"]
-    project = {"flint": "python-flint", "markdown_it": "markdown-it-py", "elftools": "pyelftools"}
+    project = {"flint": "python-flint", "markdown_it": "markdown-it-py", "elftools": "pyelftools",
+               "cuda": "cuda-bindings", "nvidia": "nvidia-cuda-nvrtc-cu12"}  # fmt: skip
     for extra, modules in EXTRAS.items():
         assert {re.match(r"[\w-]+", line).group() for line in extras[extra]} == {project.get(m, m) for m in modules}
     (everything,) = extras["all"]
     included = set(re.fullmatch(r"boresight\[(.*)\]", everything).group(1).split(","))
-    assert included == set(EXTRAS) - {"ardupilot", "cluster", "evidence"}
+    assert included == set(EXTRAS) - {"ardupilot", "cluster", "evidence", "gpu"}
     assert extras["test"][0] == "boresight[all,ardupilot,cluster,evidence]"
 
 
@@ -279,7 +282,7 @@ def test_the_layers_import_nothing_that_their_extra_does_not_bring():
     """What a layer imports, at any depth, is the standard library, the base, or of its own extra."""
     from test_imports import files, imported
 
-    formats = ("parquet", "excel", "hdf5", "ulog", "ardupilot", "ros", "cluster")
+    formats = ("parquet", "excel", "hdf5", "ulog", "ardupilot", "ros", "cluster", "gpu")
     allowed = {
         "derive": ("derive",), "codegen": ("derive",), "runtime": ("replay", *formats),
         "analysis": ("replay", "parquet"), "studies": ("replay",)

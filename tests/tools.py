@@ -90,10 +90,26 @@ TOOLS = {
         hint="a gcc for x86",
     ),
     "IPython": Tool(command="", also=lambda: find_spec("IPython") is not None, hint="pip install ipython"),
+    "nvrtc": Tool(
+        command="",
+        also=lambda: all(find_spec(name) is not None for name in ("cuda", "nvidia")),
+        hint="pip install 'boresight[gpu]'",
+    ),
+    "gpu": Tool(command="", also=lambda: there("nvrtc") and has_gpu(), hint="an NVIDIA GPU, and its driver"),
     "papers": Tool(
         command="", also=(SHARED / "papers").is_dir, hint="the papers' texts in shared/papers beside the checkout"
     ),
 }
+
+
+def has_gpu():
+    from boresight import BoresightError
+    from boresight.runtime.gpu.card import Card
+
+    try:
+        return bool(Card().name)
+    except BoresightError:
+        return False
 
 
 def text_of(path):

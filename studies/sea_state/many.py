@@ -6,28 +6,32 @@ In a random sea the truth is one of `SEAS` seas, each of them shared by `TOGETHE
 each run is the delay, the biases and all noise.  An interval of the runner is one for these seas.
 """
 
+import ctypes
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from itertools import pairwise
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from boresight import BoresightError
-from boresight.analysis.consistency import nees
-from boresight.runtime import random, rotation
+from boresight.runtime import random
 from boresight.runtime.array import Array
+from boresight.runtime.gpu import text
 from boresight.runtime.library import Library, load
 from boresight.runtime.runs import Experiment
 from boresight.runtime.simulation import hull, sensors
-from boresight.runtime.units import DEG, HOUR, MIL, MILLI_G
+from boresight.runtime.units import DEG, HOUR, MILLI_G
 from boresight.studies.sea_state import flight as at_sea
-from boresight.studies.sea_state.matching import Matching, turned
+from boresight.studies.sea_state.matching import GRAVITY, SPAN_S, Matching, swing_variance, turned
 
 MODEL = "velocity-attitude"
 SEAS, TOGETHER = 32, 256
 NODES = 6  # of the polynomial by which the master's pose depends on the delay
 SLAVE, MASTER, DELAY = 0, 1, 2  # streams of random numbers of a run
+NAV = ("lat_lon_height", "v_n", "q_b2n_wxyz", "gyro_bias", "accel_bias", "q_b2m_wxyz", "tau")
+SOURCE, MOST_SAMPLES = Path(__file__).with_name("many.c"), 100
 
 
 @dataclass(frozen=True)
@@ -57,8 +61,9 @@ def experiment(sea: Sea) -> Experiment:
     columns |= {f"sigma_{name}": unit for name, unit in columns.items()}
     columns |= {"heading_mil": "mil", "nees": "", "nis": ""}
     return Experiment(
-        "sea", MODEL, columns, fly, sea, expected={"nees": 16.0, "nis": 6.0}, percentiles=("heading_mil",)
-    )
+        "sea", MODEL, columns, fly, sea, expected={"nees": 16.0, "nis": 6.0}, percentiles=("heading_mil",),
+        in_c=SOURCE.name, given=numbers,
+    )  # fmt: skip
 
 
 # ---- truth, shared
@@ -144,21 +149,19 @@ def over_one(model: Library, sea: Sea, seed: int, runs: range, number: int) -> A
     """The same for runs of one sea."""
     s, true = sea.scenario, shared(sea, seed, number)
     n, updates, per_update = len(runs), s.seconds * s.update_hz, s.navigation_hz // s.update_hz
-    dt = 1 / s.navigation_hz
     every = np.array(runs)
     part = (random.words(seed, every, 1, stream=DELAY)[:, 0] >> np.uint64(11)) * 2.0**-53
     delay = 1e-3 * (s.delay_ms[0] + (s.delay_ms[1] - s.delay_ms[0]) * part)
     drawn = random.normals(seed, every, 6 * (updates + 2), stream=MASTER).reshape(n, -1, 6)
     # Nothing depends on a bias but its estimate's error: the sensors have none, and the estimate begins with the error.
-    bias = drawn[:, 0] * np.repeat([s.gyro_bias_deg_h * DEG / HOUR, s.accel_bias_mg * MILLI_G], 3)
+    bias = drawn[:, 0] * bias_sigmas(s)
     noise = np.moveaxis(drawn[:, 1:], 1, 0)  # (U + 1, runs, 6)
     v_m_n, q_m2n = late(true, delay)
     v_m_n = v_m_n + s.velocity_noise_m_s * noise[..., :3]
     q_m2n = times(small(s.attitude_noise_deg * DEG * noise[..., 3:]), q_m2n)  # a turn in level axes
 
     given = at_sea.constants(s)
-    lever, swing = given["lever_b"], true.dtheta[0] / dt
-    swing = np.repeat(np.cross(swing, lever)[:, None], n, axis=1)
+    swing = np.repeat(swing_of(s, true)[:, None], n, axis=1)
     nav = {
         "lat_lon_height": np.broadcast_to(true.position[0], (n, 3)), "q_b2n_wxyz": q_m2n[0],
         "v_n": v_m_n[0] + turned(q_m2n[0].T, swing).T, "gyro_bias": bias[:, :3], "accel_bias": bias[:, 3:],
@@ -168,8 +171,7 @@ def over_one(model: Library, sea: Sea, seed: int, runs: range, number: int) -> A
     loop = flown.loop
 
     ideal = np.concatenate([true.dtheta, true.dv], axis=-1)[::-1]
-    walk = np.repeat([given["gyro_noise"][0], given["accel_noise"][0]], 3) * np.sqrt(dt)
-    scale, newest = np.tile(walk, per_update), flown.samples.reshape(n, -1)[:, : 6 * per_update]
+    scale, newest = np.tile(walk(s), per_update), flown.samples.reshape(n, -1)[:, : 6 * per_update]
     width, nis = model.lanes(n)[0], np.zeros(n)
     for k in range(updates):
         exact = ideal[(updates - 1 - k) * per_update : (updates - k) * per_update].reshape(-1)
@@ -177,22 +179,64 @@ def over_one(model: Library, sea: Sea, seed: int, runs: range, number: int) -> A
         flown.update(q_m2n_wxyz=q_m2n[k + 1], v_m_n=v_m_n[k + 1])
         if k >= at_sea.SETTLED_S * s.update_hz:
             nis += flown.nis.sum(0)
-    error = np.concatenate(
-        [
-            rotation.attitude_error(loop.nav["q_b2n_wxyz"], true.q_b2n_wxyz),
-            loop.nav["v_n"] - true.v_n,
-            loop.nav["gyro_bias"],
-            loop.nav["accel_bias"],
-            rotation.attitude_error(loop.nav["q_b2m_wxyz"], true.q_b2m_wxyz),
-            (loop.nav["tau"] - delay)[:, None],
-        ],
-        axis=-1,
-    )
-    settled = updates - at_sea.SETTLED_S * s.update_hz
-    more = [np.abs(error[:, 2]) / MIL, nees(error, loop.P), nis / settled]
-    rows = np.concatenate([error, np.sqrt(loop.variances()), np.stack(more, axis=-1)], axis=-1)
+    ends = np.concatenate([loop.nav.seen(name).reshape(n, -1) for name in NAV], axis=-1)
+    nis /= updates - at_sea.SETTLED_S * s.update_hz
+    rows, P, own = np.empty((n, 35)), np.ascontiguousarray(loop.P), of_sea(s, true)
+    at = (ctypes.c_void_p(part.ctypes.data) for part in (ends, P, own, delay, nis, rows))
+    text.host(model.folder, SOURCE).sea_rows(ctypes.c_size_t(n), *at)
     rows[flown.lost] = np.nan
     return rows
+
+
+def bias_sigmas(s: at_sea.Scenario) -> Array:
+    """(6,) rad/s and m/s^2."""
+    return np.repeat([s.gyro_bias_deg_h * DEG / HOUR, s.accel_bias_mg * MILLI_G], 3)
+
+
+def walk(s: at_sea.Scenario) -> Array:
+    """(6,) rad and m/s, the sigmas of a sample."""
+    given = at_sea.constants(s)
+    return np.repeat([given["gyro_noise"][0], given["accel_noise"][0]], 3) * np.sqrt(1 / s.navigation_hz)
+
+
+def swing_of(s: at_sea.Scenario, true: Shared) -> Array:
+    """(3,) m/s in the slave's axes: its velocity about the master, at first."""
+    return np.cross(true.dtheta[0] / (1 / s.navigation_hz), s.lever_b)
+
+
+# ---- the same in C
+
+
+def numbers(model: Library, sea: Sea, seed: int, runs: range) -> Array:
+    """What many.c reads: the scenario, and the seas of these runs, the others zero."""
+    s, known = sea.scenario, at_sea.constants(sea.scenario)
+    updates, samples = s.seconds * s.update_hz, s.navigation_hz // s.update_hz
+    if samples > MOST_SAMPLES:
+        raise BoresightError(f"many: in C an update has at most {MOST_SAMPLES} samples; here {samples}")
+    lever, dt, span = known["lever_b"], 1 / s.navigation_hz, round(SPAN_S * s.navigation_hz)
+    R = at_sea.matching_variances(s)
+    swung = swing_variance(known["gyro_noise"][0], span * dt, lever)
+    seas, together = (SEAS, TOGETHER) if sea.motion == "sea" else (1, 1)
+    common = [
+        updates, at_sea.SETTLED_S * s.update_hz, samples, span, seas, together, dt, GRAVITY,
+        s.delay_ms[0], s.delay_ms[1] - s.delay_ms[0], *bias_sigmas(s), s.velocity_noise_m_s,
+        s.attitude_noise_deg * DEG, *lever, *known["gyro_noise"], *known["accel_noise"], *known["mu_noise"],
+        *R[3:], *(R[:3] + swung), *np.tile(walk(s), MOST_SAMPLES),
+    ]  # fmt: skip
+    lots = range(runs.start // together, (runs.stop - 1) // together + 1)[:seas]
+    flown = {lot % seas for lot in lots}
+    parts = {number: of_sea(s, shared(sea, seed, number)) for number in flown}
+    nothing = np.zeros_like(next(iter(parts.values())))
+    return np.concatenate([np.array(common, float), *(parts.get(number, nothing) for number in range(seas))])
+
+
+def of_sea(s: at_sea.Scenario, true: Shared) -> Array:
+    """A sea as many.c reads it."""
+    samples = s.navigation_hz // s.update_hz
+    newest_first = np.concatenate([true.dtheta, true.dv], axis=-1).reshape(-1, samples, 6)[:, ::-1]
+    slave = true.position[0], swing_of(s, true), true.v_n, true.q_b2n_wxyz, true.q_b2m_wxyz
+    parts = true.P, *slave, true.delays, true.master, newest_first
+    return np.concatenate([np.ravel(part) for part in parts])
 
 
 def small(turn: Array) -> Array:

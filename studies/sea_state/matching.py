@@ -45,8 +45,7 @@ class Matching:
         for name in self.before.predict.fields.keys() & constants.keys():
             self.before.predict[name] = constants[name]
         self.measured["velocity"]["lever_b"] = self.lever
-        # Of `moving`: the gyros' noise comes with the rate into the lever arm's velocity, two thirds about an axis.
-        swung = constants["gyro_noise"][0] ** 2 * 2.5 / (self.span * self.dt) * self.lever @ self.lever * 2 / 3
+        swung = swing_variance(constants["gyro_noise"][0], self.span * self.dt, self.lever)
         self.measured["velocity"]["R"], self.measured[attitude]["R"] = R[:3] + swung, R[3:]
 
         self.samples, self.first = np.zeros((n, interval + 1, 6)), True
@@ -92,6 +91,12 @@ class Matching:
     def nis(self) -> Array:
         """(2, runs) of the attitude and of the velocity at the last update."""
         return np.array([measured.nis for measured in self.measured.values()])
+
+
+def swing_variance(gyro_noise: float, span_s: float, lever: Array) -> float:
+    """(m/s)^2 of `moving`: the gyros' noise comes with the rate into the lever arm's velocity, two thirds about an
+    axis."""
+    return float(gyro_noise**2 * 2.5 / span_s * lever @ lever * 2 / 3)
 
 
 def moving(

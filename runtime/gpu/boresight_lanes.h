@@ -1,0 +1,58 @@
+/* boresight_lanes.h of one run: what random.c asks of lanes, for compilers that have no vectors. */
+#ifndef BORESIGHT_LANES_H
+#define BORESIGHT_LANES_H
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#define BORESIGHT_ONE_LANE
+#define BORESIGHT_LANES 1
+#define GROUPS 1 /* of random numbers, in a thread's own memory */
+#define BS_INLINE static inline
+
+typedef double bs_lanes;
+typedef long long bs_bits;
+typedef uint64_t words;
+
+static inline bs_lanes AS_LANES(words w)
+{
+    bs_lanes x;
+    memcpy(&x, &w, sizeof x);
+    return x;
+}
+
+static inline words AS_WORDS(bs_lanes x)
+{
+    words w;
+    memcpy(&w, &x, sizeof w);
+    return w;
+}
+
+/* The upper half of the product. */
+static inline uint64_t HIGH(uint64_t a, uint64_t b)
+{
+#ifdef __CUDACC_RTC__
+    return __umul64hi(a, b);
+#else
+    __extension__ typedef unsigned __int128 product;
+    return (uint64_t)(((product)a * b) >> 64);
+#endif
+}
+
+static inline bs_lanes bs_all_of(double same)
+{
+    return same;
+}
+
+static inline bs_lanes bs_choose(bs_bits condition, bs_lanes a, bs_lanes b)
+{
+    return (condition != 0) ? a : b;
+}
+
+static inline bs_lanes bs_root(bs_lanes x)
+{
+    return sqrt(x);
+}
+#endif

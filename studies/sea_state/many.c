@@ -1,0 +1,462 @@
+/* many.c - one run of `boresight many`: a slave's filter at sea from its start to its final errors, in the C of
+ * velocity-attitude.  Operation by operation the same as many.py and matching.py, which fly many runs side by side. */
+#include "boresight_math.h"
+#include "velocity_attitude_filter.h"
+
+#include "run.h"
+
+#define MIL 0.0009817477042468104 /* rad */
+
+enum { NODES = 6, MOST_SAMPLES = 100, SLAVE = 0, MASTER = 1, DELAY = 2, ALL = 6, PARTS = 7 };
+
+/* What `given` begins with; numbers of doubles. */
+typedef struct {
+    double updates;
+    double settled; /* updates before NIS counts */
+    double samples; /* of an update */
+    double span;    /* samples of a rate */
+    double seas;
+    double together; /* runs of one sea that are neighbours */
+    double dt;
+    double gravity;
+    double delay_ms[2]; /* the least, and how much more at most */
+    double bias[ALL];   /* sigmas */
+    double velocity_noise;
+    double attitude_noise;
+    double lever[3];
+    double gyro_noise[3];
+    double accel_noise[3];
+    double mu_noise[3];
+    double R[ALL]; /* of the attitude, of the velocity */
+    double walk[ALL * MOST_SAMPLES]; /* sigmas of samples */
+} common;
+
+/* Of a sea, behind that: these, and behind them the master's velocity and attitude (NODES, updates + 1, PARTS), then for each
+ * update its true samples from the newest to the oldest (updates, samples, ALL). */
+typedef struct {
+    double P[VA_N_STATES * VA_N_STATES];
+    double position[3]; /* of the slave, at the start */
+    double swing[3];    /* of the slave's velocity by the lever arm, at the start */
+    double v_n[3];      /* at the end */
+    double q_b2n[4];
+    double q_b2m[4];
+    double delays[NODES];
+} sea;
+
+/* A run as it flies. */
+typedef struct {
+    const common *all;
+    const sea *true_;
+    const double *master;
+    const double *ideal;
+    uint64_t seed;
+    uint64_t run;
+    size_t updates;
+    size_t samples;
+    double weight[NODES]; /* of the master's poses, for this run's delay */
+    double delay;
+    double nis;
+    double sample[(MOST_SAMPLES + 1) * ALL]; /* from the newest to the oldest, and the one before */
+    va_filter filter;
+} flight;
+
+static double sum(double *value, size_t n)
+{
+    while (n > 1U) {
+        const size_t half = n / 2U;
+        const double last = value[2U * half < n ? 2U * half : 0U];
+        for (size_t i = 0U; i < half; ++i) {
+            value[i] = value[i] + value[half + i];
+        }
+        if ((n % 2U) != 0U) {
+            value[0] = value[0] + last;
+        }
+        n = half;
+    }
+    return value[0];
+}
+
+static void cross(const double a[3], const double b[3], double out[3])
+{
+    out[0] = (a[1] * b[2]) - (a[2] * b[1]);
+    out[1] = (a[2] * b[0]) - (a[0] * b[2]);
+    out[2] = (a[0] * b[1]) - (a[1] * b[0]);
+}
+
+/* C of q times a vector. */
+static void turned(const double q[4], const double vector[3], double out[3])
+{
+    double twice[3];
+    double more[3];
+    cross(&q[1], vector, twice);
+    for (int i = 0; i < 3; ++i) {
+        twice[i] = 2.0 * twice[i];
+    }
+    cross(&q[1], twice, more);
+    for (int i = 0; i < 3; ++i) {
+        out[i] = (vector[i] + (q[0] * twice[i])) + more[i];
+    }
+}
+
+static void normal(double q[4])
+{
+    const double norm = sqrt((((q[0] * q[0]) + (q[1] * q[1])) + (q[2] * q[2])) + (q[3] * q[3]));
+    for (int i = 0; i < 4; ++i) {
+        q[i] = q[i] / norm;
+    }
+}
+
+static void convert(const double *from, bs_real *to, int n)
+{
+    for (int i = 0; i < n; ++i) {
+        to[i] = (bs_real)from[i];
+    }
+}
+
+static void widen(const bs_real *from, double *to, int n)
+{
+    for (int i = 0; i < n; ++i) {
+        to[i] = (double)from[i];
+    }
+}
+
+/* The turn that removes the error of an attitude, (3) rad, as rotation.attitude_error. */
+static void attitude_error(const bs_real hat[4], const double q[4], double error[3])
+{
+    double p[4];
+    widen(hat, p, 4);
+    double w = (((q[0] * p[0]) + (q[1] * p[1])) + (q[2] * p[2])) + (q[3] * p[3]);
+    const double v[3] = { (((q[1] * p[0]) - (q[0] * p[1])) + (q[3] * p[2])) - (q[2] * p[3]),
+                          (((q[2] * p[0]) - (q[0] * p[2])) + (q[1] * p[3])) - (q[3] * p[1]),
+                          (((q[3] * p[0]) - (q[0] * p[3])) + (q[2] * p[1])) - (q[1] * p[2]) };
+    const double sign = (w < 0.0) ? -2.0 : 2.0;
+    w = (w < 0.0) ? -w : w;
+    const double length = sqrt(((v[0] * v[0]) + (v[1] * v[1])) + (v[2] * v[2]));
+    const double scale = sign * ((length < (1e-8 * w)) ? (1.0 / w)
+                                                       : ((double)bs_atan2((bs_real)length, (bs_real)w) / length));
+    for (int i = 0; i < 3; ++i) {
+        error[i] = scale * v[i];
+    }
+}
+
+/* e' P^-1 e by P = L D L'; below the diagonal P becomes L. */
+static double nees(double P[VA_N_STATES * VA_N_STATES], const double error[VA_N_STATES])
+{
+    double y[VA_N_STATES];
+    double total = 0.0;
+    for (int j = 0; j < VA_N_STATES; ++j) {
+        double d = P[(j * VA_N_STATES) + j];
+        y[j] = error[j];
+        for (int k = 0; k < j; ++k) {
+            const double l = P[(j * VA_N_STATES) + k];
+            d = d - ((l * l) * P[(k * VA_N_STATES) + k]);
+            y[j] = y[j] - (l * y[k]);
+        }
+        P[(j * VA_N_STATES) + j] = d;
+        for (int i = j + 1; i < VA_N_STATES; ++i) {
+            double l = P[(i * VA_N_STATES) + j];
+            for (int k = 0; k < j; ++k) {
+                l = l - ((P[(i * VA_N_STATES) + k] * P[(j * VA_N_STATES) + k]) * P[(k * VA_N_STATES) + k]);
+            }
+            P[(i * VA_N_STATES) + j] = l / d;
+        }
+        total = total + ((y[j] * y[j]) / d);
+    }
+    return total;
+}
+
+/* The columns of a run that has ended: errors, sigmas, the heading's error, NEES, NIS. */
+static void finish(const va_nav *nav, const bs_real P[VA_N_STATES * VA_N_STATES], const sea *true_, double delay,
+                   double nis, double row[])
+{
+    double *const sigma = &row[VA_N_STATES];
+    double dense[VA_N_STATES * VA_N_STATES];
+    attitude_error(nav->q_b2n_wxyz, true_->q_b2n, &row[0]);
+    for (int i = 0; i < 3; ++i) {
+        row[3 + i] = (double)nav->v_n[i] - true_->v_n[i];
+    }
+    widen(nav->gyro_bias, &row[6], 3);
+    widen(nav->accel_bias, &row[9], 3);
+    attitude_error(nav->q_b2m_wxyz, true_->q_b2m, &row[12]);
+    row[15] = (double)nav->tau - delay;
+    for (int i = 0; i < VA_N_STATES; ++i) {
+        sigma[i] = sqrt((double)P[(i * VA_N_STATES) + i]);
+    }
+    widen(P, dense, VA_N_STATES * VA_N_STATES);
+    row[32] = ((row[2] < 0.0) ? -row[2] : row[2]) / MIL;
+    row[33] = nees(dense, row);
+    row[34] = nis;
+}
+
+/* What the master reports at an update. */
+static void report(const flight *f, size_t update, double v[3], double q[4])
+{
+    static const double ones[ALL] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+    static const double none[ALL] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+    double pose[PARTS];
+    double drawn[ALL];
+    double turn[4];
+    for (int i = 0; i < PARTS; ++i) {
+        pose[i] = 0.0;
+        for (size_t k = 0U; k < NODES; ++k) {
+            pose[i] = pose[i] + (f->weight[k] * f->master[(((k * (f->updates + 1U)) + update) * PARTS) + (size_t)i]);
+        }
+    }
+    normal(&pose[3]);
+    boresight_normals(f->seed, &f->run, 1U, MASTER, ALL * (update + 1U), ALL, drawn, 0, 1, ones, none);
+    turn[0] = 1.0;
+    for (int i = 0; i < 3; ++i) {
+        v[i] = pose[i] + (f->all->velocity_noise * drawn[i]);
+        turn[1 + i] = (f->all->attitude_noise * drawn[3 + i]) / 2.0;
+    }
+    normal(turn);
+    const double a = turn[0];
+    const double b = turn[1];
+    const double c = turn[2];
+    const double d = turn[3];
+    const double *const p = &pose[3];
+    q[0] = (((a * p[0]) - (b * p[1])) - (c * p[2])) - (d * p[3]);
+    q[1] = (((a * p[1]) + (b * p[0])) + (c * p[3])) - (d * p[2]);
+    q[2] = (((a * p[2]) - (b * p[3])) + (c * p[0])) + (d * p[1]);
+    q[3] = (((a * p[3]) + (b * p[2])) - (c * p[1])) + (d * p[0]);
+}
+
+/* The delay, the biases and the first report; the filter begins. */
+static bs_status begin(flight *f)
+{
+    static const double none[ALL] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+    const common *const all = f->all;
+    uint64_t word;
+    double bias[ALL];
+    double v[3];
+    double q[4];
+    double swing[3];
+    va_nav nav;
+    bs_real P[VA_N_STATES * VA_N_STATES];
+    boresight_words(f->seed, &f->run, 1U, DELAY, 0U, 1U, &word, 0, 1);
+    const double part = (double)(word >> 11U) * 1.1102230246251565e-16;
+    f->delay = 1e-3 * (all->delay_ms[0] + (all->delay_ms[1] * part));
+    for (int i = 0; i < NODES; ++i) {
+        f->weight[i] = 1.0;
+        for (int k = 0; k < NODES; ++k) {
+            if (k != i) {
+                const double *const at = f->true_->delays;
+                f->weight[i] = f->weight[i] * ((f->delay - at[k]) / (at[i] - at[k]));
+            }
+        }
+    }
+    boresight_normals(f->seed, &f->run, 1U, MASTER, 0U, ALL, bias, 0, 1, all->bias, none);
+    report(f, 0U, v, q);
+    turned(q, f->true_->swing, swing);
+    for (int i = 0; i < 3; ++i) {
+        nav.v_n[i] = (bs_real)(v[i] + swing[i]);
+    }
+    convert(f->true_->position, nav.lat_lon_height, 3);
+    convert(q, nav.q_b2n_wxyz, 4);
+    convert(&bias[0], nav.gyro_bias, 3);
+    convert(&bias[3], nav.accel_bias, 3);
+    for (int i = 0; i < 4; ++i) {
+        nav.q_b2m_wxyz[i] = (i == 0) ? BS_REAL(1.0) : BS_REAL(0.0);
+    }
+    nav.tau = BS_REAL(0.0);
+    convert(f->true_->P, P, VA_N_STATES * VA_N_STATES);
+    return va_filter_init(&f->filter, &nav, P);
+}
+
+/* The strapdown over samples `from` to `to`, counted from the oldest. */
+static bs_status strap(flight *f, size_t from, size_t to)
+{
+    va_corrected_imu imu = { { 0 }, { 0 }, 0 };
+    va_increments increments;
+    bs_status status = BS_OK;
+    imu.dt = (bs_real)f->all->dt;
+    for (size_t i = from; (i < to) && (status == BS_OK); ++i) {
+        const double *const now = &f->sample[ALL * (f->samples - 1U - i)];
+        convert(&now[0], increments.dtheta_ib_b, 3);
+        convert(&now[3], increments.dv_b, 3);
+        convert(&now[ALL], increments.dtheta_before, 3);
+        convert(&now[ALL + 3], increments.dv_before, 3);
+        status = va_filter_strapdown(&f->filter, &imu, &increments);
+    }
+    return status;
+}
+
+/* The covariance over the whole interval, with the mean of the force over it. */
+static bs_status predict(flight *f)
+{
+    const common *const all = f->all;
+    const size_t step = ((f->samples / 10U) > 1U) ? (f->samples / 10U) : 1U;
+    va_corrected_imu imu = { { 0 }, { 0 }, 0 };
+    va_noise noise = { { 0 }, { 0 }, { 0 }, { 0 }, { 0 }, 0 };
+    for (size_t i = 0U; i < 3U; ++i) {
+        double few[MOST_SAMPLES];
+        size_t n = 0U;
+        for (size_t k = step / 2U; k < f->samples; k += step) {
+            few[n] = f->sample[(ALL * k) + 3U + i];
+            ++n;
+        }
+        imu.f_b[i] = (bs_real)((sum(few, n) / ((double)n * all->dt)) - f->filter.nav.accel_bias[i]);
+    }
+    imu.dt = (bs_real)((double)f->samples * all->dt);
+    convert(all->gyro_noise, noise.gyro_noise, 3);
+    convert(all->accel_noise, noise.accel_noise, 3);
+    convert(all->mu_noise, noise.mu_noise, 3);
+    return va_filter_propagate(&f->filter, &imu, &noise);
+}
+
+/* How the slave turns, and how its master is accelerated, by the last samples. */
+static void moving(const flight *f, double omega[3], double a_n[3])
+{
+    const common *const all = f->all;
+    const size_t span = (size_t)all->span;
+    const double length = all->span * all->dt;
+    double change[ALL];
+    double rates[ALL];
+    double alpha[3];
+    double force[3];
+    double across[3];
+    double twice[3];
+    double q[4];
+    for (size_t i = 0U; i < ALL; ++i) {
+        double later[MOST_SAMPLES];
+        double earlier[MOST_SAMPLES];
+        for (size_t k = 0U; k < span; ++k) {
+            later[k] = f->sample[(ALL * k) + i];
+            earlier[k] = f->sample[(ALL * (span + k)) + i];
+        }
+        const double last = sum(later, span) / length;
+        change[i] = last - (sum(earlier, span) / length);
+        rates[i] = last + (change[i] / 2.0);
+    }
+    for (int i = 0; i < 3; ++i) {
+        omega[i] = rates[i] - (double)f->filter.nav.gyro_bias[i];
+        force[i] = rates[3 + i] - (double)f->filter.nav.accel_bias[i];
+        alpha[i] = change[i] / length;
+    }
+    cross(alpha, all->lever, across);
+    cross(omega, all->lever, a_n);
+    cross(omega, a_n, twice);
+    for (int i = 0; i < 3; ++i) {
+        force[i] = (force[i] - across[i]) - twice[i];
+    }
+    widen(f->filter.nav.q_b2n_wxyz, q, 4);
+    turned(q, force, a_n);
+    a_n[2] = a_n[2] + all->gravity;
+}
+
+/* Attitude and velocity of the master, and the correction. */
+static bs_status match(flight *f, size_t update, double *nis)
+{
+    va_corrected_imu imu = { { 0 }, { 0 }, 0 };
+    va_master master = { { 0 }, { 0 }, { 0 }, { 0 }, 0 };
+    va_mounting mounting;
+    va_innovation innovation;
+    bs_real R[ALL];
+    double omega[3];
+    double a_n[3];
+    double v[3];
+    double q[4];
+    moving(f, omega, a_n);
+    report(f, update, v, q);
+    convert(omega, imu.omega_ib_b, 3);
+    convert(a_n, master.a_n, 3);
+    convert(v, master.v_m_n, 3);
+    convert(q, master.q_m2n_wxyz, 4);
+    convert(f->all->lever, mounting.lever_b, 3);
+    convert(f->all->R, R, ALL);
+    master.lag = f->filter.nav.tau;
+    bs_status status = va_filter_measure_dcm(&f->filter, &imu, &master, &R[0], NULL, &innovation);
+    if (bs_good(status)) {
+        *nis = (double)innovation.nis;
+        status = va_filter_measure_velocity(&f->filter, &imu, &mounting, &master, &R[3], NULL, &innovation);
+    }
+    if (bs_good(status)) {
+        *nis = *nis + (double)innovation.nis;
+        status = va_filter_correct(&f->filter);
+    }
+    return status;
+}
+
+/* From one update to the next. */
+static bs_status fly(flight *f, size_t update)
+{
+    const size_t samples = f->samples;
+    double nis = 0.0;
+    double *const before = &f->sample[ALL * samples];
+    for (size_t i = 0U; i < ALL; ++i) {
+        before[i] = f->sample[i];
+    }
+    boresight_normals(f->seed, &f->run, 1U, SLAVE, ALL * samples * (update - 1U), ALL * samples, f->sample, 0, 1,
+                      f->all->walk, &f->ideal[(update - 1U) * samples * ALL]);
+    if (update == 1U) { /* nothing is known before the first */
+        for (size_t i = 0U; i < ALL; ++i) {
+            before[i] = f->sample[(ALL * (samples - 1U)) + i];
+        }
+    }
+    /* the covariance takes its step in the middle, where it is linearised */
+    bs_status status = strap(f, 0U, samples / 2U);
+    if (status == BS_OK) {
+        status = predict(f);
+    }
+    if (bs_good(status)) {
+        status = strap(f, samples / 2U, samples);
+    }
+    if (status == BS_OK) {
+        status = match(f, update, &nis);
+    }
+    if (update > (size_t)f->all->settled) {
+        f->nis = f->nis + nis;
+    }
+    return status;
+}
+
+int boresight_run(const double *given, uint64_t seed, uint64_t run, double *row)
+{
+    const common *const all = (const common *)given;
+    const size_t updates = (size_t)all->updates;
+    const size_t samples = (size_t)all->samples;
+    const size_t head = sizeof(sea) / sizeof(double);
+    const size_t pose = NODES * (updates + 1U) * PARTS;
+    const size_t number = (size_t)((run / (uint64_t)all->together) % (uint64_t)all->seas);
+    const double *const own = &given[(sizeof(common) / sizeof(double)) +
+                                     (number * (head + pose + (updates * samples * ALL)))];
+    flight f;
+    bs_real P[VA_N_STATES * VA_N_STATES];
+    f.all = all;
+    f.true_ = (const sea *)own;
+    f.master = &own[head];
+    f.ideal = &own[head + pose];
+    f.seed = seed;
+    f.run = run;
+    f.updates = updates;
+    f.samples = samples;
+    f.nis = 0.0;
+    bs_status status = begin(&f);
+    for (size_t update = 1U; (update <= updates) && bs_good(status); ++update) {
+        status = fly(&f, update);
+    }
+    if (bs_good(status)) {
+        status = va_filter_covariance(&f.filter, P);
+    }
+    if (bs_good(status)) {
+        finish(&f.filter.nav, P, f.true_, f.delay, f.nis / (all->updates - all->settled), row);
+        return (int)BS_OK;
+    }
+    for (int i = 0; i < 35; ++i) {
+        row[i] = (double)NAN;
+    }
+    return (int)status;
+}
+
+/* The columns of n runs that were flown side by side: nav (n, 21) and P (n, 16, 16), and what is true of all. */
+void sea_rows(size_t n, const bs_real *nav, const bs_real *P, const double *true_, const double *delay,
+              const double *nis, double *rows);
+void sea_rows(size_t n, const bs_real *nav, const bs_real *P, const double *true_, const double *delay,
+              const double *nis, double *rows)
+{
+    const size_t each = VA_N_STATES * VA_N_STATES;
+    for (size_t i = 0U; i < n; ++i) {
+        finish((const va_nav *)&nav[i * (sizeof(va_nav) / sizeof(bs_real))], &P[i * each], (const sea *)true_, delay[i],
+               nis[i], &rows[i * 35U]);
+    }
+}
