@@ -21,6 +21,10 @@ from boresight.evidence.eva import MISSING as EVA_MISSING
 from boresight.evidence.eva import eva
 from boresight.evidence.eva import version as eva_version
 from boresight.evidence.golden import golden
+from boresight.evidence.gpu import MISSING as GPU_MISSING
+from boresight.evidence.gpu import gpu
+from boresight.evidence.gpu import hashes as gpu_hashes
+from boresight.evidence.gpu import version as gpu_version
 from boresight.evidence.guards import guards
 from boresight.evidence.misra import MISSING as MISRA_MISSING
 from boresight.evidence.misra import misra
@@ -108,6 +112,7 @@ KINDS = (
     Kind("bits", bits, BITS_MISSING, bits_version, by_harness("flight.c"), by_unit=False),
     Kind("verified", verified, GCC.missing, lambda: "", made_of, by_unit=False),
     Kind("attack", attack, GCC.missing, lambda: "", by_harness("attack.c"), by_unit=False),
+    Kind("gpu", gpu, GPU_MISSING, gpu_version, gpu_hashes, by_unit=False),
 )
 
 # Emulated boards, mutants and Eva cost with the third power of the states, and hours beyond so many of them.
@@ -119,7 +124,7 @@ def kinds_for(folder: Folder) -> tuple[Kind, ...]:
     """What is made of a generated folder."""
     left_out = set() if is_small(folder) else set(DEAR)
     left_out |= set() if folder.name == MODEL else {"bits"}
-    left_out |= set() if folder.manifest.get("filter") else {"attack"}
+    left_out |= set() if folder.manifest.get("filter") else {"attack", "gpu"}
     left_out |= {"verified"} if folder.manifest["model"] in COMPONENTS else set()
     return tuple(kind for kind in KINDS if kind.name not in left_out)
 

@@ -38,7 +38,7 @@ def tables() -> str:
         kept = results.read(folder)
         rows = [row(unit, {kind: of["units"].get(unit.name, {}) for kind, of in kept.items()}) for unit in folder.units]
         parts.append(section(folder.name, HEAD, rows))
-    more = (verifications, one_flight, hostile, drawn, proofs, steps, shown, written, flights)
+    more = (verifications, one_flight, hostile, on_a_gpu, drawn, proofs, steps, shown, written, flights)
     return "".join(parts) + "".join(made() for made in more) + "\n"
 
 
@@ -97,6 +97,23 @@ def hostile() -> str:
             broken = (sum(count for count, _ in of[kind].values()) for kind in ("breaks", "spoilt"))
             rows.append((folder.name, name, str(of["calls"]), *map(str, counts), *map(str, broken)))
     return section("Hostile calls", HOSTILE, rows)
+
+
+BY_NVRTC = ("model", "build", "add, sub, mul", "div, rcp", "sqrt", "may differ from the host", "bytes")
+
+
+def on_a_gpu() -> str:
+    """The floating operations of each filter's text for a GPU, and what of it may have other bits than the host."""
+    rows: list[tuple[str, ...]] = []
+    for folder in folders():
+        for name, of in results.read(folder).get("gpu", {}).get("units", {}).items():
+            count = Counter[str]()
+            for operation, often in of["operations"].items():
+                count[operation.split(".")[0]] += often
+            sums = (("add", "sub", "mul"), ("div", "rcp"), ("sqrt",))
+            numbers = (str(sum(count[one] for one in kinds)) for kinds in sums)
+            rows.append((folder.name, name, *numbers, ", ".join(of["faults"]) or "0", str(of["bytes"])))
+    return section("For a GPU", BY_NVRTC, rows)
 
 
 def steps() -> str:

@@ -10,7 +10,12 @@ __extension__ typedef unsigned __int128 product;
 typedef unsigned long long words __attribute__((vector_size(8 * BORESIGHT_LANES)));
 #define AS_LANES(w) ((bs_lanes)(w))
 #define AS_WORDS(x) ((words)(x))
-#define HIGH(a, b) ((uint64_t)(((product)(a) * (b)) >> 64))
+static inline uint64_t multiplied(uint64_t a, uint64_t b, uint64_t *upper)
+{
+    const product both = (product)a * b;
+    *upper = (uint64_t)(both >> 64);
+    return (uint64_t)both;
+}
 #define GROUPS 16 /* of eight words, made at a time */
 #endif
 
@@ -27,11 +32,12 @@ static inline void philox(uint64_t seed, uint64_t run, uint64_t stream, uint64_t
     uint64_t c = 0U;
     uint64_t d = stream;
     for (int round = 0; round < 10; ++round) {
-        const uint64_t left = HIGH(a, 0xD2E7470EE14C6C93U);
-        const uint64_t right = HIGH(c, 0xCA5A826395121157U);
-        const uint64_t left_low = a * 0xD2E7470EE14C6C93U;
+        uint64_t left;
+        uint64_t right;
+        const uint64_t left_low = multiplied(a, 0xD2E7470EE14C6C93U, &left);
+        const uint64_t right_low = multiplied(c, 0xCA5A826395121157U, &right);
         a = right ^ b ^ seed;
-        b = c * 0xCA5A826395121157U;
+        b = right_low;
         c = left ^ d ^ run;
         d = left_low;
         seed += 0x9E3779B97F4A7C15U;

@@ -16,7 +16,7 @@ import signal
 import sys
 import threading
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from concurrent.futures import FIRST_COMPLETED, Executor, ProcessPoolExecutor, wait
+from concurrent.futures import FIRST_COMPLETED, Executor, ProcessPoolExecutor, ThreadPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import ExitStack, contextmanager
 from dataclasses import asdict
@@ -146,6 +146,8 @@ def many(
                     from boresight.runtime.cluster import connected
 
                     executor, where, window = stack.enter_context(connected(dask, folder))
+                elif device == "gpu":
+                    executor, window = stack.enter_context(ThreadPoolExecutor(1)), 2
                 elif jobs > 1:
                     executor = stack.enter_context(_processes(jobs))
             flown = _flown(chain(first, pieces), executor, window, asked, (experiment, where, seed, device))
@@ -153,6 +155,8 @@ def many(
                 for piece, rows in flown:
                     for part in _apart(piece):
                         store.take(part, rows[part.start - piece.start : part.stop - piece.start])
+                    while executor and known.runs + BLOCK <= count and store.has(known.runs // BLOCK):
+                        known.read(known.runs + BLOCK)  # while others fly
                     progress(store.held, max(count, min(runs, known.needed)) if goal else runs, known.text)
             finally:
                 store.keep()

@@ -115,6 +115,10 @@ class Store:
             return self._read(self._path(block), block)
         return np.full((BLOCK, len(self.columns)), np.nan), np.zeros(BLOCK, bool)
 
+    def has(self, block: int) -> bool:
+        """Whether all runs of a block are there."""
+        return block in self.whole or (block in self.tables and bool(self.tables[block][1].all()))
+
     def missing(self, count: int, chunk: int) -> Iterator[range]:
         """Runs below `count` that are not there, in pieces of at most `chunk`, none across two blocks.
 
@@ -130,9 +134,9 @@ class Store:
                 if there[run]:
                     run += 1
                     continue
-                stop = run
-                while stop < min(run + chunk, end) and not there[stop]:
-                    stop += 1
+                stop = min(run + chunk, end)
+                if (later := there[run:stop]).any():
+                    stop = run + int(later.argmax())
                 yield range(first + run, first + stop)
                 run = stop
 

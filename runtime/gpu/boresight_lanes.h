@@ -30,15 +30,16 @@ static inline words AS_WORDS(bs_lanes x)
     return w;
 }
 
-/* The upper half of the product. */
-static inline uint64_t HIGH(uint64_t a, uint64_t b)
+/* The lower half of the product. */
+static inline uint64_t multiplied(uint64_t a, uint64_t b, uint64_t *upper)
 {
 #ifdef __CUDACC_RTC__
-    return __umul64hi(a, b);
+    *upper = __umul64hi(a, b);
 #else
     __extension__ typedef unsigned __int128 product;
-    return (uint64_t)(((product)a * b) >> 64);
+    *upper = (uint64_t)(((product)a * b) >> 64);
 #endif
+    return a * b;
 }
 
 static inline bs_lanes bs_all_of(double same)

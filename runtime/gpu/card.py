@@ -2,6 +2,7 @@
 
 import functools
 from pathlib import Path
+from time import perf_counter
 from types import TracebackType
 from typing import Any
 
@@ -28,6 +29,7 @@ class Card:
     """Raises BoresightError, in one line, where there is no driver or no GPU."""
 
     name = "the GPU"
+    flown_s = 0.0
 
     def __init__(self) -> None:
         need("gpu")
@@ -48,7 +50,6 @@ class Card:
         major, minor = (self.ask(driver.cuDeviceGetAttribute(one, device)) for one in asked)
         self.architecture = f"sm_{major}{minor}"
         self.context = self.ask(driver.cuDevicePrimaryCtxRetain(device))
-        self.ask(driver.cuCtxSetCurrent(self.context))
 
     def ask(self, answer: tuple[Any, ...]) -> Any:
         """What a function of the driver gives behind its code."""
@@ -63,21 +64,33 @@ class Card:
     @functools.lru_cache(maxsize=4)  # noqa: B019  a card is one of the process
     def kernel(self, folder: Path, experiment: Path, precision: str = "double") -> Any:
         """The function that flies a run in each thread, loaded."""
+        self.ask(self.driver.cuCtxSetCurrent(self.context))  # of the thread that calls
         code = machine_code(text.device(folder, experiment, precision), self.architecture)
         module = self.ask(self.driver.cuModuleLoadData(code))
         return self.ask(self.driver.cuModuleGetFunction(module, KERNEL))
 
-    def fly(self, kernel: Any, given: Array, seed: int, runs: range, columns: int) -> tuple[Array, Array]:
-        """Final states (len(runs), columns) and statuses of neighbouring runs."""
+    def needs(self, kernel: Any) -> dict[str, int]:
+        """What a thread of it takes."""
+        kind = self.driver.CUfunction_attribute
+        registers, local = kind.CU_FUNC_ATTRIBUTE_NUM_REGS, kind.CU_FUNC_ATTRIBUTE_LOCAL_SIZE_BYTES
+        asked = {"registers": registers, "bytes of local memory": local}
+        return {name: self.ask(self.driver.cuFuncGetAttribute(one, kernel)) for name, one in asked.items()}
+
+    def fly(
+        self, kernel: Any, given: Array, seed: int, runs: range, columns: int, together: int = TOGETHER
+    ) -> tuple[Array, Array]:
+        """Final states (len(runs), columns) and statuses of neighbouring runs; `flown_s` is how long the card flew."""
         driver, n = self.driver, len(runs)
+        self.ask(driver.cuCtxSetCurrent(self.context))
         rows, status = np.empty((n, columns)), np.empty(n, np.uint8)
         with Room(self, given.nbytes) as a, Room(self, rows.nbytes) as b, Room(self, status.nbytes) as c:
             self.ask(driver.cuMemcpyHtoD(a.at, given.ctypes.data, given.nbytes))
             words = np.array([int(a.at), seed, runs.start, n, columns, int(b.at), int(c.at)], np.uint64)
             each = np.array([words[i:].ctypes.data for i in range(len(words))], np.uint64)
-            blocks = -(-n // TOGETHER)
-            self.ask(driver.cuLaunchKernel(kernel, blocks, 1, 1, TOGETHER, 1, 1, 0, 0, each.ctypes.data, 0))
+            blocks, begun = -(-n // together), perf_counter()
+            self.ask(driver.cuLaunchKernel(kernel, blocks, 1, 1, together, 1, 1, 0, 0, each.ctypes.data, 0))
             self.ask(driver.cuCtxSynchronize())
+            self.flown_s = perf_counter() - begun
             self.ask(driver.cuMemcpyDtoH(rows.ctypes.data, b.at, rows.nbytes))
             self.ask(driver.cuMemcpyDtoH(status.ctypes.data, c.at, status.nbytes))
         return rows, status

@@ -35,9 +35,10 @@ def read(ptx: str) -> tuple[Counter[str], list[str]]:
 
 
 def _loose(kind: str, *parts: str) -> bool:
-    floating = not FLOATING.isdisjoint(parts)
-    fused = kind in ("fma", "mad")
-    return fused or not LOOSE.isdisjoint(parts) or (floating and kind in ROUNDED and "rn" not in parts)
+    """Whole numbers may be multiplied and added in one: that is exact."""
+    if FLOATING.isdisjoint(parts):
+        return False
+    return kind in ("fma", "mad") or not LOOSE.isdisjoint(parts) or (kind in ROUNDED and "rn" not in parts)
 
 
 def compiled(text: str, architecture: str, options: tuple[str, ...] = OPTIONS) -> tuple[str, bytes]:

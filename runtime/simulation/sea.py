@@ -3,6 +3,7 @@
 Frequencies are rad/s as seen from a point at rest; elevation is metres, upwards.
 """
 
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -45,6 +46,7 @@ def _shape(ratio: Array, gamma: float) -> Array:
     return ratio**-5.0 * np.exp(-1.25 * ratio**-4.0) * peak
 
 
+@cache
 def _jonswap_area(gamma: float) -> float:
     """How much more energy the peak brings, of that without it."""
     if gamma < 1:

@@ -8,7 +8,7 @@ each run is the delay, the biases and all noise.  An interval of the runner is o
 
 import ctypes
 from dataclasses import dataclass, field, replace
-from functools import lru_cache
+from functools import cache, lru_cache
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -98,11 +98,16 @@ class Summed(hull.Harmonics):
         return total
 
 
+@cache
+def _model() -> Library:
+    return load(MODEL)
+
+
 @lru_cache(maxsize=SEAS)
 def shared(sea: Sea, seed: int, number: int) -> Shared:
     """The truth of a sea by its number; of a motion that is not random there is one."""
     s = replace(sea.scenario, height_m=(sea.scenario.height_m[sea.grade - 1],))
-    model = load(MODEL)
+    model = _model()
     turn = np.cos(np.pi * (np.arange(NODES) + 0.5) / NODES)  # Chebyshev's
     delays = 1e-3 * (sum(s.delay_ms) + (s.delay_ms[1] - s.delay_ms[0]) * turn) / 2
     stream = sensors.generator(seed, number)  # whose key is a hash, and no [seed, run]

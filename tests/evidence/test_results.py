@@ -115,7 +115,7 @@ def test_one_more_measurement_is_one_more_result(em_copy):
     found = changed(vouched(em_copy))
     whole, new = {em_copy.name}, {"em_odometer_z"}
     # of a new unit that the manifest does not describe nothing is printed
-    assert found == dict.fromkeys(("attack", "misra", "verified", "coverage", "stack"), whole) | dict.fromkeys(
+    assert found == dict.fromkeys(("attack", "misra", "verified", "coverage", "stack", "gpu"), whole) | dict.fromkeys(
         ("golden", "guards", "mutants", "riscv"), new | {"em_filter"}
     )
 

@@ -68,6 +68,7 @@ BODY = """
         add.rn.f64      %fd3, %fd2, %fd1;
         sub.rn.f32      %f3, %f2, %f1;
         mul.wide.u32    %rd2, %r1, 8;
+        mad.lo.s32      %r2, %r1, %r1, %r1;
         add.s64         %rd3, %rd2, %rd1;
         div.rn.f64      %fd4, %fd3, %fd1;
         sqrt.rn.f64     %fd5, %fd4;
@@ -87,7 +88,7 @@ def test_ptx_that_rounds_each_operation_once_is_found_good():
 @pytest.mark.parametrize(
     "line",
     [
-        "fma.rn.f64 %fd1, %fd2, %fd3, %fd4", "@!%p2 mad.f32 %f1, %f2, %f3, %f4", "mad.lo.s32 %r1, %r2, %r3, %r4",
+        "fma.rn.f64 %fd1, %fd2, %fd3, %fd4", "@!%p2 mad.f32 %f1, %f2, %f3, %f4",
         "add.f64 %fd1, %fd2, %fd3", "sub.f32 %f1, %f2, %f3", "mul.rn.ftz.f32 %f1, %f2, %f3", "abs.ftz.f32 %f1, %f2",
         "div.approx.f32 %f1, %f2, %f3", "div.full.f32 %f1, %f2, %f3", "sqrt.approx.f32 %f1, %f2",
         "mul.rz.f64 %a, %b, %c", "ex2.approx.f32 %f1, %f2", "call.uni (retval0), __nv_sin, (param0)",
