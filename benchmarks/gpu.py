@@ -43,7 +43,8 @@ REPEATS = 3
 
 def by_host(source: str, folder: Path) -> ctypes.CDLL:
     """The text for a GPU, compiled by g++."""
-    file, library = folder / "flights.cpp", folder / "flights.so"
+    library = folder / f"flights-{hashlib.sha256(source.encode()).hexdigest()[:16]}.so"  # a name opens one file once
+    file = library.with_suffix(".cpp")
     file.write_text(HEADERS + source)
     compiler.run(["g++", *FLAGS, file, "-o", library])
     return ctypes.CDLL(str(library))
@@ -122,21 +123,27 @@ def on_the_card(card: Any, of: Flights, precision: str, sizes: tuple[int, ...], 
 
 
 def texts(runs: int) -> bool:
-    """Without a card: every filter's text by g++ against scalar C, in both precisions; whether all are equal."""
+    """Without a card: texts by g++ against scalar C, in both precisions; whether all are equal."""
     good = []
-    for folder in folders():
-        for precision in PRECISIONS if folder.manifest.get("filter") else ():
-            with TemporaryDirectory() as out:
-                run, file = run_of(folder), Path(out) / "run.c"
-                file.write_text(run.source)
-                of = Flights(folder.name, folder.path, file, run.given, run.columns)
+    with TemporaryDirectory() as out:
+        for of in (*flights(Path(out), runs), *of_all_models(Path(out))):
+            for precision in PRECISIONS:
                 wanted, host_s = on_the_host(of, precision, runs)
-                library = by_host(text.device(folder.path, file, precision), Path(out))
-                found = digest(text.fly(library, run.given, SEED, range(runs), run.columns))
+                library = by_host(text.device(of.folder, of.source, precision), Path(out))
+                found = digest(text.fly(library, of.given, SEED, range(runs), of.columns))
                 good.append(found == wanted)
                 how = "equal" if good[-1] else "DIFFERS"
-                print(f"{folder.name:26} {precision:7} {1e6 * host_s:6.0f} us a run  {wanted}  g++ {how}")
+                print(f"{of.name:26} {precision:7} {1e6 * host_s:6.0f} us a run  {wanted}  g++ {how}", flush=True)
     return all(good)
+
+
+def of_all_models(out: Path) -> Iterator[Flights]:
+    """Short ones, by every measurement."""
+    for folder in folders():
+        if folder.manifest.get("filter"):
+            run, file = run_of(folder, cycles=5, samples=20), out / f"{folder.name}.c"
+            file.write_text(run.source)
+            yield Flights(f"{folder.name}, in short", folder.path, file, run.given, run.columns)
 
 
 def command(card: Any, runs: int, compared: int) -> bool:

@@ -136,11 +136,11 @@ def stand_in(tmp_path_factory):
     """The environment of a process that finds tests/runtime/driver.c for a driver, and the machine code made before."""
     folder = tmp_path_factory.mktemp("driver")
     source = text.device(FOLDER, sea.SOURCE)
-    by_host(source, folder)
+    library = by_host(source, folder)
     machine_code.machine_code(source, "sm_90")  # NVRTC looks for the driver too, and takes no stand-in
     driver = ["gcc", "-shared", "-fPIC", "-O1", ROOT / "tests" / "runtime" / "driver.c"]
     subprocess.run([*driver, "-ldl", "-o", folder / "libcuda.so.1"], check=True)
-    return {"LD_LIBRARY_PATH": str(folder), "FAKE_FLIGHTS": str(folder / "flights.so")}
+    return {"LD_LIBRARY_PATH": str(folder), "FAKE_FLIGHTS": library._name}
 
 
 def flown(stand_in, *words, **environment):
