@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from boresight.codegen.reach import WORD, Texts
-from boresight.runtime.manifest import generated, read_manifest, sources, sources_hash
+from boresight.runtime.manifest import generated, read_manifest, sources
 
 TEST = re.compile(r"^int (test_\w+)\(void\)$", re.MULTILINE)
 
@@ -49,15 +49,16 @@ class Folder:
         """All C, headers and self-tests, but for what tells the version alone."""
         return sources(self.path, self.manifest["files"])
 
-    @property
+    @cached_property
     def hash(self) -> str:
-        """Of all of them."""
-        return sources_hash(self.sources)
+        """Of all of them, without their comments."""
+        return self.texts.hash(self.sources)
 
-    @property
+    @cached_property
     def code(self) -> str:
         """Of its C and headers without the self-tests."""
-        return sources_hash(path for path in self.sources if path.parent.name != "selftest")
+        code = [path for path in self.sources if path.parent.name != "selftest"]
+        return Texts(code).hash(code)
 
     @cached_property
     def texts(self) -> Texts:
@@ -113,15 +114,17 @@ class Source:
         return str(name)
 
     @cached_property
-    def hashes(self) -> dict[bool, str]:
-        """Of the unit's files and of all that they reach, without and with its self-test."""
-        kernel = self.path.with_name(f"{self.name}_kernel.h")
-        here = {path for path in (self.path, kernel) if path.is_file()}
-        test = {self.test} if self.test.is_file() else set()
-        return {tested: self.folder.texts.hash(here | test if tested else here) for tested in (False, True)}
+    def hashes(self) -> dict[str, str]:
+        """Of the unit's files and of all that they reach: without and with its self-test, and with that and the words
+        behind what its kernel gives."""
+        kernel = [path for path in [self.path.with_name(f"{self.name}_kernel.h")] if path.is_file()]
+        here, test = {self.path, *kernel}, {self.test} if self.test.is_file() else set()
+        made = {"code": here, "tested": here | test, "named": here | test}
+        texts = self.folder.texts
+        return {of: texts.hash(roots, more=kernel if of == "named" else ()) for of, roots in made.items()}
 
     def hash(self, tested: bool) -> str:
-        return self.hashes[tested]
+        return self.hashes["tested" if tested else "code"]
 
     @property
     def elementary(self) -> bool:

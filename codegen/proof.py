@@ -5,6 +5,7 @@ of a kind that looks at a whole folder, that of all its C, with or without the s
 """
 
 import json
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import IntEnum
@@ -116,7 +117,10 @@ def killed(of: Result) -> str:
 
 
 def refused(of: Result) -> str:
-    left = len({word.split(", ", 1)[1] for word in of["not_taken"]})
+    by_precision: dict[str, Counter[str]] = {"double": Counter(), "float": Counter()}
+    for word in of["not_taken"]:
+        by_precision[word.split(", ")[0]][word.split(", ", 1)[1]] += 1
+    left = (by_precision["double"] | by_precision["float"]).total()
     return f"{of['tried']}, {len(of['wrong'])} wrong" + (f", {left} lines open" if left else "")
 
 

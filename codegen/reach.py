@@ -1,7 +1,7 @@
-"""What of a folder's C a unit reaches: its own files whole, and of all others what it names, at any depth.
+"""What of a folder's C a unit reaches: all of its own files, and of all others what it names, at any depth.
 
 The header of a model declares every function of it, and the self-test calls them all: a hash of whole files would move
-for every unit when one is added.
+for every unit when one is added.  Comments do not count, but for annotations (/*@ ... */); what ships has none.
 """
 
 import hashlib
@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+COMMENT = re.compile(r"/\*(?!@).*?\*/", re.DOTALL)  # but for annotations, which a prover reads
 INCLUDE = re.compile(r"^#include .*$", re.MULTILINE)  # what is included is what is named
 OF_CXX = re.compile(r"^#ifdef __cplusplus\n.*?^#endif\n", re.MULTILINE | re.DOTALL)
 WORD = re.compile(r"[A-Za-z_]\w*")
@@ -111,7 +111,7 @@ class Texts:
 
     def reached(self, roots: Collection[Path], words: Iterable[str] = ()) -> set[Piece]:
         """The pieces of the roots, and those that they or these words name, at any depth."""
-        found = {one for path in roots for one in self.by_path[path]}
+        found = {one for path in roots for one in self.by_path.get(path, ())}
         found |= {one for word in words for one in self.by_name.get(word, ())}
         waiting = list(found)
         while waiting:
@@ -121,12 +121,14 @@ class Texts:
         return found
 
     def hash(self, roots: Collection[Path], words: Iterable[str] = (), more: Iterable[Path] = ()) -> str:
-        """Of the roots and of more files as they stand, and of what they reach without its comments."""
+        """Of the roots and of what they and these words reach, without comments; and of more files as they stand."""
         key = hashlib.sha256()
-        for path in (*sorted(roots), *more):
+        for path in sorted(roots):
+            key.update("\0".join([path.name, *INCLUDE.findall(path.read_text())]).encode() + b"\0")
+        for path in more:
             key.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")
         found = self.reached(roots, words)
-        for path in sorted(self.by_path.keys() - set(roots)):
+        for path in sorted(self.by_path):
             for one in self.by_path[path]:
                 key.update(f"{path.name} {one.text}\0".encode() if one in found else b"")
         return key.hexdigest()

@@ -28,6 +28,7 @@ from boresight.runtime.compiler import compile_sources, run
 LOGICAL = ("&&", "||")
 MARKS = "int coverage_mark(int, int, int); int coverage_decide(int, int);\n"
 QUIET = ("gcc", "-std=gnu99", "-O1", "-w", "-ffp-contract=off")
+Lines = dict[tuple[int, str], bool]  # by number and text, whether it was run
 Evaluation = tuple[int, int, int]  # the conditions that were evaluated, those that were true, and what came of it
 
 
@@ -64,7 +65,7 @@ class Marker(c_generator.CGenerator):
         if not self.inside or n is None or not any(map(changes, conditions(n))):
             return "" if n is None else str(super().visit(n))
         file, line = n.coord.file, n.coord.line
-        decision = Decision(Path(file).name, self.function.removesuffix("_f32"), lines_of(file)[line - 1].strip())
+        decision = Decision(Path(file).name, self.function.removesuffix("_f32"), lines_of(file)[line - 1])
         number = self.first + len(self.decisions)
         self.decisions.append(decision)
         return f"coverage_decide({number}, {self.marked(n, decision, number)})"
@@ -151,13 +152,13 @@ def coverage(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
     return found
 
 
-def counted(decisions: list[Decision], lines: dict[str, dict[int, bool]], files: set[str]) -> dict[str, Any]:
-    ran = [(file, number, hit) for file in sorted(files) for number, hit in lines.get(file, {}).items()]
+def counted(decisions: list[Decision], lines: dict[str, Lines], files: set[str]) -> dict[str, Any]:
+    ran = [(file, text, hit) for file in sorted(files) for (_, text), hit in lines.get(file, {}).items()]
     branches = [(d, k, value) for d in decisions for k in range(d.conditions) for value in (1, 0)]
     taken = [branch for branch in branches if was(*branch)]
     both = [(d, k) for d in decisions for k in range(d.conditions)]
     alone = [pair for pair in both if shown_alone(*pair)]
-    words = [f"line {number} of {file} is not run" for file, number, hit in ran if not hit]
+    words = [f"{file}, `{text}` is not run" for file, text, hit in ran if not hit]
     words += [
         f"{d.function}, condition {k + 1} is never {'true' if value else 'false'}: {d.text}"
         for d, k, value in branches
@@ -232,14 +233,14 @@ def run_self_test(folder: Folder, precision: str, units: dict[str, Path], out: P
         raise BoresightError(f"{folder.name}: the self-test fails in {precision}: {done.stdout.strip()[-200:]}")
 
 
-def lines_covered(folder: Folder, units: list[Source], precision: str, out: Path) -> dict[str, dict[int, bool]]:
+def lines_covered(folder: Folder, units: list[Source], precision: str, out: Path) -> dict[str, Lines]:
     """By file of the folder, of each line that holds code whether it was run."""
     place = out / "lines"
     place.mkdir()
     covered = ["gcc", "-std=c99", "-O0", "-w", "-ffp-contract=off", "--coverage", *PRECISIONS[precision]]
     made = compile_sources([*covered, "-I", folder.include], {unit.path: () for unit in folder.units}, place)
     run_self_test(folder, precision, made, place, "--coverage")
-    found: dict[str, dict[int, bool]] = {}
+    found: dict[str, Lines] = {}
     for unit in units:
         done = run(["gcov", "--json-format", "--stdout", f"{unit.name}.gcda"], cwd=place)
         for file in json.loads(done.splitlines()[0])["files"]:
@@ -250,6 +251,6 @@ def lines_covered(folder: Folder, units: list[Source], precision: str, out: Path
             lines = found.setdefault(path.name, {})
             for line in file["lines"]:
                 if line.get("function_name") not in PROBES:
-                    number = line["line_number"]
-                    lines[number] = lines.get(number, False) or line["count"] > 0
+                    key = line["line_number"], lines_of(str(path))[line["line_number"] - 1]
+                    lines[key] = lines.get(key, False) or line["count"] > 0
     return found

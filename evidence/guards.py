@@ -15,6 +15,7 @@ import numpy as np
 from boresight.codegen.folder import Folder, Source
 from boresight.codegen.functions.samples import generator
 from boresight.evidence.calls import Points, call, callable_units, layout, points_of
+from boresight.evidence.mutants import lines_of
 from boresight.evidence.targets import GCC, HARNESS, PRECISIONS, WARNINGS
 from boresight.runtime.compiler import compile_sources, run
 from boresight.runtime.library import Unit
@@ -148,12 +149,14 @@ def not_taken(unit: Source, place: Path) -> list[str]:
         if not own and path.name != "boresight.h":
             continue
         for line in file["lines"]:
+            function = str(line.get("function_name")).removesuffix("_f32")
+            where = f"{function}: `{lines_of(str(path))[line['line_number'] - 1]}`"
             if own and line["count"] == 0:
-                found.append(f"line {line['line_number']} is not reached")
+                found.append(f"{where} is not reached")
             # the header's guards are judged where they are called with a box: in the unit that has one
             elif own and any(branch["count"] == 0 for branch in line["branches"]):
                 missing = sum(branch["count"] == 0 for branch in line["branches"])
-                found.append(f"line {line['line_number']}: {missing} of {len(line['branches'])} branches")
-            elif not own and line.get("function_name") == "bs_check" and line["count"]:
-                found += [f"bs_check, line {line['line_number']}" for b in line["branches"] if b["count"] == 0]
+                found.append(f"{where}: {missing} of {len(line['branches'])} branches")
+            elif not own and function == "bs_check" and line["count"]:
+                found += [where for b in line["branches"] if b["count"] == 0]
     return found

@@ -51,7 +51,8 @@ PROBES = {"bs_probe"}  # it sees what a compiler makes of the C, which no self-t
 
 @cache
 def lines_of(file: str) -> list[str]:
-    return Path(file).read_text().splitlines()
+    """What stands in each, but for its comment."""
+    return [re.sub(r"/\*.*?(\*/|$)", "", line).strip() for line in Path(file).read_text().splitlines()]
 
 
 def inmost(declared: Any) -> tuple[Any, int, tuple[str, ...]]:
@@ -144,10 +145,8 @@ class Mutator(c_generator.CGenerator):
         """`otherwise`, or the mutant's text if its number is up."""
         number = len(self.candidates)
         line = node.coord.line if node.coord else 0
-        words = f"line {line}: {what}"
-        if self.loops:  # by its text: a line's number moves with each change before it
-            words = f"{self.function}: {what}, in `{lines_of(node.coord.file)[line - 1].strip()}`"
-        self.candidates.append(words)
+        text = lines_of(node.coord.file)[line - 1] if line else ""  # a line's number moves with each comment before it
+        self.candidates.append(f"{self.function}: {what}, in `{text}`")
         if self.chosen is None or number not in self.chosen:
             return otherwise
         return f"((evidence_mutant == {self.chosen[number]}) ? ({mutant}) : ({otherwise}))"

@@ -111,14 +111,6 @@ def sources(folder: Path, files: Iterable[str]) -> list[Path]:
     return [folder / name for _, name in sorted(listed, key=lambda one: EVIDENT.index(one[0]))]
 
 
-def sources_hash(paths: Iterable[Path]) -> str:
-    """Of names and contents, in the order given."""
-    key = hashlib.sha256()
-    for path in paths:
-        key.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")
-    return key.hexdigest()
-
-
 def cache_folder() -> Path:
     """Where compiled libraries are kept: BORESIGHT_CACHE, or the user's cache folder."""
     given = os.environ.get("BORESIGHT_CACHE")
