@@ -8,9 +8,11 @@ WIDTH = 100
 COMMENT = re.compile(r" *(/(?=\*)|(?=\* ))")
 TRAILING = re.compile(r"( *)(.*\S) +(/\* .* \*/)")
 FARTHEST = 60  # column at which a comment may begin behind code
-ENDS = (".", ":", "*/")  # where the words of a comment's line do not go on in the next one
+ENDS = (".", ":", "*/", "]")  # where the words of a comment's line do not go on in the next one
 MORE = re.compile(r" *\* (?!in {2}|out {2}|returns )")
-HANGING = re.compile(r"\* ((in|out) {2,}\S+ +|\w+ {2,})")  # further lines stand below the meaning
+HANGING = re.compile(
+    r"\* ( *BS_\w+ +as [a-z ]+? {2,}|(in|out) {2,}\S+ +|\w+ {2,})"
+)  # further lines stand below the meaning
 FACTORS = r"(?:\(?[a-zA-Z]'? )*(?![-+=/] )(?:\S*\[\w+ x\]\S*|\S+)(?: C_\w+)?"
 FORMULA = rf"(?<!\S){FACTORS}(?: [-+=/] {FACTORS}){{1,3}}"
 WHOLE = re.compile(  # formulas, units, ranges and the end are not torn

@@ -132,6 +132,7 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
     call = ([*(["x"] if reads_x else []), *(f"&{s}" for s in structs)], [f"got_{r['name']}" for r in results])
     return {
         "c_name": c_name,
+        "name": unit.name,
         "file": file_stem(model, unit.name),
         "guard": file_stem(model, unit.name),  # F and f, H and h are read into one file
         "meaning": unit.meaning,
@@ -244,6 +245,7 @@ def model_view(model: Model, unit_views: list[dict[str, Any]]) -> dict[str, Any]
                 "column": max(len(declaration(f)) for f in s.fields),
                 "fields": [
                     {
+                        "name": f.name,
                         "declaration": declaration(f),
                         "unit": f.unit,
                         "frame": f.frame,
