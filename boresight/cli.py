@@ -520,7 +520,8 @@ def export(
 
     It holds the functions, the filter of a model that has one with an example, their self-test, a Makefile, a CMake
     package and pkg-config; LICENSE, sbom.json, manifest.json with hashes; and what was found of exactly this C,
-    EVIDENCE.html to read and evidence.json.
+    EVIDENCE.html to read and evidence.json; trace.csv and trace-back.csv, from each numbered requirement to its
+    equations, statements, tests and results, and back.
     """
     from boresight.codegen.export import export as export_model
 

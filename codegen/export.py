@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.codegen import proof
+from boresight.codegen import proof, requirements
 from boresight.codegen.boxes import with_boxes
 from boresight.codegen.folder import Folder
 from boresight.codegen.functions.samples import generator
@@ -160,7 +160,12 @@ def exported(
     found = {} if unproven else proof.kept(of)
     why = "" if found else unproven or (OTHER_EVIDENCE if proof.place(of).is_file() else NO_EVIDENCE)
     make = MAKE.format(target) if ":" in target else MADE_HERE.format(folder.name)
-    view = export_view(manifest, folder, files, precision, proof.page_view(of, found, why, make))
+    page = proof.page_view(of, found, why, make)
+    if page["lowest"]["golden"] < proof.Verdict.LISTED:
+        check_self_test(files, precision)
+    demanded = requirements.requirements(files, manifest)
+    page["trace"] = requirements.rows(demanded, files, ran(files, found, precision))
+    view = export_view(manifest, folder, files, precision, page)
     made = ["Makefile", "CMakeLists.txt", "README.md", "LICENSE", "package.pc.in", "EVIDENCE.html"]
     made += ["example/main.c", "example/minute.h"] if view["minute"] else []
     view["places"] = places
@@ -170,12 +175,12 @@ def exported(
     files |= arduino(files, view) if "arduino" in places else {}
     files |= texts | {"evidence.json": as_json(evidence(manifest, precision, view["proof"], found))}
     files |= {"sbom.json": as_json(bill_of_materials(manifest, view["package"]))}
+    files |= {"trace.csv": requirements.as_csv(page["trace"])}
+    files |= {"trace-back.csv": requirements.as_csv(requirements.back(demanded))}
     listed = {path: hashlib.sha256(text.encode()).hexdigest() for path, text in files.items()}
     whole = {key: manifest[key] for key in ("model", "title", "c_prefix", "hash", "version")}
     whole |= {"precision": precision, "form": view["form"], "files": listed}
     files["manifest.json"] = as_json(whole)
-    if view["proof"]["lowest"]["golden"] < proof.Verdict.LISTED:
-        check_self_test(files, precision)
     return Exported(write(out, files), view["cost"])
 
 
@@ -205,6 +210,21 @@ def check_self_test(files: dict[str, str], precision: str) -> None:
             f"the self-test fails on this machine ({first}), so that nothing is written; narrow the boxes of the model "
             "to where it flies, or report it"
         )
+
+
+def ran(files: dict[str, str], found: dict[str, Any], precision: str) -> dict[str, str]:
+    """By function of the self-test what is known of it: how many failures on which builds, or that it passes here."""
+    units = found.get("golden", {}).get("units", {})
+    result = {}
+    for path in files:
+        if not re.fullmatch(r"selftest/test_\w+\.c", path):
+            continue
+        builds = units.get(Path(path).stem.removeprefix("test_"), {}).get("builds", {})
+        of = [build["failures"] for name, build in builds.items() if name.endswith(precision)]
+        for test in re.findall(r"^int (test_\w+)\(void\)", files[path], re.MULTILINE):
+            known = f"{sum(of)} failures on {len(of)} builds in {precision}"
+            result[test] = known if of else "passes on this machine"
+    return result
 
 
 def write_all(folder: Path, files: dict[str, str]) -> None:
