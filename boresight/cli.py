@@ -509,6 +509,17 @@ def export(
             help="What builds it beside make and CMake: arduino, platformio, idf, zephyr, px4.",
         ),
     ] = "",
+    form: Annotated[
+        str,
+        typer.Option(
+            help="joseph or ud, of the covariance; by default joseph in double, ud in float.",
+            autocompletion=completed(lambda: ["joseph", "ud"]),
+        ),
+    ] = "",
+    only: Annotated[
+        str,
+        typer.Option(metavar="MEASUREMENT,...", help="The measurements that fly; nothing of the others is written."),
+    ] = "",
     against: Annotated[
         Path | None,
         typer.Option(
@@ -532,7 +543,8 @@ def export(
         from boresight.evidence.against import exported
 
         exported(against)
-    written = export_model(target, out, precision, folder, tuple(box or ()), named)
+    chosen = tuple(name for name in only.replace(" ", "").split(",") if name)
+    written = export_model(target, out, precision, folder, tuple(box or ()), named, chosen, form)
     if written.warning:
         print(f"boresight: {written.warning}", file=sys.stderr)
     goals = "test example" if out / "example" / "main.c" in written.files else "test"

@@ -18,6 +18,7 @@ from boresight.codegen.boxes import with_boxes
 from boresight.codegen.folder import Folder
 from boresight.codegen.functions.samples import generator
 from boresight.codegen.generate import generate, generated_folder, load_model, named, unchanged
+from boresight.codegen.only import with_only
 from boresight.codegen.text.files import identity_files, rendered
 from boresight.codegen.text.names import snake
 from boresight.derive.model import Model
@@ -27,6 +28,8 @@ from boresight.runtime.library import Library, load
 from boresight.runtime.manifest import folder_of, read_manifest
 
 PRECISIONS = ("double", "float")
+FORMS = {"joseph": "Joseph", "ud": "UD"}  # of the covariance, and what the C calls them
+FORM_OF = {"double": "joseph", "float": "ud"}  # which one a precision flies, unless another is chosen
 # Where the C is built by somebody else's tool, and what that needs beside it.
 PLACES = {
     "cmake": (),
@@ -40,6 +43,14 @@ NO_EVIDENCE = "none was made of this model"
 OTHER_BOXES = "boxes were chosen for this export, {}: its C is other than that of which evidence is kept"
 OTHER_EVIDENCE = "what is kept was found of other C, with another hash"
 MAKE = "'boresight evidence {}' makes what is missing, as far as the tools are there; with --quick in some 3 minutes."
+MAKE_FORM = (
+    "Of the filter in a form that is not that of its precision no evidence is kept; its self-test passed on the "
+    "machine that wrote this."
+)
+MAKE_PART = (
+    "This text is of the measurements that were chosen. 'boresight evidence FILE.py:NAME' makes it of a model of your "
+    "own that has these alone, in some 15 minutes, with --quick in 3."
+)
 MADE_HERE = "'python -m boresight.evidence {}' makes it, in a checkout of Boresight."
 SECONDS = 60  # of the example
 GENTLE, WIDE = 1e-4, 1e-3  # of half a box: how far the example's inputs stray from its middle; one sigma at its start
@@ -63,6 +74,8 @@ def export(
     folder: str | Path | None = None,
     boxes: tuple[str, ...] = (),
     places: tuple[str, ...] = (),
+    only: tuple[str, ...] = (),
+    form: str = "",
 ) -> Exported:
     """Write a model's C as one folder that needs nothing of Python, with self-test and example.
 
@@ -83,6 +96,12 @@ def export(
     places : tuple of str, optional
         What it is built by beside make and CMake: any of "arduino", "platformio", "idf", "zephyr",
         "px4".
+    only : tuple of str, optional
+        The measurements that fly; the others have no function, no self-test and no place in the
+        filter.  Evidence stays of what is the same text.
+    form : {"joseph", "ud"}, optional
+        Of the covariance, by default the symmetric Joseph form in double and UD factors in float;
+        in another one the folder keeps the evidence of what does not depend on it.
 
     Returns
     -------
@@ -114,16 +133,23 @@ def export(
     (target, model), out = named(target), Path(out)
     if precision not in PRECISIONS:
         raise BoresightError(f"there is no precision {precision!r}; choose {' or '.join(PRECISIONS)}")
+    if form and form not in FORMS:
+        raise BoresightError(f"there is no form {form!r} of a covariance; choose {' or '.join(FORMS)}")
     if unknown := [place for place in places if place not in PLACES]:
         raise BoresightError(f"nothing is known of {unknown[0]!r}; choose of {', '.join(PLACES)}")
     if out.exists() and (not out.is_dir() or any(out.iterdir())):
         raise BoresightError(f"{out} is not empty; choose another folder with -o, or remove it first")
-    if boxes:
+    if boxes or only:
         with tempfile.TemporaryDirectory() as aside:
-            model = with_boxes(model or load_model(target), boxes)
+            model = with_only(model or load_model(target), only) if only else model or load_model(target)
+            model = with_boxes(model, boxes)
             made = generate(target, Path(aside) / snake(model.name), model=model).folder
-            return exported(made, out, precision, target, places, OTHER_BOXES.format(", ".join(boxes)))
-    return exported(current_folder(target, folder, model), out, precision, target, places)
+            if boxes:
+                return exported(made, out, precision, form, target, places, OTHER_BOXES.format(", ".join(boxes)))
+            whole = generated_folder(target, Path(folder) if folder else None, model) if ":" in target else folder
+            results = proof.place(Folder(Path(whole) if whole else folder_of(target)))
+            return exported(made, out, precision, form, target, places, results=results)
+    return exported(current_folder(target, folder, model), out, precision, form, target, places)
 
 
 def current_folder(target: str, folder: str | Path | None = None, model: Model | None = None) -> Path:
@@ -140,11 +166,19 @@ def current_folder(target: str, folder: str | Path | None = None, model: Model |
 
 
 def exported(
-    folder: Path, out: Path, precision: str, target: str, places: tuple[str, ...], unproven: str = ""
+    folder: Path,
+    out: Path,
+    precision: str,
+    form: str,
+    target: str,
+    places: tuple[str, ...],
+    unproven: str = "",
+    results: Path | None = None,
 ) -> Exported:
-    """A generated folder, written to `out` in one precision.
+    """A generated folder, written to `out` in one precision, and in one form if it is chosen.
 
-    target: as the user names the model.  unproven: why there can be no evidence of it, or nothing.
+    target: as the user names the model.  unproven: why there can be no evidence of it, or nothing.  results: where
+    those of the whole model are kept, of which this is a part.
     """
     manifest = read_manifest(folder)
     files = {
@@ -153,19 +187,31 @@ def exported(
         if not path.startswith(("casadi/", "batch/", "CMakeLists", "equations"))
     }
     names = {"name": manifest["model"], "snake": snake(manifest["model"]), "prefix": manifest["c_prefix"]}
-    identity, digest = identity_files(files, names, bool(manifest.get("filter")), precision)
+    if form and not manifest.get("filter"):
+        raise BoresightError(f"--form: {manifest['model']} has no filter, and so no covariance")
+    identity, digest = identity_files(files, names, bool(manifest.get("filter")), precision, form)
     assert digest == manifest["hash"]  # whatever the precision
     files |= identity
     of = Folder(folder)
-    found = {} if unproven else proof.kept(of)
-    why = "" if found else unproven or (OTHER_EVIDENCE if proof.place(of).is_file() else NO_EVIDENCE)
-    make = MAKE.format(target) if ":" in target else MADE_HERE.format(folder.name)
+    found = {} if unproven else proof.kept(of, results)
+    if form not in ("", FORM_OF[precision]):
+        found = of_every_form(of, found)
+    why = "" if found else unproven or (OTHER_EVIDENCE if (results or proof.place(of)).is_file() else NO_EVIDENCE)
+    make = (
+        MAKE_FORM
+        if form not in ("", FORM_OF[precision])
+        else MAKE_PART
+        if results
+        else MAKE.format(target)
+        if ":" in target
+        else MADE_HERE.format(folder.name)
+    )
     page = proof.page_view(of, found, why, make)
     if page["lowest"]["golden"] < proof.Verdict.LISTED:
         check_self_test(files, precision)
     demanded = requirements.requirements(files, manifest)
     page["trace"] = requirements.rows(demanded, files, ran(files, found, precision))
-    view = export_view(manifest, folder, files, precision, page)
+    view = export_view(manifest, folder, files, precision, form or FORM_OF[precision], page)
     made = ["Makefile", "CMakeLists.txt", "README.md", "LICENSE", "package.pc.in", "EVIDENCE.html"]
     made += ["example/main.c", "example/minute.h"] if view["minute"] else []
     view["places"] = places
@@ -180,8 +226,16 @@ def exported(
     listed = {path: hashlib.sha256(text.encode()).hexdigest() for path, text in files.items()}
     whole = {key: manifest[key] for key in ("model", "title", "c_prefix", "hash", "version")}
     whole |= {"precision": precision, "form": view["form"], "files": listed}
+    whole |= {"measurements": list(manifest["measurements"])} if manifest.get("filter") else {}
     files["manifest.json"] = as_json(whole)
     return Exported(write(out, files), view["cost"])
+
+
+def of_every_form(folder: Folder, found: dict[str, Any]) -> dict[str, Any]:
+    """Of what is known of a folder that which hangs on no form of its covariance: its printed units by themselves."""
+    printed = {unit.name for unit in folder.units if unit.described is not None or unit.elementary}
+    left = {kind: of | {"units": {n: r for n, r in of["units"].items() if n in printed}} for kind, of in found.items()}
+    return {kind: of for kind, of in left.items() if of["units"] and kind not in proof.WHOLE}
 
 
 def arduino(files: dict[str, str], view: dict[str, Any]) -> dict[str, str]:
@@ -305,7 +359,7 @@ def cost_of_float(manifest: dict[str, Any]) -> str:
 
 
 def export_view(
-    manifest: dict[str, Any], folder: Path, files: dict[str, str], precision: str, page: dict[str, Any]
+    manifest: dict[str, Any], folder: Path, files: dict[str, str], precision: str, form: str, page: dict[str, Any]
 ) -> dict[str, Any]:
     stem, described = snake(manifest["model"]), manifest.get("filter")
     flown, why_not = None, ""
@@ -314,7 +368,7 @@ def export_view(
             flown = minute(manifest, load(folder), precision)
         except BoresightError as error:  # the middle of the boxes need not suit every model, nor an error state of zero
             why_not = str(error)
-    form = "none" if not described else "UD" if precision == "float" else "Joseph"
+    form = FORMS[form] if described else "none"
     return {
         "title": manifest["title"],
         "model": manifest["model"],

@@ -302,10 +302,10 @@ def place(folder: Folder) -> Path:
     return folder.path.with_name(f"{folder.name}.evidence.json")
 
 
-def kept(folder: Folder) -> dict[str, Result]:
+def kept(folder: Folder, results: Path | None = None) -> dict[str, Result]:
     """By kind, what is known of this C: `tools`, `units` by name; of a kind by unit those units alone whose text has
-    not changed."""
-    path = place(folder)
+    not changed.  results: where they are kept, if not where the folder's are."""
+    path = results or place(folder)
     found: dict[str, Result] = {}
     for kind, of in (json.loads(path.read_text()) if path.is_file() else {}).items():
         if "units" not in of:

@@ -220,14 +220,14 @@ def detector_files() -> tuple[dict[str, Any], dict[str, str]]:
 
 
 def identity_files(
-    files: dict[str, str], m: dict[str, Any], has_filter: bool, exported: str = ""
+    files: dict[str, str], m: dict[str, Any], has_filter: bool, exported: str = "", form: str = ""
 ) -> tuple[dict[str, str], str]:
     """What says what the folder is, made of all its other C; and the hash of that.
 
-    m: `name`, `snake`, `prefix`.  exported: the precision of an export.
+    m: `name`, `snake`, `prefix`.  exported, form: of an export, where they are chosen.
     """
     words = {"MODEL": m["snake"], "PREFIX": m["prefix"]}
     made = rendered(("src/PREFIX_identity.c",), words, m=m)
-    view = identity_view(files | made, m, has_filter, exported)
+    view = identity_view(files | made, m, has_filter, exported, form)
     made |= rendered(("include/MODEL_identity.h", "include/boresight_precision.h"), words, **view)
     return made, view["hash"]

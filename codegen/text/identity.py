@@ -36,10 +36,12 @@ def numbers(version: str = __version__) -> list[int]:
     return found + [0] * (3 - len(found))
 
 
-def identity_view(files: dict[str, str], m: dict[str, Any], has_filter: bool, exported: str = "") -> dict[str, Any]:
+def identity_view(
+    files: dict[str, str], m: dict[str, Any], has_filter: bool, exported: str = "", form: str = ""
+) -> dict[str, Any]:
     """What the headers of identity and precision ask for.
 
-    files: all C of the folder.  m: `name`, `snake`, `prefix`.  exported: the precision of an export, or nothing.
+    files: all C of the folder.  m: `name`, `snake`, `prefix`.  exported, form: of an export, or nothing.
     """
     major, minor, patch = numbers()
     names = sorted({*public_functions(files, m["prefix"]), f"{m['prefix']}_identity"})
@@ -47,6 +49,7 @@ def identity_view(files: dict[str, str], m: dict[str, Any], has_filter: bool, ex
         "m": {key: m[key] for key in ("name", "snake", "prefix")},
         "filter": has_filter,
         "exported": exported,
+        "form": form,
         "hash": model_hash(files),
         "version": f"{major}.{minor}.{patch}",
         "numbers": [major, minor, patch],

@@ -1,5 +1,6 @@
 """The exported folder as a flight-software engineer takes it: built and run with the system's compiler alone."""
 
+import json
 import re
 import subprocess
 
@@ -11,6 +12,7 @@ from conftest import PENDULUM
 from boresight import BoresightError, cli
 from boresight.codegen.export import export
 from boresight.codegen.generate import generate
+from boresight.runtime.manifest import generated
 
 FLAGS = "-O0 -Wconversion -Wdouble-promotion -Wshadow -Wmissing-prototypes -Werror"
 
@@ -147,6 +149,42 @@ def test_the_detectors_export_begins_with_c_that_decides_as_python_does(tmp_path
     rest = detector.evaluate(settings, gyro, accel).rest_by("likelihood_ratio")
     assert rest.any() and not rest[210:330].any()
     np.testing.assert_array_equal([line == "1" for line in done.stdout.split()], rest)
+
+
+def test_what_flies_is_exported_and_evidence_of_unchanged_text_stays(tmp_path):
+    """One measurement of two, and in double the factors: what hangs on neither is the same text, and proven."""
+    out, here = tmp_path / "out", generated() / "euler_matching"
+    export("euler-matching", out, only=("euler",), form="ud")
+    texts = {path.relative_to(out): path.read_text() for path in out.rglob("*.[ch]")}
+    assert not [path for path, text in texts.items() if "euler_exact" in f"{path} {text}".lower()]
+    found = json.loads((out / "evidence.json").read_text())
+    units = set(found["evidence"]["golden"]["units"])
+    assert {"em_F", "em_euler_H", "em_math"} <= units and not {"em_filter", "em_covariance", "em_live"} & units
+    for name in units:
+        assert (out / "src" / f"{name}.c").read_text() == (here / "src" / f"{name}.c").read_text()
+    assert found["verdict"] == "not made of this C" and "em_filter" in found["not_made"]["self-test, bits"]
+    done = make(out, "test")
+    assert done.returncode == 0 and ", double, UD, " in done.stdout, done.stderr
+    (tmp_path / "other.c").write_text('#include "em_filter.h"\n'.replace("em_filter", "euler_matching_filter"))
+    command = ["gcc", "-DBORESIGHT_UD=0", "-I", out / "include", "-c", tmp_path / "other.c", "-o", tmp_path / "other.o"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode and "exported with --form ud" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("model", "more", "words"),
+    [
+        ("euler-matching", {"only": ("eule",)}, "no measurement 'eule' (did you mean 'euler'?); there are euler, "),
+        ("euler-matching", {"form": "UD"}, "no form 'UD' of a covariance; choose joseph or ud"),
+        ("strapdown", {"form": "ud"}, "--form: strapdown has no filter, and so no covariance"),
+        ("strapdown", {"only": ("zupt",)}, "--only: strapdown has no measurement 'zupt'; it has none"),
+    ],
+)
+def test_what_cannot_be_chosen_is_one_line(tmp_path, model, more, words):
+    with pytest.raises(BoresightError) as error:
+        export(model, tmp_path / "out", **more)
+    assert words in str(error.value) and len(str(error.value).splitlines()) == 1
+    assert not (tmp_path / "out").exists()
 
 
 SHIP = """
