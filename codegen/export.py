@@ -145,11 +145,11 @@ def export(
             model = with_boxes(model, boxes)
             made = generate(target, Path(aside) / snake(model.name), model=model).folder
             if boxes:
-                return exported(made, out, precision, form, target, places, OTHER_BOXES.format(", ".join(boxes)))
+                return exported(made, out, precision, target, places, OTHER_BOXES.format(", ".join(boxes)), form=form)
             whole = generated_folder(target, Path(folder) if folder else None, model) if ":" in target else folder
             results = proof.place(Folder(Path(whole) if whole else folder_of(target)))
-            return exported(made, out, precision, form, target, places, results=results)
-    return exported(current_folder(target, folder, model), out, precision, form, target, places)
+            return exported(made, out, precision, target, places, results=results, form=form)
+    return exported(current_folder(target, folder, model), out, precision, target, places, form=form)
 
 
 def current_folder(target: str, folder: str | Path | None = None, model: Model | None = None) -> Path:
@@ -169,11 +169,11 @@ def exported(
     folder: Path,
     out: Path,
     precision: str,
-    form: str,
     target: str,
     places: tuple[str, ...],
     unproven: str = "",
     results: Path | None = None,
+    form: str = "",
 ) -> Exported:
     """A generated folder, written to `out` in one precision, and in one form if it is chosen.
 
