@@ -30,8 +30,8 @@ def parts_of(*matrices: Matrix) -> set[Any]:
 
 
 def product(*matrices: Matrix) -> Matrix:
-    """The matrices multiplied from the left.  SymPy's own asks each entry whether it is infinite, which takes as long as
-    all the rest."""
+    """The matrices multiplied from the left.  SymPy's own asks each entry whether it is infinite, which takes as long
+    as all the rest."""
 
     def times(A: Matrix, B: Matrix) -> Matrix:
         rows, columns = A.tolist(), B.T.tolist()

@@ -114,7 +114,7 @@ class Objects:
 
 @pytest.fixture(scope="module", autouse=True)
 def quickly():
-    """C without optimisation, which is compiled in a fraction of the time and gives the same bits; the flags that ship.
+    """C without optimisation, which is compiled in a fraction of the time and has the same bits; the flags that ship.
 
     `test_c_as_it_ships_has_the_bits_of_c_without_optimisation` of tests/runtime/test_lanes.py holds that it does.
     """

@@ -137,7 +137,7 @@ from boresight.codegen.verify import verify
 from boresight.runtime import compiler
 compiler.FLAGS = {}
 try:
-    verify("euler-matching", points=3000, progress=lambda *_: print("begun", flush=True))
+    verify("euler-matching", points=10_000, progress=lambda *_: print("begun", flush=True))
 except KeyboardInterrupt:
     print("interrupted")
 """
