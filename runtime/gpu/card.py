@@ -65,7 +65,10 @@ class Card:
     def kernel(self, folder: Path, experiment: Path, precision: str = "double") -> Any:
         """The function that flies a run in each thread, loaded."""
         self.ask(self.driver.cuCtxSetCurrent(self.context))  # of the thread that calls
-        code = machine_code(text.device(folder, experiment, precision), self.architecture)
+        try:
+            code = machine_code(text.device(folder, experiment, precision), self.architecture)
+        except RuntimeError:  # of what looks for libraries
+            raise BoresightError("NVRTC is not found; run pip install 'boresight[gpu]'") from None
         module = self.ask(self.driver.cuModuleLoadData(code))
         return self.ask(self.driver.cuModuleGetFunction(module, KERNEL))
 

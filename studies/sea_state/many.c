@@ -7,7 +7,7 @@
 
 #define MIL 0.0009817477042468104 /* rad */
 
-enum { NODES = 6, MOST_SAMPLES = 100, SLAVE = 0, MASTER = 1, DELAY = 2, ALL = 6, PARTS = 7 };
+enum { NODES = 6, MOST_SAMPLES = 100, MOST_SPAN = 16, FEW = 20, SLAVE = 0, MASTER = 1, DELAY = 2, ALL = 6, PARTS = 7 };
 
 /* What `given` begins with; numbers of doubles. */
 typedef struct {
@@ -57,6 +57,7 @@ typedef struct {
     double delay;
     double nis;
     double sample[(MOST_SAMPLES + 1) * ALL]; /* from the newest to the oldest, and the one before */
+    bs_real P[VA_N_STATES * VA_N_STATES]; /* at the start, and at the end */
     va_filter filter;
 } flight;
 
@@ -232,7 +233,6 @@ static bs_status begin(flight *f)
     double q[4];
     double swing[3];
     va_nav nav;
-    bs_real P[VA_N_STATES * VA_N_STATES];
     boresight_words(f->seed, &f->run, 1U, DELAY, 0U, 1U, &word, 0, 1);
     const double part = (double)(word >> 11U) * 1.1102230246251565e-16;
     f->delay = 1e-3 * (all->delay_ms[0] + (all->delay_ms[1] * part));
@@ -259,8 +259,8 @@ static bs_status begin(flight *f)
         nav.q_b2m_wxyz[i] = (i == 0) ? BS_REAL(1.0) : BS_REAL(0.0);
     }
     nav.tau = BS_REAL(0.0);
-    convert(f->true_->P, P, VA_N_STATES * VA_N_STATES);
-    return va_filter_init(&f->filter, &nav, P);
+    convert(f->true_->P, f->P, VA_N_STATES * VA_N_STATES);
+    return va_filter_init(&f->filter, &nav, f->P);
 }
 
 /* The strapdown over samples `from` to `to`, counted from the oldest. */
@@ -289,7 +289,7 @@ static bs_status predict(flight *f)
     va_corrected_imu imu = { { 0 }, { 0 }, 0 };
     va_noise noise = { { 0 }, { 0 }, { 0 }, { 0 }, { 0 }, 0 };
     for (size_t i = 0U; i < 3U; ++i) {
-        double few[MOST_SAMPLES];
+        double few[FEW]; /* 10 to 19 of the samples */
         size_t n = 0U;
         for (size_t k = step / 2U; k < f->samples; k += step) {
             few[n] = f->sample[(ALL * k) + 3U + i];
@@ -318,8 +318,8 @@ static void moving(const flight *f, double omega[3], double a_n[3])
     double twice[3];
     double q[4];
     for (size_t i = 0U; i < ALL; ++i) {
-        double later[MOST_SAMPLES];
-        double earlier[MOST_SAMPLES];
+        double later[MOST_SPAN];
+        double earlier[MOST_SPAN];
         for (size_t k = 0U; k < span; ++k) {
             later[k] = f->sample[(ALL * k) + i];
             earlier[k] = f->sample[(ALL * (span + k)) + i];
@@ -421,7 +421,6 @@ int boresight_run(const double *given, uint64_t seed, uint64_t run, double *row)
     const double *const own = &given[(sizeof(common) / sizeof(double)) +
                                      (number * (head + pose + (updates * samples * ALL)))];
     flight f;
-    bs_real P[VA_N_STATES * VA_N_STATES];
     f.all = all;
     f.true_ = (const sea *)own;
     f.master = &own[head];
@@ -436,10 +435,10 @@ int boresight_run(const double *given, uint64_t seed, uint64_t run, double *row)
         status = fly(&f, update);
     }
     if (bs_good(status)) {
-        status = va_filter_covariance(&f.filter, P);
+        status = va_filter_covariance(&f.filter, f.P);
     }
     if (bs_good(status)) {
-        finish(&f.filter.nav, P, f.true_, f.delay, f.nis / (all->updates - all->settled), row);
+        finish(&f.filter.nav, f.P, f.true_, f.delay, f.nis / (all->updates - all->settled), row);
         return (int)BS_OK;
     }
     for (int i = 0; i < 35; ++i) {

@@ -31,7 +31,7 @@ SEAS, TOGETHER = 32, 256
 NODES = 6  # of the polynomial by which the master's pose depends on the delay
 SLAVE, MASTER, DELAY = 0, 1, 2  # streams of random numbers of a run
 NAV = ("lat_lon_height", "v_n", "q_b2n_wxyz", "gyro_bias", "accel_bias", "q_b2m_wxyz", "tau")
-SOURCE, MOST_SAMPLES = Path(__file__).with_name("many.c"), 100
+SOURCE, MOST_SAMPLES, MOST_SPAN = Path(__file__).with_name("many.c"), 100, 16
 
 
 @dataclass(frozen=True)
@@ -216,9 +216,11 @@ def numbers(model: Library, sea: Sea, seed: int, runs: range) -> Array:
     """What many.c reads: the scenario, and the seas of these runs, the others zero."""
     s, known = sea.scenario, at_sea.constants(sea.scenario)
     updates, samples = s.seconds * s.update_hz, s.navigation_hz // s.update_hz
-    if samples > MOST_SAMPLES:
-        raise BoresightError(f"many: in C an update has at most {MOST_SAMPLES} samples; here {samples}")
     lever, dt, span = known["lever_b"], 1 / s.navigation_hz, round(SPAN_S * s.navigation_hz)
+    if samples > MOST_SAMPLES or span > MOST_SPAN:
+        raise BoresightError(
+            f"many: in C an update has {MOST_SAMPLES} samples at most; here {samples}, {span} of a rate"
+        )
     R = at_sea.matching_variances(s)
     swung = swing_variance(known["gyro_noise"][0], span * dt, lever)
     seas, together = (SEAS, TOGETHER) if sea.motion == "sea" else (1, 1)
