@@ -15,7 +15,6 @@ EXTRAS = {
     "ros": ("rosbags",),
     "cluster": ("dask", "distributed"),
     "cli": ("typer", "rich"),
-    "gpu": ("cuda", "nvidia"),
     "evidence": ("unicorn", "elftools", "pycparser"),
 }
 

@@ -19,6 +19,7 @@ from conftest import ROOT
 
 from boresight import BoresightError
 from boresight.errors import EXTRAS
+from boresight.runtime import gpu as gpu  # which names its extra
 from boresight.runtime.manifest import read_manifest, unpacked
 from boresight.studies.known import EXPLORATIONS, STUDIES
 
