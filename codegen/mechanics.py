@@ -46,8 +46,10 @@ LEAST = 1e-9  # of the box of a state in a second: what is smaller measures no r
 NOTHING = 1e-28
 LEFT_OUT = 0.2  # of a row of h: what z has besides, as what follows from an estimate times a long lag
 FOURFOLD = 0.26
+ROUND = 0.01  # of what a metre is in rad: an Earth that is taken as a sphere is no fault
 ITERATIONS, SETTLED = 40, 1e-72  # of Newton's method, and what it may leave
 
+METRE = units("m", 1)[0]
 Values = dict[sp.Symbol, Any]
 Reference = Callable[[Mapping[str, Sequence[Any]]], list[Any]]  # of a printed unit: the non-zeros of its results
 
@@ -482,6 +484,20 @@ def compare_feedback(back: Verdict, moving: Moving, scale: Sequence[Any]) -> Non
         if v.norm is None and len(moves) == 1 and v.name not in other:
             by = float(J[i, moves[0]] / scale[moves[0]])
             back.note(by - sign, EQUAL, f"{name} by {exact.model.x[moves[0]].name}: {by:.6g} stated, {sign} exact")
+        if v.norm is None and len(moves) == 1 and name in ("lat", "lon") and errors[moves[0]] == METRE:
+            by, full = float(J[i, moves[0]] / scale[moves[0]]), sign * radians_per_metre(v, hat, name)
+            text = f"{name} by {exact.model.x[moves[0]].name}: {by:.6g} stated, {full:.6g} exact"
+            back.note(by / full - 1, ROUND, text)
+
+
+def radians_per_metre(v: Variable, hat: Values, name: str) -> float:
+    """How much a latitude or a longitude grows for a metre to the north or the east."""
+    level = next(level for key, level in ellipsoid.LEVELS.items() if position(FRAMES[key]).name == v.name)
+    with digits(ellipsoid.WORKING):
+        place = Matrix([hat[s] for s in v.symbols])
+        by = level.slope(place).inv() * level.axes(place)
+        row = [s.name for s in v.symbols].index(name)
+        return largest(by[row, j] for j in range(3))
 
 
 def unit_of(v: Variable) -> list[Unit]:
@@ -673,6 +689,9 @@ def compare_measurement(model: Model, m: Measurement, H_of: Reference, seen: See
             H = filled((len(m.rows), model.n), H_of(fields(model, here))[0])
             found = slope(change, scale)
             sizes = row_sizes(found)
+            if model.kind == "error-state" and seen.exact.z is not None:  # both are zero where no error is
+                for row, off, whole in zip(m.rows, seen.less_turns(origin), sizes, strict=True):
+                    verdict.note(off / whole, AT_ALL, f"h of {row} is {float(off):.6g} where no error is")
             verdict.compare(scaled(H, scale), found, m.rows, columns, scale, sizes)
             for error in finite_errors(model, scale, "H", str(k)):
                 verdict.remainder((change(list(e)) - H * e for e in (error, error / 2)), sizes)

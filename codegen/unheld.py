@@ -11,6 +11,7 @@ from boresight.codegen.mechanics import MechanicsCheck
 from boresight.derive.checks import expressions
 from boresight.derive.constant import Constant
 from boresight.derive.expressions import constants_in, symbols_in
+from boresight.derive.linear import OF_F, OF_NEXT
 from boresight.derive.mechanics import earth, rotation
 from boresight.derive.model import Model
 
@@ -27,8 +28,8 @@ def with_unheld(model: Model, checks: Sequence[MechanicsCheck]) -> list[Mechanic
     rows = [replace(check, unheld=listed.get(check.unit, "")) if check.ok is None else check for check in rows]
     rows += [
         MechanicsCheck(model.name, name, "the list of what is unheld", entry="it is held; leave it out of the list")
-        for name in listed
-        if name not in open_
+        for name, reason in model.unheld
+        if name not in open_ and (name, reason) not in OF_F + OF_NEXT
     ]
     held = {check.unit for check in checks if check.ok is not None}
     held |= {f"{check.unit[:-1]}z" for check in checks if check.against == "z and feedback"}

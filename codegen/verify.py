@@ -23,6 +23,7 @@ from flint import arb
 
 from boresight import BoresightError
 from boresight.codegen.beside import check_beside
+from boresight.codegen.flat import check_flat
 from boresight.codegen.flown import check_flown
 from boresight.codegen.functions.maker import UnitMaker
 from boresight.codegen.functions.reference import Entries, precise
@@ -33,6 +34,7 @@ from boresight.codegen.functions.units import units
 from boresight.codegen.generate import generated_folder, known, load_model, model_names, named
 from boresight.codegen.mechanics import MechanicsCheck, check_mechanics
 from boresight.codegen.points import drawn, nearest_zero
+from boresight.codegen.residuals import check_residuals
 from boresight.codegen.unheld import with_unheld
 from boresight.codegen.words import check_words
 from boresight.derive.model import Measurement, Model, Variable
@@ -202,13 +204,19 @@ def verify_all(
                 collect(before)
             before = Underway(model, cases, stack)
             before.laws = [check_first_order(model, m, made, flight) for m in model.measurements if m.first_order]
-            references = {unit.name: unit.reference for unit in made}
-            laws = check_mechanics(model, references) + check_flown(model, references)
-            laws += check_beside(model) + check_words(model)
-            before.laws += with_unheld(model, laws)
+            before.laws += laws(model, made)
         if before:
             collect(before)
     return checks
+
+
+def laws(model: Model, made: list[Unit]) -> list[MechanicsCheck]:
+    """The expressions of a model held against exact mechanics, and what nothing holds; made: its units."""
+    references = {unit.name: unit.reference for unit in made}
+    checks = check_mechanics(model, references) + check_flown(model, references)
+    known = {check.unit for check in checks}
+    checks += [check for check in (*check_beside(model), *check_flat(model)) if check.unit not in known]
+    return with_unheld(model, checks + check_residuals(model) + check_words(model))
 
 
 @dataclass(frozen=True)

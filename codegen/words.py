@@ -1,11 +1,12 @@
 """What a model says in words about the signs of its errors, held against what its `feedback` does.
 
 The card and the meanings of the states are printed in headers and pages.  Read are `C_hat = (I - [e x]) C`, also with
-the factors exchanged, and what an error is: computed - true, estimated - true, a_hat - a, or the other one.
+the factors exchanged, and what an error is: computed - true, estimated - true, a_hat - a, or the other one.  A bias
+that is measured - true is what `strapdown` takes off its sensor.
 """
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from flint import arb
@@ -16,7 +17,9 @@ from boresight.codegen.mechanics import (
     NOTHING,
     Corrected,
     MechanicsCheck,
+    Values,
     Verdict,
+    compiled,
     largest,
     points,
     rotation_of,
@@ -26,15 +29,17 @@ from boresight.codegen.mechanics import (
     unit_of,
 )
 from boresight.derive.checks import mechanics_of
+from boresight.derive.expressions import symbols_in
 from boresight.derive.ledger.numbers import Matrix, eye
 from boresight.derive.ledger.witness import rotation_vector
 from boresight.derive.model import Model, Variable
-from boresight.derive.units import Unit
+from boresight.derive.units import Unit, units
 from boresight.derive.within import within
 
 TURN = re.compile(r"(?P<hat>C_hat\w*) = (?P<before>C\w* )?\(I (?P<sign>[-+]) \[(?P<error>\w+) x\]\)(?P<after> C\w*)?")
 COMPUTED = re.compile(r"\b(computed|estimated|nominal) - true\b|\b(\w+)_hat - \2\b")
 TRUE = re.compile(r"\btrue - (computed|estimated|nominal)\b|\b(\w+) - \2_hat\b")
+SHOWN = re.compile(r"\bmeasured - true\b")
 OF_ALL = re.compile(r"\bError = ")
 
 
@@ -52,7 +57,48 @@ def check_words(model: Model) -> list[MechanicsCheck]:
         blocks = [block for block in model.states if where == block.name]
         if stated and (blocks or OF_ALL.search(text)):
             count += subtracted(verdict, signs, where, stated, blocks or model.states)
+    count += sum(biased(verdict, model, signs.hat, v) for v in signs.corrected.returned if SHOWN.search(v.meaning))
     return [verdict.check(model, "words", "the signs of feedback")] if count else []
+
+
+def biased(verdict: Verdict, model: Model, hat: Values, bias: Variable) -> int:
+    """Of a bias that is measured - true: 1 if strapdown reads a sensor of its unit, from which it must be taken off."""
+    strapdown, _ = mechanics_of(model)
+    outputs = [o.value for o in strapdown.outputs if o.name != bias.name] if strapdown else []
+    read = symbols_in(*outputs)
+    (unit, *_), second = unit_of(bias), units("s", 1)[0]
+    of_rate, of_sum = (
+        [v for v in sensors(model) if read & {*v.symbols} and v.size == bias.size and unit_of(v)[0] == one]
+        for one in (unit, unit * second)
+    )
+    if model.dt is None or not read & {*bias.symbols} or not (of_rate or of_sum):
+        return 0
+    run = compiled(*outputs)
+
+    def by(moved: Mapping[Variable, Any]) -> Matrix:
+        def after(x: Sequence[Any]) -> Matrix:
+            there = {s: hat[s] + part * e for v, part in moved.items() for s, e in zip(v.symbols, x, strict=True)}
+            return Matrix([e for column in run(hat | there) for e in column])
+
+        return slope(after, [arb(1)] * bias.size)
+
+    with precise():
+        mine = by({bias: 1})
+        sensor = by(dict.fromkeys(of_rate, 1) | dict.fromkeys(of_sum, hat[model.dt]))
+        whole = largest(sensor)
+        share = sum((m * s for m, s in zip(mine, sensor, strict=True)), arb(0)) / sum((s * s for s in sensor), arb(0))
+        alike = within(largest(mine - share * sensor), EQUAL * whole)
+        if alike and not within(size(share + 1), EQUAL):
+            says = f"{bias.name} says measured - true; strapdown takes it off its sensor {-float(share):.6g} times"
+            verdict.entry = verdict.entry or says
+    return int(alike)
+
+
+def sensors(model: Model) -> list[Variable]:
+    """The inputs that strapdown and feedback do not return, and what `step` states."""
+    given = {o.name for f in mechanics_of(model) if f for o in f.outputs}
+    more = tuple(v for v, _ in model.mechanics.step) if model.mechanics else ()
+    return [v for v in dict.fromkeys((*model.inputs, *more)) if v.name not in given]
 
 
 def meanings(model: Model) -> Iterator[tuple[str, str]]:
@@ -100,21 +146,29 @@ class Signs:
 
 
 def turned(verdict: Verdict, signs: Signs, where: str, found: re.Match[str]) -> int:
-    """Of an attitude error; 1 if feedback makes such a turn of one quaternion, with either sign."""
+    """Of an attitude error; 1 if feedback turns a quaternion by it, which must be such a turn of one of them."""
     error, left = found["error"], found["after"] is not None
     block = next((b for b in signs.model.states if b.size == 3 and (b.name == error or alike(b, error))), None)
     if block is None:
         return 0
+    means: list[str] = []
     for q in (v for v in signs.corrected.returned if v.norm and v.size == 4):
-        by = signs.turn(q, left)[:, signs.place(block)]
-        for sign in (1, -1):
-            if within(largest(by - sign * eye(3)), EQUAL):
-                exact = "-" if sign == 1 else "+"
-                if exact != found["sign"]:
-                    form = found[0].replace(f"(I {found['sign']} [", f"(I {exact} [")
-                    verdict.entry = verdict.entry or f"{where.split(':')[0]} says {found[0]}; feedback means {form}"
+        for side in (left, not left):
+            by = signs.turn(q, side)[:, signs.place(block)]
+            if within(largest(by), NOTHING):
+                break  # not a turn of this one
+            sign = next((sign for sign in (1, -1) if within(largest(by - sign * eye(3)), EQUAL)), 0)
+            if side == left and sign == (1 if found["sign"] == "-" else -1):
                 return 1
-    return 0
+            if sign:
+                C = (found["after"] or found["before"]).strip()
+                turn = f"(I {'-' if sign == 1 else '+'} [{error} x])"
+                means.append(f"{found['hat']} = {turn} {C}" if side else f"{found['hat']} = {C} {turn}")
+        else:
+            means = means or [f"another turn of {q.name}"]
+    if means:
+        verdict.entry = verdict.entry or f"{where.split(':')[0]} says {found[0]}; feedback means {means[0]}"
+    return len(means[:1])
 
 
 def alike(block: Variable, error: str) -> bool:

@@ -109,6 +109,5 @@ SIX = Model(
         )),
     ),
     mechanics=Mechanics(driven=((gyro_noise, gyro), (bias_noise, d_bias))),
-    unheld=(("strapdown", "how the body turns is stated by the model alone; F, G and Phi follow from it"),),
     **common,
 )  # fmt: skip

@@ -205,5 +205,4 @@ AUTOPILOT = Model(
         step=((turn, nav["gyro_bias"].vector * step), (gain, accel.vector * step)),
         driven=((gyro_noise, turn), (accel_noise, gain), *zip(noises[2:], states[3:], strict=True)),
     ),
-    unheld=(("strapdown", "how this vehicle moves is stated by the model alone; F, G and Phi follow from it"),),
 )  # fmt: skip

@@ -67,7 +67,6 @@ RIGHT = Model(
         )),
     ),
     mechanics=Mechanics(driven=((gyro_noise, gyro), (bias_noise, d_bias))),
-    unheld=(("strapdown", "the Earth does not turn here"),),
 )  # fmt: skip
 
 F = zeros(6)

@@ -4,7 +4,7 @@ What is not finite at a point has a step that is the first: a root, a logarithm,
 negative at one point of the boxes and positive at another is zero between them.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import product
 from typing import Any
@@ -45,7 +45,7 @@ class Looked:
 def refuse_singular(model: Model, made: list[Unit]) -> None:
     """Raise BoresightError that names the entry, the point and the boxes, if one has no value inside of them."""
     for looked in (*of_flow(model), *(of_unit(model, unit) for unit in made if unit.name not in OVER_A_STEP)):
-        found = not_finite(looked) or zero_divisor(looked)
+        found = not_finite(looked, points_of(looked)) or zero_divisor(looked)
         if found:
             refuse(model, looked, *found)
 
@@ -96,9 +96,8 @@ def points_of(looked: Looked) -> Points:
     return [np.vstack(both) for both in zip(drawn, zeros, strict=True)]
 
 
-def not_finite(looked: Looked) -> tuple[str, int, list[np.ndarray]] | None:
+def not_finite(looked: Looked, points: Points) -> tuple[str, int, list[np.ndarray]] | None:
     """The entry that has no value at one of the points, the step that is the first without one, and the point."""
-    points = points_of(looked)
     values = computed(looked.tape, points)
     lost: list[np.ndarray] = []  # where a step hangs on what has no value, which a comparison hides
     for step, value in zip(looked.tape.steps, values, strict=True):
@@ -119,10 +118,10 @@ def not_finite(looked: Looked) -> tuple[str, int, list[np.ndarray]] | None:
 
 
 def zero_divisor(looked: Looked) -> tuple[str, int, list[np.ndarray]] | None:
-    """The same for a divisor that changes its sign, at the point where it is zero."""
+    """The same for a divisor, or what a logarithm is taken of, that changes its sign, where it is zero."""
     points, steps = points_of(looked), looked.tape.steps
     values = computed(looked.tape, points)
-    for step in (i for i, one in enumerate(steps) if one.op in ("div", "inv")):
+    for step in (i for i, one in enumerate(steps) if one.op in ("div", "inv", "log")):
         for factor in factors(looked.tape, steps[step].args[-1]):
             v = values[factor]
             if not (v.min() < 0 < v.max()):
@@ -133,7 +132,54 @@ def zero_divisor(looked: Looked) -> tuple[str, int, list[np.ndarray]] | None:
                 seen = abs(values[position]).max()
                 if not abs(there[position][0]) <= LARGE * seen and step in needed(looked.tape, position):
                     return name, step, [part[0] for part in point]
+            if found := not_finite(looked, exact_zeros(looked, factor, points, int(v.argmin()))):
+                return found
     return None
+
+
+def exact_zeros(looked: Looked, step: int, points: Points, base: int) -> Points:
+    """Points at which a step is zero to the last bit, or nearly: where the dividend is zero too, no other shows it.
+
+    From one point a single number moves, and the others keep a norm.
+    """
+    found = [[part[base]] for part in points]
+    for i in (i for i in needed(looked.tape, step) if looked.tape.steps[i].op == "input"):
+        argument, component = looked.tape.steps[i].source
+        arg = looked.args[argument]
+
+        def displaced(
+            value: float, argument: int = argument, component: int = component, arg: Variable = arg
+        ) -> list[np.ndarray]:
+            part = points[argument][base].copy()
+            length, part[component] = float(norm(part[None])[0, 0]), 0.0
+            rest = float(norm(part[None])[0, 0])
+            if arg.norm and rest:
+                part *= max(length**2 - value**2, 0.0) ** 0.5 / rest
+            part[component] = value
+            return [part if k == argument else of[base] for k, of in enumerate(points)]
+
+        def sign(value: float, displaced: Callable[[float], list[np.ndarray]] = displaced) -> float:
+            return float(np.sign(computed(looked.tape, [part[None] for part in displaced(value)])[step][0]))
+
+        ends = np.array([arg.low[component], arg.high[component]])
+        if arg.norm:
+            length = float(norm(points[argument][base][None])[0, 0])
+            ends = ends.clip(-length, length)
+        low, high = map(float, ends)
+        below, above = sign(low), sign(high)
+        if not below * above < 0:
+            continue
+        while low < (middle := (low + high) / 2) < high:
+            here = sign(middle)
+            if here == 0:
+                low = high = middle
+            elif here == below:
+                low = middle
+            else:
+                high = middle
+        for of, *values in zip(found, displaced(low), displaced(high), strict=True):
+            of += values
+    return [np.array(of) for of in found]
 
 
 def needed(program: Tape, position: int) -> list[int]:

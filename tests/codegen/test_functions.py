@@ -173,6 +173,9 @@ def test_a_change_of_such_a_model_is_shown():
         (sp.exp(y), "takes exp of y"),
         (sp.cosh(v * b), r"at b = \S* v = \S* it takes cosh of b.v"),
         (1 / (v - 7), "at v = 7 it divides by v - 7"),
+        # where the dividend is zero too
+        ((v**2 - 49) / (v - 7) * y, "at v = 7 it divides by v - 7"),
+        (sp.log((v - 7) ** 2) - 2 * sp.log(abs(v - 7)) + y, "at v = 7 it takes log of "),
         (sp.sqrt(y), "takes sqrt of y"),
         # asin itself is defined at the end of its box, its slope is not
         (sp.asin(v / 60), r"H\[r0, v\] has no value .*: at v = -?60 it divides by"),

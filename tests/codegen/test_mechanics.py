@@ -106,6 +106,12 @@ def mounting_of_the_other_sign():
     return measured(made, "dcm", first_order=replace(law, tied=(("q_m2n_wxyz", flipped),)))
 
 
+def twice_z(name, of):
+    """h as twice z less what is left of it: its slope is right, and it is z where no error is."""
+    one = measurement(model(name), of)
+    return measured(model(name), of, h=one.h + one.z)
+
+
 def tau(factor):
     made = measurement(model("velocity-dcm"), "velocity")
     return measured(model("velocity-dcm"), "velocity", H=made.H * diag(*[1] * 9, factor))
@@ -126,6 +132,8 @@ BROKEN = {
         lambda: function(model("velocity-dcm"), "feedback", "q_b2n_wxyz", lambda q: q.xreplace(OTHER_WAY)),
         "F", r"by psi_\w"),
     "the column of the delay": (lambda: tau(-1), "velocity_H", "by d_tau"),
+    "an h that is not zero without an error": (lambda: twice_z("velocity-dcm", "dcm_exact"), "dcm_exact_H",
+                                               r"h of \w is \S+ where no error is"),
     "the sign of mu in what H is tied to": (mounting_of_the_other_sign, "dcm_H", "dcm_exact_z is .* for a mu of"),
     "Coriolis in the step": (strapdown_without_coriolis, "step", r"v_\w by t"),
     "the step turned back": (

@@ -73,11 +73,11 @@ def test_a_feedback_of_the_other_sign_makes_the_same_words_wrong():
 
 def test_an_error_on_the_other_side_is_read_there():
     made = euler_matching()
-    # an error in the level is none of the body: neither sign of the exchanged form is what feedback does
+    # an error in the level is none of the body
     bare = meaning(replace(made, card=()), "dmu", "of the mounting")
     assert row(bare).ok  # eps stands in its meaning
     other = meaning(bare, "eps", "attitude error, C_hat = C (I - [eps x])")
-    assert check_words(other) == []
+    assert row(other).entry == "eps says C_hat = C (I - [eps x]); feedback means C_hat = (I - [eps x]) C"
 
 
 def test_where_nothing_is_said_nothing_is_held():

@@ -25,8 +25,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 sys.path.insert(0, str(HERE.parent))
-SEED = 60
-BUILT_IN = "derive/models/{}.py", "derive/papers/{}/results.py"
+SEED, TRIES = 60, 30
 MODELS = {  # by what it is verified, and the files in which its formulas stand
     "velocity-attitude": ("derive/models/velocity_attitude.py", "derive/papers/kang_2025/results.py"),
     "euler-matching": ("derive/models/euler_matching.py", "derive/papers/song_lee_2001/results.py"),
@@ -128,9 +127,7 @@ def spoilt(kind, tree, source):
                 isinstance(node, ast.Name | ast.Call)
                 and turns(node)
                 and not isinstance(node, ast.Name) | (isinstance(getattr(node, "ctx", None), ast.Store))
-            ):
-                yield node, f"{text(node)}.T"
-            elif isinstance(node, ast.Name) and turns(node) and isinstance(node.ctx, ast.Load):
+            ) or (isinstance(node, ast.Name) and turns(node) and isinstance(node.ctx, ast.Load)):
                 yield node, f"{text(node)}.T"
         elif kind == "frame":
             if product and turns(node.left) and not turns(node.right):
@@ -177,7 +174,7 @@ def places(model, files, kind, rng):
     if kind in TREES:
         file, target = files[0], model.partition(":")[2]
         wrapped = target or model.replace("-", "_")
-        while True:
+        for _ in range(TRIES):
             call = f"spoil.{kind.replace(' ', '_')}({{}}, {rng.randrange(10**6)})"
             if target:
                 new = f"\nfrom verify_faults import spoil\n\n{wrapped} = {call.format(wrapped)}\n"
@@ -187,6 +184,7 @@ def places(model, files, kind, rng):
                     f"def {wrapped}():\n    return {call.format('right()')}\n"
                 )
             yield {"file": file, "append": new}
+        return
     found = []
     for file in files + (("derive/models/variables.py",) if kind in ("box", "unit") and ":" not in model else ()):
         source = (ROOT / file).read_text()

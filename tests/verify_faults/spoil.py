@@ -1,4 +1,4 @@
-"""Faults of a model's expressions, each a model with one change drawn by a seed, and a hash of all that a model says."""
+"""Faults of a model's expressions, each one change drawn by a seed, and a hash of all that a model says."""
 
 import dataclasses
 import hashlib
@@ -6,7 +6,7 @@ import importlib.util
 import random
 import sys
 
-from sympy import Matrix, cos, sin, sqrt, tan
+from sympy import Abs, Matrix, log, sqrt
 from sympy.matrices import MatrixBase
 
 from boresight import BoresightError, constant
@@ -69,7 +69,7 @@ def stale_input(model, seed):
     return with_part(model, key, Matrix(substituted(value, dict(zip(one.symbols, other.symbols, strict=True)))))
 
 
-def H_row(model, seed):  # noqa: N802
+def H_row(model, seed):
     """An H that is given, or that follows, with one row changed; of a total state a row of h."""
     rng = random.Random(seed)
     error = model.kind == "error-state"
@@ -113,16 +113,18 @@ def undefined_point(model, seed):
     symbol, variable, k = rng.choice(read)
     low, high = variable.low[k], variable.high[k]
     unit = variable.unit.split(", ")[k if "," in variable.unit else 0]
-    at = constant("least", rng.choice((repr(low + (high - low) * 0.375), "0" if low < 0 < high else repr(low / 2 + high / 2))),
-                  unit, "where it has no value")  # fmt: skip
+    place = low + (high - low) * 0.375
+    if rng.random() < 0.5:
+        place = 0.0 if low < 0 < high else (low + high) / 2
+    at = constant("least", repr(place), unit, "where it has no value") if place else 0
     width = constant("width", "1", unit, "of one unit")
     off = (symbol - at) / width
-    what = rng.choice(("quotient", "tangent", "root"))
-    say(key, f"entry {i} has a {what} at {symbol} = {at.value if hasattr(at, 'value') else at}")
+    what = rng.choice(("quotient", "logarithm", "root"))
+    say(key, f"entry {i} has a {what} at {symbol} = {place}")
     if what == "quotient":
         value[i] = value[i] * (off**2 + off) / off / (off + 1)
-    elif what == "tangent":
-        value[i] = value[i] * tan(off) / sin(off) * cos(off)
+    elif what == "logarithm":
+        value[i] = value[i] * (1 + log(off**2) - 2 * log(Abs(off)))
     else:
         value[i] = value[i] * sqrt(off) ** 3 / sqrt(off**3)
     return with_part(model, key, value)
