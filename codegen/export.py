@@ -91,7 +91,7 @@ def export(
     folder : str or Path, optional
         Where its C was generated, by default as for `generate`.
     boxes : tuple of str, optional
-        Other boxes of inputs, as "dt=0.001..0.02"; the C is then generated anew, has another hash,
+        Other boxes of inputs, as "dt=0.001:0.02"; the C is then generated anew, has another hash,
         and there is no evidence of it.
     places : tuple of str, optional
         What it is built by beside make and CMake: any of "arduino", "platformio", "idf", "zephyr",

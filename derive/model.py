@@ -524,12 +524,10 @@ class Model:
     A state of one of two kinds, driven by white noise w of densities `noise` over steps of `dt`.
 
     - Error state: F, x' = F x + G w, or in discrete time Phi and Q.  x is what navigation errs by,
-    is zero
-      once `feedback` has taken it out, and is carried by Phi.  Given neither, they follow from
-      the functions `strapdown` and `feedback`, and from what `mechanics` says of noise.
+      is zero once `feedback` has taken it out, and is carried by Phi.  Given neither, they follow
+      from the functions `strapdown` and `feedback`, and from what `mechanics` says of noise.
     - Total state: f, x' = f(x) + G w, carried by f itself over each step with the inputs held; or,
-    in
-      discrete time, next and Q.
+      in discrete time, next and Q.
 
     A model without states has functions alone, such as a strapdown integrator: no F, G, noise, dt
     or measurements.

@@ -91,7 +91,7 @@ UNFLOWN = {
     "28": "a subtraction within the function feedback",
     "29": "the function feedback turns the quaternion by a finite rotation, of which (29) is the first order",
     "30": "what the sensors show, no function computes",
-    "31": "the detector flies in Python alone",
-    "32": "the detector flies in Python alone",
+    "31": "the detector has C of its own, stationary_detector, which no model makes",
+    "32": "the detector has C of its own, stationary_detector, which no model makes",
 }
 MAPS = (TRANSFER, HOLD)
