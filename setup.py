@@ -19,9 +19,10 @@ class WithGenerated(build_py):
         if self.editable_mode:
             return
         folder = Path("boresight", "generated")
-        paths = sorted(path for path in folder.rglob("*") if path.is_file() and "__pycache__" not in path.parts)
+        found = (path for path in folder.rglob("*") if path.is_file() and "__pycache__" not in path.parts)
+        paths = sorted(found, key=lambda path: (path.name.partition("_")[2], path))  # alike stands beside alike
         texts = {path.relative_to(folder).as_posix(): path.read_text(encoding="utf-8") for path in paths}
-        packed = lzma.compress(json.dumps(texts, ensure_ascii=False).encode(), preset=6)
+        packed = lzma.compress(json.dumps(texts, ensure_ascii=False).encode(), preset=9 | lzma.PRESET_EXTREME)
         Path(self.build_lib, "boresight", "generated.json.xz").write_bytes(packed)
 
 

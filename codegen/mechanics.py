@@ -484,15 +484,15 @@ def compare_feedback(back: Verdict, moving: Moving, scale: Sequence[Any]) -> Non
         if v.norm is None and len(moves) == 1 and v.name not in other:
             by = float(J[i, moves[0]] / scale[moves[0]])
             back.note(by - sign, EQUAL, f"{name} by {exact.model.x[moves[0]].name}: {by:.6g} stated, {sign} exact")
-        if v.norm is None and len(moves) == 1 and name in ("lat", "lon") and errors[moves[0]] == METRE:
-            by, full = float(J[i, moves[0]] / scale[moves[0]]), sign * radians_per_metre(v, hat, name)
+        level = next((one for key, one in ellipsoid.LEVELS.items() if position(FRAMES[key]).name == v.name), None)
+        if level and v.norm is None and len(moves) == 1 and name in ("lat", "lon") and errors[moves[0]] == METRE:
+            by, full = float(J[i, moves[0]] / scale[moves[0]]), sign * radians_per_metre(level, v, hat, name)
             text = f"{name} by {exact.model.x[moves[0]].name}: {by:.6g} stated, {full:.6g} exact"
             back.note(by / full - 1, ROUND, text)
 
 
-def radians_per_metre(v: Variable, hat: Values, name: str) -> float:
+def radians_per_metre(level: Any, v: Variable, hat: Values, name: str) -> float:
     """How much a latitude or a longitude grows for a metre to the north or the east."""
-    level = next(level for key, level in ellipsoid.LEVELS.items() if position(FRAMES[key]).name == v.name)
     with digits(ellipsoid.WORKING):
         place = Matrix([hat[s] for s in v.symbols])
         by = level.slope(place).inv() * level.axes(place)
