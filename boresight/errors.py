@@ -16,6 +16,7 @@ EXTRAS = {
     "cluster": ("dask", "distributed"),
     "cli": ("typer", "rich"),
     "evidence": ("unicorn", "elftools", "pycparser"),
+    "gpu": ("cuda", "nvidia"),
 }
 
 
