@@ -60,7 +60,10 @@ def test_single_precision_holds_no_double(compiler, tmp_path):
         ("detector->count < settings->window", "detector->count < 1"),
         ("(detector->next + 1) < detector->settings.window", "(detector->next + 1) < DET_MAX_WINDOW"),
         ("(of_gyro == BS_NOT_FINITE) || (of_accel == BS_NOT_FINITE)", "of_accel == BS_NOT_FINITE"),
-        ("detector->count = 0;\n    detector->next = 0;\n    return", "detector->next = 0;\n    return"),
+        (
+            "detector->count = 0; /* [DET-F-003] */\n    detector->next = 0;\n    return",
+            "detector->next = 0;\n    return",
+        ),
         ("settings->window < 2", "settings->window < 1"),
         ("!is_state(detector)", "0"),
     ],

@@ -21,7 +21,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "66b8302597ee85170e67b986f2622ffd9137227fd4a257a1d0143f42e9209f88"
+#define AH_MODEL_HASH "b41e431ed1ca9bd45a8dc54627d64a5e50d39ce036dca0c4f58a4e7f694a5f23"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

@@ -1146,6 +1146,7 @@ static void judge_window(ah_live *live, uint16_t kind, int level)
         { BS_REAL(0.7671), BS_REAL(1.274), BS_REAL(0.03158) },
     };
     const bs_real n = (bs_real)messages[level];
+    const unsigned int bits = 0xFU << (unsigned int)(4 * level);
     unsigned int found = 0U;
     for (int i = 0; i < (int)rows_of[kind]; ++i) {
         const ah_sums *const sums = &live->sums[(int)first_row[kind] + i][level];
@@ -1167,8 +1168,7 @@ static void judge_window(ah_live *live, uint16_t kind, int level)
             }
         }
     }
-    live->unlikely[kind] = (uint16_t)((live->unlikely[kind] & ~(0xFU << (unsigned int)(4 *
-                                                                                       level))) | found);
+    live->unlikely[kind] = (uint16_t)((live->unlikely[kind] & ~bits) | found);
 }
 
 /* An innovation is added to its window, and a window that is full to the next longer one. */

@@ -21,7 +21,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "3ddc4a96f5e2686b430428a4e0f85cca136fc3fffb7cb4a7a30354e98e883a2f"
+#define AHR_MODEL_HASH "af1c492e2b0172f20874a2b3be3fcc295244247710ae6efb116d91288cd04e7d"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

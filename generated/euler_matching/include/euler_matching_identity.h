@@ -21,7 +21,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "a7cbcd0c4f1d1b1404dada09983bb7a90e8077c651d2f06c0d75c71dca01918e"
+#define EM_MODEL_HASH "87e3947595a38490ef745e6c1b7b9974e6ecf22d6c42ee0ed81acc078e59288f"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1

@@ -21,7 +21,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "c9df3810745f72d8d53a11b94f858874aa9bf9b60e6ff7d7f0f137e691f03685"
+#define VA_MODEL_HASH "6b70e84f7018ec8d88f7ba77834b405ccb36cf6c3f99195e4286b0f4bdc9bf46"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

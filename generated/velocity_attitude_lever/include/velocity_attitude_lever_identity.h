@@ -21,7 +21,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "3f9cea87a9690d2b00b0e28b1db0f26bf99ef82a3698fbf1cba986a0fb39823b"
+#define VAL_MODEL_HASH "0a262e266483c188a8aa88d39da2763d277145b147b0cc9e7d654d1d15a4797f"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

@@ -21,7 +21,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "9103611a1a5c437c8217a7a69ad05d3b250a5059585535ea705bfa3433cd672f"
+#define VAS_MODEL_HASH "674d9bac9a6becd4851539bf01ba18752189845bd6c65b45fbd8f9fbf217cb31"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1
