@@ -21,7 +21,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "b41e431ed1ca9bd45a8dc54627d64a5e50d39ce036dca0c4f58a4e7f694a5f23"
+#define AH_MODEL_HASH "236970bf522884e57e76820b7d2abef5d6442ea3be05e6ef4b40b57f155a6e0f"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

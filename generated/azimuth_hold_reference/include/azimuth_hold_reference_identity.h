@@ -21,7 +21,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "af1c492e2b0172f20874a2b3be3fcc295244247710ae6efb116d91288cd04e7d"
+#define AHR_MODEL_HASH "52c6ededa18438882a7301d8c5d2b058d9d90cb550a000089927c2eafc11ee78"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

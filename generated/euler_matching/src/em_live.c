@@ -1111,7 +1111,8 @@ static void watch(em_live *live, uint16_t kind)
     bool full = true;
     for (int i = 0; i < (int)rows_of[kind]; ++i) {
         const int row = (int)first_row[kind] + i;
-        const bs_real e = (((innovation->used >> (unsigned int)i) & 1U) != 0U) ? (innovation->nu[i] / BS_SQRT(innovation->S[i])) : BS_REAL(0.0);
+        const bool used = ((innovation->used >> (unsigned int)i) & 1U) != 0U;
+        const bs_real e = used ? (innovation->nu[i] / BS_SQRT(innovation->S[i])) : BS_REAL(0.0);
         live->sums[row][0].squares += e * e;
         live->sums[row][0].products += e * live->last[row];
         live->sums[row][0].sum += e;

@@ -21,7 +21,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "6b70e84f7018ec8d88f7ba77834b405ccb36cf6c3f99195e4286b0f4bdc9bf46"
+#define VA_MODEL_HASH "4ed60a9e898fdcae2849352481ae5f0edc17fd6904298709d0ec4f1fc3643444"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

@@ -21,7 +21,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "0a262e266483c188a8aa88d39da2763d277145b147b0cc9e7d654d1d15a4797f"
+#define VAL_MODEL_HASH "d69e20d61e2b475939ca70630d5ea62bb981ec8c17a0a91db519dc30701db31c"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

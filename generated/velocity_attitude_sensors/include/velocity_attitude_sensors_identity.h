@@ -21,7 +21,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "674d9bac9a6becd4851539bf01ba18752189845bd6c65b45fbd8f9fbf217cb31"
+#define VAS_MODEL_HASH "179587795f994d80d02f99ebe539080dc44b5e0c1b3d51f52a2e4052af525699"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1

@@ -21,7 +21,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "11bda3f6e8e5fa530c2503b4f8989001c7727af634f359003aa86ba8ca8215f4"
+#define VD_MODEL_HASH "fdf1b445e4a4c851f3161c26fd328ed0001bc4288700a80b380b61071ed3df35"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1
