@@ -133,11 +133,15 @@ def test_the_progress_counts_the_functions_of_all_models():
 
 
 INTERRUPTED = """
+import time
 from boresight.codegen.verify import verify
 from boresight.runtime import compiler
 compiler.FLAGS = {}
+def begun(*_):
+    print("begun", flush=True)
+    time.sleep(60)  # it does not end before the interrupt comes, which may take its time
 try:
-    verify("euler-matching", points=10_000, progress=lambda *_: print("begun", flush=True))
+    verify("euler-matching", points=10_000, progress=begun)
 except KeyboardInterrupt:
     print("interrupted")
 """
