@@ -411,6 +411,13 @@ def evidence_page(source: layout.Source, known: Trace, folder: Folder) -> None:
 
     by_unit, rest = body.split("</table>", 1)
     by_unit = re.sub(r"<tr><td><code>(\w+)</code></td>", placed, by_unit)
+    before, heading, behind = rest.partition("<h2>Requirements</h2>")
+    listed, _, after = behind.partition("<h2>")
+    rest = before
+    if heading:  # some hundred: a page of their own
+        there, top = f"models/{folder.name}-requirements", f"{ORPHAN}# {folder.manifest['model']}: requirements\n\n"
+        source.write(there, f"{top}Of [its evidence]({folder.name}-evidence.md).\n\n{raw(known.linked(listed, there))}")
+        rest += f'{heading}<p><a href="{folder.name}-requirements.html">On a page of their own</a></p><h2>{after}'
     body = raw(by_unit + "</table>" + known.linked(rest, here))
     source.write(here, f"{ORPHAN}# {folder.manifest['model']}: evidence\n\n[The model]({folder.name}.md).\n\n{body}")
 
