@@ -133,10 +133,12 @@ def test_the_progress_counts_the_functions_of_all_models():
 
 
 INTERRUPTED = """
+import signal
 import time
 from boresight.codegen.verify import verify
 from boresight.runtime import compiler
 compiler.FLAGS = {}
+signal.signal(signal.SIGINT, signal.default_int_handler)  # which is ignored in what a shell runs behind it
 def begun(*_):
     print("begun", flush=True)
     time.sleep(60)  # it does not end before the interrupt comes, which may take its time
