@@ -194,18 +194,16 @@ def exported(
     files |= identity
     of = Folder(folder)
     found = {} if unproven else proof.kept(of, results)
-    if form not in ("", FORM_OF[precision]):
+    other_form = form not in ("", FORM_OF[precision])
+    if other_form:
         found = of_every_form(of, found)
     why = "" if found else unproven or (OTHER_EVIDENCE if (results or proof.place(of)).is_file() else NO_EVIDENCE)
-    make = (
-        MAKE_FORM
-        if form not in ("", FORM_OF[precision])
-        else MAKE_PART
-        if results
-        else MAKE.format(target)
-        if ":" in target
-        else MADE_HERE.format(folder.name)
-    )
+    if other_form:
+        make = MAKE_FORM
+    elif results:
+        make = MAKE_PART
+    else:
+        make = MAKE.format(target) if ":" in target else MADE_HERE.format(folder.name)
     page = proof.page_view(of, found, why, make)
     if page["lowest"]["golden"] < proof.Verdict.LISTED:
         check_self_test(files, precision)

@@ -12,7 +12,7 @@ from boresight.runtime.array import Array
 from boresight.runtime.calibration import Calibration
 from boresight.runtime.clock import Clock
 from boresight.runtime.library import Library, load
-from boresight.runtime.live import Fate, Live
+from boresight.runtime.live import Fate, Layout, Live
 from boresight.runtime.recording.check import check
 from boresight.runtime.recording.types import Inertial, Master, Recording
 from boresight.runtime.transfer.start import Increments, Message, first, straight
@@ -115,12 +115,11 @@ class Driver:
         self.rates, self.calibration = rates, calibration or Calibration()
         self.clock = None if interval_s is None else Clock(interval_s)
         limits = {} if full_scale is None else {"full_scale": np.repeat(np.asarray(full_scale, float), 3)}
-        probe = Live(self.library)
-        known = {name for name in constants if probe.layout.owner(probe.layout.rules, name)}
-        self.live = Live(self.library, {**limits, **(rules or {})}, **{name: constants[name] for name in known})
-        fields = (name for s in self.live.layout.described["rules"] for name in self.library.layout[s])
+        fields = [name for s in Layout(self.library).described["rules"] for name in self.library.layout[s]]
+        of_rules = {name: constants[name] for name in fields if name in constants}
+        self.live = Live(self.library, {**limits, **(rules or {})}, **of_rules)
         self.constants = {name: straight(self.library, name) for name in fields} | constants
-        self.of_message = {name: value for name, value in constants.items() if name not in known}
+        self.of_message = {name: value for name, value in constants.items() if name not in of_rules}
         self.check_s, self.flying = check_s, False
         self._past: deque[tuple[float, float, Array, Array]] = deque()
         self._messages: list[Message] = []
@@ -253,8 +252,9 @@ class Driver:
         columns = [np.array(part) for part in zip(*self._past, strict=True)]
         nav, P = first(message, self.library, self.constants, sigmas=self.sigmas, estimates=self.estimates,
                        increments=Increments(*columns))  # fmt: skip
-        carried = {name for s, _ in self.live.layout.carried._fields_ for name in self.library.layout[s]}
-        self.live.begin(round(1e6 * self._past[-1][1]), {n: v for n, v in nav.items() if n in carried}, P=P)
+        layout = self.live.layout
+        carried = {name: value for name, value in nav.items() if layout.owner(layout.carried, name)}
+        self.live.begin(round(1e6 * self._past[-1][1]), carried, P=P)
         self.flying, self._messages = True, []
         self._past.clear()
 
