@@ -16,7 +16,19 @@ static inline uint64_t multiplied(uint64_t a, uint64_t b, uint64_t *upper)
     *upper = (uint64_t)(both >> 64);
     return (uint64_t)both;
 }
+static inline words taken(const uint64_t *from)
+{
+    words w;
+    memcpy(&w, from, sizeof w);
+    return w;
+}
+static inline void put(bs_lanes x, double *to)
+{
+    memcpy(to, &x, sizeof x);
+}
 #define GROUPS 16 /* of eight words, made at a time */
+#define ROLLED
+#define ROLLED_BY_TWO
 #endif
 
 void boresight_words(uint64_t seed, const uint64_t *run, size_t runs, uint64_t stream, uint64_t first, size_t count,
@@ -31,6 +43,7 @@ static inline void philox(uint64_t seed, uint64_t run, uint64_t stream, uint64_t
     uint64_t b = 0U;
     uint64_t c = 0U;
     uint64_t d = stream;
+    ROLLED
     for (int round = 0; round < 10; ++round) {
         uint64_t left;
         uint64_t right;
@@ -83,9 +96,9 @@ static void transform(const uint64_t word[8], double normal[16])
                                       0.0001984126982946497, -0.008333333333321924, 0.1666666666666663 };
     static const double of_cosine[] = { -1.1358764866516342e-11, 2.0875705689505815e-09, -2.7557314219059267e-07,
                                         2.4801587289008097e-05, -0.0013888888888873348, 0.041666666666666595 };
+    ROLLED_BY_TWO
     for (int i = 0; i < 8; i += BORESIGHT_LANES) {
-        words w;
-        memcpy(&w, &word[i], sizeof w);
+        const words w = taken(&word[i]);
         /* u, in the middle between two multiples of 2^-40, is 2^k (1 + f), with 1 + f from sqrt(1/2) to sqrt(2) */
         const bs_lanes u = AS_LANES(((w >> 12U) & 0x000FFFFFFFFFF000U) | 0x3FF0000000000800U) - 1.0;
         const words above = AS_WORDS(u) + (0x3FF0000000000000U - 0x3FE6A09E667F3BCDU);
@@ -99,10 +112,8 @@ static void transform(const uint64_t word[8], double normal[16])
         const bs_lanes sine = angle - ((angle * y) * polynomial(of_sine, 6, y));
         const bs_lanes cosine = 1.0 - (y * (0.5 - (y * polynomial(of_cosine, 6, y))));
         const bs_bits across = -(bs_bits)((w >> 22U) & 1U);
-        const bs_lanes one = radius * bs_choose(across, sine, cosine);
-        const bs_lanes other = radius * bs_choose(across, cosine, sine);
-        memcpy(&normal[i], &one, sizeof one);
-        memcpy(&normal[8 + i], &other, sizeof other);
+        put(radius * bs_choose(across, sine, cosine), &normal[i]);
+        put(radius * bs_choose(across, cosine, sine), &normal[8 + i]);
     }
 }
 
@@ -131,3 +142,32 @@ void boresight_normals(uint64_t seed, const uint64_t *run, size_t runs, uint64_t
         }
     }
 }
+
+#ifdef BORESIGHT_ONE_LANE
+/* The group that the next number begins. */
+static APART void draw(boresight_numbers *numbers)
+{
+    uint64_t word[8];
+    const uint64_t block = 2U * (numbers->next / 16U);
+    ROLLED
+    for (uint64_t i = 0U; i < 2U; ++i) {
+        philox(numbers->seed, numbers->run, numbers->stream, block + i + 1U, &word[4U * i]);
+    }
+    transform(word, numbers->held);
+}
+
+void boresight_next(boresight_numbers *numbers, size_t count, double *out, const double *scale, const double *offset)
+{
+    for (size_t i = 0U; i < count; ++i) {
+        const size_t k = (size_t)(numbers->next % 16U);
+        if (k == 0U) {
+            draw(numbers);
+        }
+        out[i] = numbers->held[k];
+        ++numbers->next;
+    }
+    for (size_t i = 0U; i < count; ++i) {
+        out[i] = (out[i] * scale[i]) + offset[i];
+    }
+}
+#endif

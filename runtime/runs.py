@@ -30,6 +30,7 @@ import numpy as np
 from boresight.errors import BoresightError, did_you_mean
 from boresight.runtime.arguments import whole
 from boresight.runtime.array import Array
+from boresight.runtime.gpu.text import HEADERS
 from boresight.runtime.library import Library, load
 from boresight.runtime.manifest import folder_of, read_manifest
 from boresight.runtime.store import BLOCK, Store
@@ -241,7 +242,8 @@ def _identity(experiment: Experiment, manifest: Mapping[str, Any], seed: int) ->
     except (OSError, TypeError):  # typed at a prompt
         code = ""
     if experiment.in_c is not None:
-        code += _source(experiment).read_text()
+        beside = (*HEADERS, _source(experiment).parent)
+        code += "".join(file.read_text() for place in beside for file in sorted(place.glob("*.[ch]")))
     contents = json.dumps(manifest["files"], sort_keys=True)
     identity = {
         "experiment": experiment.name,

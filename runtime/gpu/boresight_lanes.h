@@ -7,9 +7,20 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "run.h"
+
 #define BORESIGHT_ONE_LANE
 #define BORESIGHT_LANES 1
 #define GROUPS 1 /* of random numbers, in a thread's own memory */
+#ifdef __CUDACC_RTC__
+#define ROLLED _Pragma("unroll 1") /* what is long does not fit into the instruction cache */
+#define ROLLED_BY_TWO _Pragma("unroll 2")
+#define APART __noinline__
+#else
+#define ROLLED
+#define ROLLED_BY_TWO
+#define APART
+#endif
 #define BS_INLINE static inline
 
 typedef double bs_lanes;
@@ -28,6 +39,16 @@ static inline words AS_WORDS(bs_lanes x)
     words w;
     memcpy(&w, &x, sizeof w);
     return w;
+}
+
+static inline words taken(const uint64_t *from)
+{
+    return *from;
+}
+
+static inline void put(bs_lanes x, double *to)
+{
+    *to = x;
 }
 
 /* The lower half of the product. */

@@ -27,6 +27,19 @@ void boresight_words(uint64_t seed, const uint64_t *run, size_t runs, uint64_t s
 void boresight_normals(uint64_t seed, const uint64_t *run, size_t runs, uint64_t stream, uint64_t first, size_t count,
                        double *out, ptrdiff_t run_stride, ptrdiff_t stride, const double *scale, const double *offset);
 
+/* Normal numbers of a run one after the other, those of boresight_normals from number 0 on; made sixteen at a time.
+ * Begins as { seed, run, stream, 0U, { 0.0 } }. */
+typedef struct {
+    uint64_t seed;
+    uint64_t run;
+    uint64_t stream;
+    uint64_t next;   /* the number of the next one */
+    double held[16]; /* those of the group that it is in */
+} boresight_numbers;
+
+/* The next `count`, each times its scale and plus its offset. */
+void boresight_next(boresight_numbers *numbers, size_t count, double *out, const double *scale, const double *offset);
+
 #ifdef __cplusplus
 }
 #endif

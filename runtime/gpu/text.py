@@ -19,29 +19,45 @@ from boresight.runtime.compiler import PRECISIONS, open_library, shared_library
 from boresight.runtime.manifest import read_manifest
 
 HERE = Path(__file__).parent
-OWN = (HERE.parent / "random.c", HERE / "runs.c")
+HEADERS = (HERE, HERE.parent / "simulation")
+NUMBERS, RUNS = HERE.parent / "random.c", HERE / "runs.c"
+OWN = (NUMBERS, RUNS)
 INCLUDE = re.compile(r'^#include ([<"])([\w.]+)[>"].*\n', re.MULTILINE)
 LEFT_OUT = ("_live.c", "_digest.c")  # the live loop does not fly on a GPU yet
-# Functions stand once, out of line, on a GPU: all of them in one take its compiler minutes.
-PROTOTYPE = re.compile(r"^(?:bs_\w+|void|size_t|int) \w+\([^;{}]*\);", re.MULTILINE)
-INSIDE = "#ifdef __CUDACC_RTC__\n#undef BS_INSIDE\n#define BS_INSIDE static __noinline__\n#endif\n"
+# Functions stand once, out of line, on a GPU: all of them in one take its compiler minutes.  The strapdown, which flies
+# most often, stands where it is called, but for its sines.
+PROTOTYPE = re.compile(r"^(?:bs_\w+|void|size_t|int) (?!BS_|\w+_strapdown\()\w+\([^;{}]*\);", re.MULTILINE)
+INSIDE = """#ifdef __CUDACC_RTC__
+#undef BS_INSIDE
+#define BS_INSIDE static __noinline__
+static __noinline__ int bs_reduce_large(bs_real angle, bs_real *rest, bs_real *tail);
+static __noinline__ void bs_sincos(bs_real angle, bs_real *sine, bs_real *cosine);
+#endif
+"""
 
 
-def sources(folder: Path, experiment: Path) -> list[Path]:
-    """The C of the model, of random numbers, and of the experiment."""
+def sources(folder: Path, *own: Path) -> list[Path]:
+    """The C of the model, of random numbers, and these."""
     files = read_manifest(folder)["files"]
     model = [folder / name for name in files if re.fullmatch(r"src/.*\.c", name) and not name.endswith(LEFT_OUT)]
-    return [*sorted(model), *OWN, experiment]
+    return [*sorted(model), NUMBERS, *own]
+
+
+def host(folder: Path, experiment: Path, precision: str = "double") -> ctypes.CDLL:
+    """The library of the host that flies runs, as C99 and scalar."""
+    return library(folder, RUNS, experiment, precision=precision)
 
 
 @functools.cache
-def host(folder: Path, experiment: Path, precision: str = "double") -> ctypes.CDLL:
-    """The library of the host, as C99 and scalar."""
-    own = *OWN, experiment, *sorted(HERE.glob("*.h"))
+def library(folder: Path, *own: Path, precision: str = "double") -> ctypes.CDLL:
+    """The C of a model, of random numbers and of these files, for the host."""
+    places = dict.fromkeys((*HEADERS, *(file.parent for file in own)))
+    read = NUMBERS, *own, *(header for place in places for header in sorted(place.glob("*.h")))
     contents = json.dumps(read_manifest(folder)["files"], sort_keys=True)
-    contents += "".join(hashlib.sha256(file.read_bytes()).hexdigest() for file in own)
-    each = dict.fromkeys(sources(folder, experiment), ("-I", HERE))
-    name = f"{folder.name}-{experiment.stem}-{precision}"
+    contents += "".join(hashlib.sha256(file.read_bytes()).hexdigest() for file in read)
+    flags = tuple(flag for place in places for flag in ("-I", place))
+    name = f"{folder.name}-{own[-1].stem}-{precision}"
+    each = dict.fromkeys(sources(folder, *own), flags)
     return open_library(*shared_library(name, contents, each, folder / "include", PRECISIONS[precision]))
 
 
@@ -58,7 +74,7 @@ def fly(library: ctypes.CDLL, given: Array, seed: int, runs: range, columns: int
 def device(folder: Path, experiment: Path, precision: str = "double") -> str:
     """The text: C++ for NVRTC, and for a C++ compiler of the host behind its own standard headers."""
     headers: dict[Path, str] = {}
-    bodies = [(file, _expanded(file, folder, headers)) for file in sources(folder, experiment)]
+    bodies = [(file, _expanded(file, folder, headers)) for file in sources(folder, RUNS, experiment)]
     parts = ["#define BORESIGHT_FLOAT\n" * (precision == "float"), "#ifdef __CUDACC_RTC__\n"]
     parts += [(HERE / "device.h").read_text(), "#endif\n"]
     for file, body in headers.items():
@@ -77,7 +93,11 @@ def _expanded(file: Path, folder: Path, headers: dict[Path, str]) -> str:
     for mark, name in INCLUDE.findall(text):
         if mark == "<":
             continue
-        found = [place / name for place in (HERE, folder / "include", folder / "src") if (place / name).is_file()]
+        found = [
+            place / name
+            for place in (*HEADERS, file.parent, folder / "include", folder / "src")
+            if (place / name).is_file()
+        ]
         if not found:
             raise BoresightError(f"{file} includes {name}, which is neither of {folder} nor of Boresight")
         if found[0] not in headers:

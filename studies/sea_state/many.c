@@ -1,47 +1,11 @@
 /* many.c - one run of `boresight many`: a slave's filter at sea from its start to its final errors, in the C of
  * velocity-attitude.  Operation by operation the same as many.py and matching.py, which fly many runs side by side. */
-#include "boresight_math.h"
-#include "velocity_attitude_filter.h"
-
 #include "run.h"
+#include "sea.h"
 
 #define MIL 0.0009817477042468104 /* rad */
 
-enum { NODES = 6, MOST_SAMPLES = 100, MOST_SPAN = 16, FEW = 20, SLAVE = 0, MASTER = 1, DELAY = 2, ALL = 6, PARTS = 7 };
-
-/* What `given` begins with; numbers of doubles. */
-typedef struct {
-    double updates;
-    double settled; /* updates before NIS counts */
-    double samples; /* of an update */
-    double span;    /* samples of a rate */
-    double seas;
-    double together; /* runs of one sea that are neighbours */
-    double dt;
-    double gravity;
-    double delay_ms[2]; /* the least, and how much more at most */
-    double bias[ALL];   /* sigmas */
-    double velocity_noise;
-    double attitude_noise;
-    double lever[3];
-    double gyro_noise[3];
-    double accel_noise[3];
-    double mu_noise[3];
-    double R[ALL]; /* of the attitude, of the velocity */
-    double walk[ALL * MOST_SAMPLES]; /* sigmas of samples */
-} common;
-
-/* Of a sea, behind that: these, and behind them the master's velocity and attitude (NODES, updates + 1, PARTS), then for each
- * update its true samples from the newest to the oldest (updates, samples, ALL). */
-typedef struct {
-    double P[VA_N_STATES * VA_N_STATES];
-    double position[3]; /* of the slave, at the start */
-    double swing[3];    /* of the slave's velocity by the lever arm, at the start */
-    double v_n[3];      /* at the end */
-    double q_b2n[4];
-    double q_b2m[4];
-    double delays[NODES];
-} sea;
+enum { MOST_SPAN = 16, FEW = 20 };
 
 /* A run as it flies. */
 typedef struct {
@@ -56,7 +20,13 @@ typedef struct {
     double weight[NODES]; /* of the master's poses, for this run's delay */
     double delay;
     double nis;
-    double sample[(MOST_SAMPLES + 1) * ALL]; /* from the newest to the oldest, and the one before */
+    double drawn[DRAWN * ALL]; /* samples, in each the components from the last to the first */
+    va_increments increments;
+    double recent[2 * MOST_SPAN * ALL]; /* samples at the end of an update, from the newest on */
+    double few[3][FEW];                 /* forces of some samples, so many apart, from the newest on */
+    size_t spacing;
+    size_t n_few;
+    size_t left; /* of the few, still to come in this update */
     bs_real P[VA_N_STATES * VA_N_STATES]; /* at the start, and at the end */
     va_filter filter;
 } flight;
@@ -75,69 +45,6 @@ static double sum(double *value, size_t n)
         n = half;
     }
     return value[0];
-}
-
-static void cross(const double a[3], const double b[3], double out[3])
-{
-    out[0] = (a[1] * b[2]) - (a[2] * b[1]);
-    out[1] = (a[2] * b[0]) - (a[0] * b[2]);
-    out[2] = (a[0] * b[1]) - (a[1] * b[0]);
-}
-
-/* C of q times a vector. */
-static void turned(const double q[4], const double vector[3], double out[3])
-{
-    double twice[3];
-    double more[3];
-    cross(&q[1], vector, twice);
-    for (int i = 0; i < 3; ++i) {
-        twice[i] = 2.0 * twice[i];
-    }
-    cross(&q[1], twice, more);
-    for (int i = 0; i < 3; ++i) {
-        out[i] = (vector[i] + (q[0] * twice[i])) + more[i];
-    }
-}
-
-static void normal(double q[4])
-{
-    const double norm = sqrt((((q[0] * q[0]) + (q[1] * q[1])) + (q[2] * q[2])) + (q[3] * q[3]));
-    for (int i = 0; i < 4; ++i) {
-        q[i] = q[i] / norm;
-    }
-}
-
-static void convert(const double *from, bs_real *to, int n)
-{
-    for (int i = 0; i < n; ++i) {
-        to[i] = (bs_real)from[i];
-    }
-}
-
-static void widen(const bs_real *from, double *to, int n)
-{
-    for (int i = 0; i < n; ++i) {
-        to[i] = (double)from[i];
-    }
-}
-
-/* The turn that removes the error of an attitude, (3) rad, as rotation.attitude_error. */
-static void attitude_error(const bs_real hat[4], const double q[4], double error[3])
-{
-    double p[4];
-    widen(hat, p, 4);
-    double w = (((q[0] * p[0]) + (q[1] * p[1])) + (q[2] * p[2])) + (q[3] * p[3]);
-    const double v[3] = { (((q[1] * p[0]) - (q[0] * p[1])) + (q[3] * p[2])) - (q[2] * p[3]),
-                          (((q[2] * p[0]) - (q[0] * p[2])) + (q[1] * p[3])) - (q[3] * p[1]),
-                          (((q[3] * p[0]) - (q[0] * p[3])) + (q[2] * p[1])) - (q[1] * p[2]) };
-    const double sign = (w < 0.0) ? -2.0 : 2.0;
-    w = (w < 0.0) ? -w : w;
-    const double length = sqrt(((v[0] * v[0]) + (v[1] * v[1])) + (v[2] * v[2]));
-    const double scale = sign * ((length < (1e-8 * w)) ? (1.0 / w)
-                                                       : ((double)bs_atan2((bs_real)length, (bs_real)w) / length));
-    for (int i = 0; i < 3; ++i) {
-        error[i] = scale * v[i];
-    }
 }
 
 /* e' P^-1 e by P = L D L'; below the diagonal P becomes L. */
@@ -211,15 +118,7 @@ static void report(const flight *f, size_t update, double v[3], double q[4])
         turn[1 + i] = (f->all->attitude_noise * drawn[3 + i]) / 2.0;
     }
     normal(turn);
-    const double a = turn[0];
-    const double b = turn[1];
-    const double c = turn[2];
-    const double d = turn[3];
-    const double *const p = &pose[3];
-    q[0] = (((a * p[0]) - (b * p[1])) - (c * p[2])) - (d * p[3]);
-    q[1] = (((a * p[1]) + (b * p[0])) + (c * p[3])) - (d * p[2]);
-    q[2] = (((a * p[2]) - (b * p[3])) + (c * p[0])) + (d * p[1]);
-    q[3] = (((a * p[3]) + (b * p[2])) - (c * p[1])) + (d * p[0]);
+    hull_product(turn, &pose[3], q);
 }
 
 /* The delay, the biases and the first report; the filter begins. */
@@ -247,7 +146,7 @@ static bs_status begin(flight *f)
     }
     boresight_normals(f->seed, &f->run, 1U, MASTER, 0U, ALL, bias, 0, 1, all->bias, none);
     report(f, 0U, v, q);
-    turned(q, f->true_->swing, swing);
+    hull_turned(q, f->true_->swing, swing);
     for (int i = 0; i < 3; ++i) {
         nav.v_n[i] = (bs_real)(v[i] + swing[i]);
     }
@@ -263,39 +162,66 @@ static bs_status begin(flight *f)
     return va_filter_init(&f->filter, &nav, f->P);
 }
 
-/* The strapdown over samples `from` to `to`, counted from the oldest. */
-static bs_status strap(flight *f, size_t from, size_t to)
-{
-    va_corrected_imu imu = { { 0 }, { 0 }, 0 };
-    va_increments increments;
-    bs_status status = BS_OK;
-    imu.dt = (bs_real)f->all->dt;
-    for (size_t i = from; (i < to) && (status == BS_OK); ++i) {
-        const double *const now = &f->sample[ALL * (f->samples - 1U - i)];
-        convert(&now[0], increments.dtheta_ib_b, 3);
-        convert(&now[3], increments.dv_b, 3);
-        convert(&now[ALL], increments.dtheta_before, 3);
-        convert(&now[ALL + 3], increments.dv_before, 3);
-        status = va_filter_strapdown(&f->filter, &imu, &increments);
-    }
-    return status;
-}
-
-/* The covariance over the whole interval, with the mean of the force over it. */
-static bs_status predict(flight *f)
+/* The next sample, noise and all, and the strapdown over it. */
+static bs_status strap(flight *f, size_t update, size_t i)
 {
     const common *const all = f->all;
-    const size_t step = ((f->samples / 10U) > 1U) ? (f->samples / 10U) : 1U;
+    const size_t k = (update * f->samples) + i;
+    const size_t old = (f->samples - 1U) - i; /* samples behind it in this update */
+    const size_t step = f->spacing;
+    va_corrected_imu imu = { { 0 }, { 0 }, 0 };
+    va_increments *const increments = &f->increments;
+    const double *const sample = &f->drawn[ALL * (k % DRAWN)];
+    for (int c = 0; c < 3; ++c) {
+        increments->dtheta_before[c] = increments->dtheta_ib_b[c];
+        increments->dv_before[c] = increments->dv_b[c];
+    }
+    if ((k % DRAWN) == 0U) {
+        const size_t left = (f->updates * f->samples) - k;
+        boresight_normals(f->seed, &f->run, 1U, SLAVE, ALL * k, ALL * ((left < DRAWN) ? left : DRAWN), f->drawn, 0, 1,
+                          all->walk, &f->ideal[ALL * k]);
+    }
+    for (int c = 0; c < 3; ++c) {
+        increments->dtheta_ib_b[c] = (bs_real)sample[5 - c];
+        increments->dv_b[c] = (bs_real)sample[2 - c];
+    }
+    for (int c = 0; (c < 3) && (k == 0U); ++c) { /* nothing is known before the first */
+        increments->dtheta_before[c] = increments->dtheta_ib_b[c];
+        increments->dv_before[c] = increments->dv_b[c];
+    }
+    for (int c = 0; (c < ALL) && (old < (2U * (size_t)all->span)); ++c) {
+        f->recent[(ALL * old) + (size_t)c] = sample[5 - c];
+    }
+    if ((f->left > 0U) && (old == ((step / 2U) + ((f->left - 1U) * step)))) {
+        --f->left;
+        for (int c = 0; c < 3; ++c) {
+            f->few[c][f->left] = sample[2 - c];
+        }
+    }
+    imu.dt = (bs_real)all->dt;
+    return va_filter_strapdown(&f->filter, &imu, increments);
+}
+
+/* The covariance over the whole interval, with the mean of the force over it; half of its samples are still to come. */
+static bs_status predict(flight *f, size_t update)
+{
+    const common *const all = f->all;
+    const size_t half = f->samples / 2U;
     va_corrected_imu imu = { { 0 }, { 0 }, 0 };
     va_noise noise = { { 0 }, { 0 }, { 0 }, { 0 }, { 0 }, 0 };
-    for (size_t i = 0U; i < 3U; ++i) {
-        double few[FEW]; /* 10 to 19 of the samples */
-        size_t n = 0U;
-        for (size_t k = step / 2U; k < f->samples; k += step) {
-            few[n] = f->sample[(ALL * k) + 3U + i];
-            ++n;
+    for (size_t n = 0U; n < f->n_few; ++n) {
+        const size_t old = (f->spacing / 2U) + (n * f->spacing);
+        if (old < (f->samples - half)) {
+            const size_t k = ALL * ((update * f->samples) + ((f->samples - 1U) - old));
+            double force[3];
+            boresight_normals(f->seed, &f->run, 1U, SLAVE, k, 3U, force, 0, 1, all->walk, &f->ideal[k]);
+            for (int c = 0; c < 3; ++c) {
+                f->few[c][n] = force[2 - c];
+            }
         }
-        imu.f_b[i] = (bs_real)((sum(few, n) / ((double)n * all->dt)) - f->filter.nav.accel_bias[i]);
+    }
+    for (int c = 0; c < 3; ++c) {
+        imu.f_b[c] = (bs_real)((sum(f->few[c], f->n_few) / ((double)f->n_few * all->dt)) - f->filter.nav.accel_bias[c]);
     }
     imu.dt = (bs_real)((double)f->samples * all->dt);
     convert(all->gyro_noise, noise.gyro_noise, 3);
@@ -321,8 +247,8 @@ static void moving(const flight *f, double omega[3], double a_n[3])
         double later[MOST_SPAN];
         double earlier[MOST_SPAN];
         for (size_t k = 0U; k < span; ++k) {
-            later[k] = f->sample[(ALL * k) + i];
-            earlier[k] = f->sample[(ALL * (span + k)) + i];
+            later[k] = f->recent[(ALL * k) + i];
+            earlier[k] = f->recent[(ALL * (span + k)) + i];
         }
         const double last = sum(later, span) / length;
         change[i] = last - (sum(earlier, span) / length);
@@ -333,14 +259,14 @@ static void moving(const flight *f, double omega[3], double a_n[3])
         force[i] = rates[3 + i] - (double)f->filter.nav.accel_bias[i];
         alpha[i] = change[i] / length;
     }
-    cross(alpha, all->lever, across);
-    cross(omega, all->lever, a_n);
-    cross(omega, a_n, twice);
+    hull_cross(alpha, all->lever, across);
+    hull_cross(omega, all->lever, a_n);
+    hull_cross(omega, a_n, twice);
     for (int i = 0; i < 3; ++i) {
         force[i] = (force[i] - across[i]) - twice[i];
     }
     widen(f->filter.nav.q_b2n_wxyz, q, 4);
-    turned(q, force, a_n);
+    hull_turned(q, force, a_n);
     a_n[2] = a_n[2] + all->gravity;
 }
 
@@ -380,26 +306,17 @@ static bs_status match(flight *f, size_t update, double *nis)
 /* From one update to the next. */
 static bs_status fly(flight *f, size_t update)
 {
-    const size_t samples = f->samples;
     double nis = 0.0;
-    double *const before = &f->sample[ALL * samples];
-    for (size_t i = 0U; i < ALL; ++i) {
-        before[i] = f->sample[i];
-    }
-    boresight_normals(f->seed, &f->run, 1U, SLAVE, ALL * samples * (update - 1U), ALL * samples, f->sample, 0, 1,
-                      f->all->walk, &f->ideal[(update - 1U) * samples * ALL]);
-    if (update == 1U) { /* nothing is known before the first */
-        for (size_t i = 0U; i < ALL; ++i) {
-            before[i] = f->sample[(ALL * (samples - 1U)) + i];
+    bs_status status = BS_OK;
+    f->left = f->n_few;
+    for (size_t i = 0U; (i < f->samples) && (status == BS_OK); ++i) {
+        if (i == (f->samples / 2U)) { /* in the middle, where the covariance is linearised */
+            status = predict(f, update - 1U);
+            status = bs_good(status) ? BS_OK : status;
         }
-    }
-    /* the covariance takes its step in the middle, where it is linearised */
-    bs_status status = strap(f, 0U, samples / 2U);
-    if (status == BS_OK) {
-        status = predict(f);
-    }
-    if (bs_good(status)) {
-        status = strap(f, samples / 2U, samples);
+        if (status == BS_OK) {
+            status = strap(f, update - 1U, i);
+        }
     }
     if (status == BS_OK) {
         status = match(f, update, &nis);
@@ -412,6 +329,7 @@ static bs_status fly(flight *f, size_t update)
 
 int boresight_run(const double *given, uint64_t seed, uint64_t run, double *row)
 {
+    static const va_increments nothing = { { 0 }, { 0 }, { 0 }, { 0 } };
     const common *const all = (const common *)given;
     const size_t updates = (size_t)all->updates;
     const size_t samples = (size_t)all->samples;
@@ -430,6 +348,9 @@ int boresight_run(const double *given, uint64_t seed, uint64_t run, double *row)
     f.updates = updates;
     f.samples = samples;
     f.nis = 0.0;
+    f.spacing = ((samples / 10U) > 1U) ? (samples / 10U) : 1U;
+    f.n_few = (((samples - 1U) - (f.spacing / 2U)) / f.spacing) + 1U; /* 10 to 19 */
+    f.increments = nothing;
     bs_status status = begin(&f);
     for (size_t update = 1U; (update <= updates) && bs_good(status); ++update) {
         status = fly(&f, update);

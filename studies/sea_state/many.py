@@ -7,11 +7,12 @@ each run is the delay, the biases and all noise.  An interval of the runner is o
 """
 
 import ctypes
-from dataclasses import dataclass, field, replace
-from functools import cache, lru_cache
+import math
+from dataclasses import astuple, dataclass, field
+from decimal import Decimal
+from functools import lru_cache
 from itertools import pairwise
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -20,18 +21,23 @@ from boresight.runtime import random
 from boresight.runtime.array import Array
 from boresight.runtime.gpu import text
 from boresight.runtime.library import Library, load
+from boresight.runtime.manifest import folder_of
 from boresight.runtime.runs import Experiment
-from boresight.runtime.simulation import hull, sensors
+from boresight.runtime.simulation import hull
+from boresight.runtime.status import Status
 from boresight.runtime.units import DEG, HOUR, MILLI_G
 from boresight.studies.sea_state import flight as at_sea
 from boresight.studies.sea_state.matching import GRAVITY, SPAN_S, Matching, swing_variance, turned
 
 MODEL = "velocity-attitude"
 SEAS, TOGETHER = 32, 256
+DRAWN = 8  # samples at a time, in C: the numbers of three groups
 NODES = 6  # of the polynomial by which the master's pose depends on the delay
 SLAVE, MASTER, DELAY = 0, 1, 2  # streams of random numbers of a run
 NAV = ("lat_lon_height", "v_n", "q_b2n_wxyz", "gyro_bias", "accel_bias", "q_b2m_wxyz", "tau")
-SOURCE, MOST_SAMPLES, MOST_SPAN = Path(__file__).with_name("many.c"), 100, 16
+SOURCE, TRUTH, MOST_SPAN = Path(__file__).with_name("many.c"), Path(__file__).with_name("truth.c"), 16
+OF_SEA = {"P": (16, 16), "position": (3,), "swing": (3,), "v_n": (3,), "q_b2n_wxyz": (4,), "q_b2m_wxyz": (4,),
+          "delays": (NODES,)}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -71,60 +77,49 @@ def experiment(sea: Sea) -> Experiment:
 
 @dataclass(frozen=True)
 class Shared:
-    """What is true for all runs of one sea.  N samples, U updates."""
+    """What is true for all runs of one sea, as truth.c writes it and many.c reads it.  N samples, U updates."""
 
-    dtheta: Array  # (N, 3) rad
-    dv: Array  # (N, 3) m/s
-    position: Array  # (U + 1, 3) of the slave
-    v_n: Array  # (3,) m/s of the slave, at the end
-    q_b2n_wxyz: Array  # (4,)
-    q_b2m_wxyz: Array  # (4,)
-    delays: Array  # (NODES,) s, at which the master's pose is known
-    master: Array  # (NODES, U + 1, 7): v_n and q_m2n_wxyz
-    P: Array  # (16, 16) with which a filter begins
+    numbers: Array  # all that follows
+    updates: int
 
+    def __post_init__(self) -> None:
+        at = 0
+        for name, shape in OF_SEA.items():
+            size = math.prod(shape)
+            object.__setattr__(self, name, self.numbers[at : at + size].reshape(shape))
+            at += size
+        poses = NODES * (self.updates + 1) * 7
+        object.__setattr__(self, "master", self.numbers[at : at + poses].reshape(NODES, -1, 7))
+        object.__setattr__(self, "ideal", self.numbers[at + poses :].reshape(self.updates, -1))
 
-class Summed(hull.Harmonics):
-    """Wave after wave: a product of matrices has other last bits with another number of threads."""
-
-    def at(self, time: Any) -> Array:
-        time = np.asarray(time, float)
-        if time.ndim == 1:
-            time = time.reshape(-1, *[1] * (self.amplitude.ndim - 2))
-        total: Array = np.zeros(1)
-        for k in range(self.omega.shape[-1]):
-            angle, part = time * self.omega[..., k], self.amplitude[..., k]
-            total = total + (np.cos(angle)[..., None] * part.real - np.sin(angle)[..., None] * part.imag)
-        return total
-
-
-@cache
-def _model() -> Library:
-    return load(MODEL)
+    P: Array = field(init=False)  # (16, 16) with which a filter begins
+    position: Array = field(init=False)  # (3,) of the slave, at the start
+    swing: Array = field(init=False)  # (3,) m/s in the slave's axes: its velocity about the master, at the start
+    v_n: Array = field(init=False)  # (3,) m/s of the slave, at the end
+    q_b2n_wxyz: Array = field(init=False)  # (4,)
+    q_b2m_wxyz: Array = field(init=False)  # (4,)
+    delays: Array = field(init=False)  # (NODES,) s, at which the master's pose is known
+    master: Array = field(init=False)  # (NODES, U + 1, 7): v_n and q_m2n_wxyz
+    ideal: Array = field(init=False)  # (U, N / U * 6) rad, m/s: samples, in each the components from the last on
 
 
 @lru_cache(maxsize=SEAS)
 def shared(sea: Sea, seed: int, number: int) -> Shared:
     """The truth of a sea by its number; of a motion that is not random there is one."""
-    s = replace(sea.scenario, height_m=(sea.scenario.height_m[sea.grade - 1],))
-    model = _model()
-    turn = np.cos(np.pi * (np.arange(NODES) + 0.5) / NODES)  # Chebyshev's
-    delays = 1e-3 * (sum(s.delay_ms) + (s.delay_ms[1] - s.delay_ms[0]) * turn) / 2
-    stream = sensors.generator(seed, number)  # whose key is a hash, and no [seed, run]
-    drawn = at_sea.Drawn(delays, np.zeros((1, 3)), np.zeros((1, 3)), np.zeros((1, 1, 3, 3)), (stream,))
-    motion = at_sea.motion_of(sea.motion, s, drawn.streams)
-    motion = replace(motion, freedoms=Summed(motion.freedoms.omega, motion.freedoms.amplitude))
-    true = at_sea.truth(model, motion, s, drawn)
-    per_update = s.navigation_hz // s.update_hz
-    ends = true.slave.nav(slice(None, None, per_update))
-    one = (slice(None), 0, 0)
-    master = np.concatenate([true.master.v_n, true.master.q_b2n_wxyz], axis=-1)[:, 0]
-    _, P = at_sea.begin(model, s, at_sea.Belief(), v_m_n=master[0, 0, :3], q_m2n_wxyz=master[0, 0, 3:],
-                        position=ends["lat_lon_height"][0, 0, 0])  # fmt: skip
-    return Shared(
-        true.dtheta[one], true.dv[one], ends["lat_lon_height"][one], ends["v_n"][-1, 0, 0],
-        ends["q_b2n_wxyz"][-1, 0, 0], true.q_b2m_wxyz[-1].reshape(4), delays, np.moveaxis(master, 1, 0), P,
-    )  # fmt: skip
+    s = sea.scenario
+    updates, samples = s.seconds * s.update_hz, s.navigation_hz // s.update_hz
+    out = np.empty(sum(map(math.prod, OF_SEA.values())) + NODES * (updates + 1) * 7 + 6 * updates * samples)
+    given = (np.array(values, float) for values in (common(sea), scene(sea)))
+    at = [array.ctypes.data_as(ctypes.c_void_p) for array in (*given, out)]
+    function = text.library(folder_of(MODEL), TRUTH).sea_truth
+    status = function(*at[:2], ctypes.c_uint64(seed), ctypes.c_uint64(number), at[2])
+    if status:
+        raise BoresightError(
+            f"many: no increments of sensors make this motion in sea state {sea.grade} ({Status(status).name})"
+            if status > 0
+            else f"many: no increments of sensors make this motion in sea state {sea.grade}; sample it more often"
+        )
+    return Shared(out, updates)
 
 
 def late(true: Shared, delay: Array) -> tuple[Array, Array]:
@@ -166,29 +161,29 @@ def over_one(model: Library, sea: Sea, seed: int, runs: range, number: int) -> A
     q_m2n = times(small(s.attitude_noise_deg * DEG * noise[..., 3:]), q_m2n)  # a turn in level axes
 
     given = at_sea.constants(s)
-    swing = np.repeat(swing_of(s, true)[:, None], n, axis=1)
+    swing = np.repeat(true.swing[:, None], n, axis=1)
     nav = {
-        "lat_lon_height": np.broadcast_to(true.position[0], (n, 3)), "q_b2n_wxyz": q_m2n[0],
+        "lat_lon_height": np.broadcast_to(true.position, (n, 3)), "q_b2n_wxyz": q_m2n[0],
         "v_n": v_m_n[0] + turned(q_m2n[0].T, swing).T, "gyro_bias": bias[:, :3], "accel_bias": bias[:, 3:],
         "q_b2m_wxyz": np.broadcast_to([1.0, 0, 0, 0], (n, 4)), "tau": np.zeros(n),
     }  # fmt: skip
     flown = Matching(model, s, nav, true.P[None], given, at_sea.matching_variances(s))  # one P of all, checked once
     loop = flown.loop
 
-    ideal = np.concatenate([true.dtheta, true.dv], axis=-1)[::-1]
-    scale, newest = np.tile(walk(s), per_update), flown.samples.reshape(n, -1)[:, : 6 * per_update]
+    # from the oldest to the newest, and in each sample from the last component to the first
+    oldest = flown.samples.reshape(n, -1)[:, 6 * per_update - 1 :: -1]
+    scale = np.tile(walk(s), per_update)
     width, nis = model.lanes(n)[0], np.zeros(n)
     for k in range(updates):
-        exact = ideal[(updates - 1 - k) * per_update : (updates - k) * per_update].reshape(-1)
-        random.normals(seed, every, 6 * per_update, 6 * per_update * k, SLAVE, newest, width, scale, exact)
+        random.normals(seed, every, 6 * per_update, 6 * per_update * k, SLAVE, oldest, width, scale, true.ideal[k])
         flown.update(q_m2n_wxyz=q_m2n[k + 1], v_m_n=v_m_n[k + 1])
         if k >= at_sea.SETTLED_S * s.update_hz:
             nis += flown.nis.sum(0)
     ends = np.concatenate([loop.nav.seen(name).reshape(n, -1) for name in NAV], axis=-1)
     nis /= updates - at_sea.SETTLED_S * s.update_hz
-    rows, P, own = np.empty((n, 35)), np.ascontiguousarray(loop.P), of_sea(s, true)
-    at = (ctypes.c_void_p(part.ctypes.data) for part in (ends, P, own, delay, nis, rows))
-    text.host(model.folder, SOURCE).sea_rows(ctypes.c_size_t(n), *at)
+    rows, P = np.empty((n, 35)), np.ascontiguousarray(loop.P)
+    at = (ctypes.c_void_p(part.ctypes.data) for part in (ends, P, true.numbers, delay, nis, rows))
+    text.host(folder_of(MODEL), SOURCE).sea_rows(ctypes.c_size_t(n), *at)
     rows[flown.lost] = np.nan
     return rows
 
@@ -199,14 +194,9 @@ def bias_sigmas(s: at_sea.Scenario) -> Array:
 
 
 def walk(s: at_sea.Scenario) -> Array:
-    """(6,) rad and m/s, the sigmas of a sample."""
+    """(6,) m/s and rad, the sigmas of a sample from its last component to the first."""
     given = at_sea.constants(s)
-    return np.repeat([given["gyro_noise"][0], given["accel_noise"][0]], 3) * np.sqrt(1 / s.navigation_hz)
-
-
-def swing_of(s: at_sea.Scenario, true: Shared) -> Array:
-    """(3,) m/s in the slave's axes: its velocity about the master, at first."""
-    return np.cross(true.dtheta[0] / (1 / s.navigation_hz), s.lever_b)
+    return np.repeat([given["accel_noise"][0], given["gyro_noise"][0]], 3) * np.sqrt(1 / s.navigation_hz)
 
 
 # ---- the same in C
@@ -214,36 +204,48 @@ def swing_of(s: at_sea.Scenario, true: Shared) -> Array:
 
 def numbers(model: Library, sea: Sea, seed: int, runs: range) -> Array:
     """What many.c reads: the scenario, and the seas of these runs, the others zero."""
+    seas, together = together_of(sea)
+    lots = range(runs.start // together, (runs.stop - 1) // together + 1)[:seas]
+    parts = {lot % seas: shared(sea, seed, lot % seas).numbers for lot in lots}
+    nothing = np.zeros_like(next(iter(parts.values())))
+    return np.concatenate([common(sea), *(parts.get(number, nothing) for number in range(seas))])
+
+
+def together_of(sea: Sea) -> tuple[int, int]:
+    """How many seas there are, and how many neighbouring runs share one."""
+    return (SEAS, TOGETHER) if sea.motion == "sea" else (1, 1)
+
+
+def common(sea: Sea) -> Array:
+    """The scenario, as sea.h has it."""
     s, known = sea.scenario, at_sea.constants(sea.scenario)
-    updates, samples = s.seconds * s.update_hz, s.navigation_hz // s.update_hz
     lever, dt, span = known["lever_b"], 1 / s.navigation_hz, round(SPAN_S * s.navigation_hz)
-    if samples > MOST_SAMPLES or span > MOST_SPAN:
-        raise BoresightError(
-            f"many: in C an update has {MOST_SAMPLES} samples at most; here {samples}, {span} of a rate"
-        )
+    if span > MOST_SPAN:
+        raise BoresightError(f"many: in C a rate is that of {MOST_SPAN} samples at most; here of {span}")
     R = at_sea.matching_variances(s)
     swung = swing_variance(known["gyro_noise"][0], span * dt, lever)
-    seas, together = (SEAS, TOGETHER) if sea.motion == "sea" else (1, 1)
-    common = [
-        updates, at_sea.SETTLED_S * s.update_hz, samples, span, seas, together, dt, GRAVITY,
-        s.delay_ms[0], s.delay_ms[1] - s.delay_ms[0], *bias_sigmas(s), s.velocity_noise_m_s,
-        s.attitude_noise_deg * DEG, *lever, *known["gyro_noise"], *known["accel_noise"], *known["mu_noise"],
-        *R[3:], *(R[:3] + swung), *np.tile(walk(s), MOST_SAMPLES),
+    parts = [
+        s.seconds * s.update_hz, at_sea.SETTLED_S * s.update_hz, s.navigation_hz // s.update_hz, span,
+        *together_of(sea), dt, GRAVITY, s.delay_ms[0], s.delay_ms[1] - s.delay_ms[0], *bias_sigmas(s),
+        s.velocity_noise_m_s, s.attitude_noise_deg * DEG, *lever, *known["gyro_noise"], *known["accel_noise"],
+        *known["mu_noise"], *R[3:], *(R[:3] + swung), *np.tile(walk(s), DRAWN),
     ]  # fmt: skip
-    lots = range(runs.start // together, (runs.stop - 1) // together + 1)[:seas]
-    flown = {lot % seas for lot in lots}
-    parts = {number: of_sea(s, shared(sea, seed, number)) for number in flown}
-    nothing = np.zeros_like(next(iter(parts.values())))
-    return np.concatenate([np.array(common, float), *(parts.get(number, nothing) for number in range(seas))])
+    return np.array(parts, float)
 
 
-def of_sea(s: at_sea.Scenario, true: Shared) -> Array:
-    """A sea as many.c reads it."""
-    samples = s.navigation_hz // s.update_hz
-    newest_first = np.concatenate([true.dtheta, true.dv], axis=-1).reshape(-1, samples, 6)[:, ::-1]
-    slave = true.position[0], swing_of(s, true), true.v_n, true.q_b2n_wxyz, true.q_b2m_wxyz
-    parts = true.P, *slave, true.delays, true.master, newest_first
-    return np.concatenate([np.ravel(part) for part in parts])
+def scene(sea: Sea) -> Array:
+    """What truth.c reads beside it."""
+    s = sea.scenario
+    sigmas = s.level_misalignment_deg * DEG, s.level_misalignment_deg * DEG, s.misalignment_deg * DEG
+    slopes = s.slope_ratio if sea.motion == "slope" else np.zeros(3)
+    parts = [
+        [*at_sea.MOTIONS].index(sea.motion), s.height_m[sea.grade - 1], float(Decimal(s.spectrum_gamma).ln()),
+        s.frequency_hz, *slopes, *np.array(s.slope_phase_deg) * DEG,
+        s.waves_deg * DEG, s.speed_m_s, s.heading_deg * DEG, s.latitude_deg * DEG, s.misalignment_deg * DEG,
+        *bias_sigmas(s), *sigmas, s.delay_sigma_ms * 1e-3, s.start_velocity_m_s, s.start_angle_deg * DEG,
+        *astuple(hull.Hull()),
+    ]  # fmt: skip
+    return np.array(parts, float)
 
 
 def small(turn: Array) -> Array:
