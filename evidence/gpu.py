@@ -15,6 +15,8 @@ from jinja2 import Environment, StrictUndefined
 
 from boresight import BoresightError
 from boresight.codegen.folder import Folder
+from boresight.codegen.reach import pieces
+from boresight.codegen.stamp import hashed
 from boresight.errors import need
 from boresight.evidence.targets import HARNESS, PRECISIONS
 from boresight.runtime.array import Array
@@ -136,19 +138,13 @@ def texts(folder: Folder, out: Path) -> dict[str, str]:
 
 
 def hashes(folder: Folder) -> dict[str, str]:
-    """Of all that the text is made of, and of what reads it."""
-    own = hashlib.sha256(run_of(folder).source.encode())
-    model = [path for pattern in ("src/*.[ch]", "include/*.h") for path in folder.files(pattern)]
+    """Of all that the text is made of, but for comments, and of what reads it."""
     left_out = re.compile(r"_(live|digest|identity)\.[ch]$")
-    judges = (
-        *text.OWN,
-        *text.HERE.glob("*.h"),
-        *(text.HERE / f"{name}.py" for name in ("text", "machine_code")),
-        Path(__file__),
-    )
-    for file in (*(path for path in model if not left_out.search(path.name)), *sorted(judges)):
-        own.update(file.read_bytes())
-    return {folder.name: own.hexdigest()}
+    model = sorted(path for pattern in ("src/*.[ch]", "include/*.h") for path in folder.files(pattern))
+    parts = [one.text for path in model if not left_out.search(path.name) for one in pieces(path)]
+    judges = {*text.OWN, *text.HERE.glob("*.h"), *(text.HERE / f"{name}.py" for name in ("text", "machine_code"))}
+    parts += [run_of(folder).source, hashed({*judges, Path(__file__).resolve()})]
+    return {folder.name: hashlib.sha256("\n".join(parts).encode()).hexdigest()}
 
 
 def gpu(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
