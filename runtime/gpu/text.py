@@ -50,12 +50,15 @@ def host(folder: Path, experiment: Path, precision: str = "double") -> ctypes.CD
 
 @functools.cache
 def library(folder: Path, *own: Path, precision: str = "double") -> ctypes.CDLL:
-    """The C of a model, of random numbers and of these files, for the host."""
+    """The C of a model, of random numbers and of these files, for the host.
+
+    gcc 12 fuses what its vectors add and subtract side by side, a complex product in a loop, whatever -ffp-contract says.
+    """
     places = dict.fromkeys((*HEADERS, *(file.parent for file in own)))
     read = NUMBERS, *own, *(header for place in places for header in sorted(place.glob("*.h")))
     contents = json.dumps(read_manifest(folder)["files"], sort_keys=True)
     contents += "".join(hashlib.sha256(file.read_bytes()).hexdigest() for file in read)
-    flags = tuple(flag for place in places for flag in ("-I", place))
+    flags = "-fno-tree-vectorize", *(flag for place in places for flag in ("-I", place))
     name = f"{folder.name}-{own[-1].stem}-{precision}"
     each = dict.fromkeys(sources(folder, *own), flags)
     return open_library(*shared_library(name, contents, each, folder / "include", PRECISIONS[precision]))

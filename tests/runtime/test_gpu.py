@@ -46,6 +46,39 @@ def test_a_run_that_ends_badly_has_its_status_and_the_others_go_on():
     assert lost.any() and np.isnan(rows[lost]).all() and np.isfinite(rows[~lost]).all()
 
 
+ELSEWHERE = """
+#include <stdio.h>
+#include "run.h"
+int sea_truth(const double *given, const double *setting, uint64_t seed, uint64_t number, double *out);
+static double given[1000000], setting[100], rows[4][35];
+static unsigned char status[4];
+int main(void)
+{
+    const size_t n = fread(given, sizeof given[0], 1000000, fopen("common", "rb"));
+    if ((fread(setting, sizeof setting[0], 100, fopen("scene", "rb")) < 10) ||
+        (sea_truth(given, setting, 7, 0, &given[n]) != 0)) {
+        return 1;
+    }
+    boresight_runs(given, 7, 0, 4, 35, &rows[0][0], status);
+    return (fwrite(rows, 1, sizeof rows, stdout) == sizeof rows) ? 0 : 1;
+}
+"""
+
+
+@needs("aarch64-linux-gnu-gcc", "qemu-aarch64")
+def test_a_sea_its_truth_and_its_flights_have_the_same_bits_on_another_processor(tmp_path):
+    kind = sea.Sea("sea", 5, replace(SHORT, seconds=11))
+    for name, numbers in (("common", sea.common(kind)), ("scene", sea.scene(kind))):
+        (tmp_path / name).write_bytes(numbers.tobytes())
+    (tmp_path / "elsewhere.c").write_text(ELSEWHERE)
+    places = *text.HEADERS, sea.SOURCE.parent, FOLDER / "include"
+    files = text.sources(FOLDER, text.RUNS, sea.SOURCE, sea.TRUTH, tmp_path / "elsewhere.c")
+    words = ["-std=c99", "-O1", "-ffp-contract=off", "-static", *(f"-I{place}" for place in places), *files]
+    subprocess.run(["aarch64-linux-gnu-gcc", *words, "-lm", "-o", tmp_path / "elsewhere"], check=True)
+    flown = subprocess.run(["qemu-aarch64", "./elsewhere"], cwd=tmp_path, check=True, capture_output=True).stdout
+    assert flown == sea.fly(load(sea.MODEL), kind, 7, range(4)).tobytes()
+
+
 @needs("g++")
 @pytest.mark.parametrize("precision", ["double"])  # float: benchmarks/gpu.py
 def test_the_text_for_a_gpu_has_the_bits_of_scalar_c(precision, tmp_path):
