@@ -59,8 +59,8 @@ def many(
 ) -> Outcome:
     """Fly runs 0 to `runs` - 1 of an experiment, or as many of them as the goal asks for.
 
-    What comes out depends on the experiment and the seed alone: not on chunks, processes, machines
-    of one kind, or how often the work was stopped.
+    What comes out depends on the experiment and the seed alone: not on chunks, processes, processors
+    or how often the work was stopped.
 
     Parameters
     ----------

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from conftest import ROOT
-from tools import needs
+from tools import needs, tool
 
 from benchmarks.gpu import by_host
 from boresight import BoresightError, cli, many
@@ -74,8 +74,8 @@ def test_a_sea_its_truth_and_its_flights_have_the_same_bits_on_another_processor
     places = *text.HEADERS, sea.SOURCE.parent, FOLDER / "include"
     files = text.sources(FOLDER, text.RUNS, sea.SOURCE, sea.TRUTH, tmp_path / "elsewhere.c")
     words = ["-std=c99", "-O1", "-ffp-contract=off", "-static", *(f"-I{place}" for place in places), *files]
-    subprocess.run(["aarch64-linux-gnu-gcc", *words, "-lm", "-o", tmp_path / "elsewhere"], check=True)
-    flown = subprocess.run(["qemu-aarch64", "./elsewhere"], cwd=tmp_path, check=True, capture_output=True).stdout
+    subprocess.run([tool("aarch64-linux-gnu-gcc"), *words, "-lm", "-o", tmp_path / "elsewhere"], check=True)
+    flown = subprocess.run([tool("qemu-aarch64"), "./elsewhere"], cwd=tmp_path, check=True, capture_output=True).stdout
     assert flown == sea.fly(load(sea.MODEL), kind, 7, range(4)).tobytes()
 
 
