@@ -43,7 +43,7 @@ def variances(rates: Array, dt: float, lengths: Array) -> Array:
     total = np.concatenate([np.zeros((1, *rates.shape[1:])), np.cumsum(rates - rates.mean(axis=0), axis=0)])
     out = []
     for m in lengths:
-        second = total[2 * m :] - 2 * total[m:-m] + total[: -2 * m]
+        second: Array = total[2 * m :] - 2 * total[m:-m] + total[: -2 * m]
         out.append(np.einsum("k...,k...->...", second, second) / len(second) / (2.0 * m**2))
     return np.array(out)
 

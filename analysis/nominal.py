@@ -68,7 +68,7 @@ def nominal(model: Any, name: str, seconds: float, step_hz: float = 10.0, update
 def named_or_recorded(model: Any, motion: str, seconds: float, step_hz: float, update_hz: float) -> Nominal:
     """A motion by its name, or of the recording at this path.  Raises BoresightError on a model that no name fits."""
     if not model.measurements and "Phi" not in model.units:
-        raise BoresightError(f"{model.name} has no Phi; an error budget is of a filter")
+        raise BoresightError(f"{model.name} has no Phi and no covariance; name a filter")
     if Path(motion).suffix:
         return recorded(model, motion, seconds, step_hz, update_hz)
     return nominal(model, motion, seconds, step_hz, update_hz)
@@ -143,7 +143,8 @@ def sizes(words: Sequence[str], model: Any) -> dict[str, Array]:
         value = amount(rest, units[name], text)
         if len(value) not in (1, counts[name]):
             raise BoresightError(f"{text!r}: give one number or {counts[name]}")
-        out[name] = np.resize(value, counts[name]) if counts[name] > 1 else np.array(value[0])
+        many: Array = np.resize(value, counts[name])
+        out[name] = many if counts[name] > 1 else many[0]
     return out
 
 

@@ -171,7 +171,8 @@ def check_vertical(master: Master) -> list[Finding]:
     if len(dt) < 30 or np.sqrt(np.mean(climb**2)) < 0.02 * np.median(dt):
         return []
     # what the rule of trapezoids misses of a swell goes with the bend of the velocity
-    bend = np.convolve(np.gradient(np.gradient(master.v_n[:, 2])), [0.5, 0.5], "valid") * dt
+    second: Array = np.gradient(np.gradient(master.v_n[:, 2]))
+    bend = (second[1:] + second[:-1]) / 2 * dt
     found, sigma = regressed(left[:, None], np.stack([climb, bend], axis=-1)[:, None])
     if not (abs(found[0] - 1) < 0.2 and sigma[0] < 0.04):
         return []

@@ -60,8 +60,7 @@ def claims_of(one: dict[str, Any], scenario: at_sea.Scenario, motion: str) -> li
     """The paper's six, judged for one motion."""
     half, end = marks_s(scenario)
     w, o = (one[name] for name in at_sea.FILTERS)
-    at_half, at_end = (np.array(w["mean_mil"][i]) for i in (0, 1))
-    bare_end = np.array(o["mean_mil"][1])
+    at_half, at_end, bare_end = (np.array(mean) for mean in (*w["mean_mil"][:2], o["mean_mil"][1]))
     below_s = [np.inf if at is None else at for at in w["below_limit_s"]]
     gain = bare_end - at_end
     wander, steady = np.array(o["wander_mil"])[2:], np.array(w["wander_mil"])[2:]
