@@ -46,18 +46,20 @@ def pieces(path: Path) -> list[Piece]:
     text = COMMENT.sub(" ", INCLUDE.sub("", OF_CXX.sub("", path.read_text())))
     found: list[Piece] = []
     lines: list[str] = []
+    left_open = 0  # braces
     for line in map(str.rstrip, text.splitlines()):
         if not line:
             continue
         lines.append(line)
-        whole = "\n".join(lines)
-        if whole.startswith("#"):
+        left_open += line.count("{") - line.count("}")
+        if lines[0].startswith("#"):
             ended = not line.endswith("\\")
         else:  # conditions of the preprocessor may leave braces open, which one at the margin closes
-            ended = line.startswith("}") or (line.endswith((";", "}")) and whole.count("{") == whole.count("}"))
+            ended = line.startswith("}") or (line.endswith((";", "}")) and not left_open)
         if ended:
+            whole = "\n".join(lines)
             found.append(Piece(path, " ".join(whole.split()), declared(whole), path.suffix == ".h" or shown(whole)))
-            lines = []
+            lines, left_open = [], 0
     return found
 
 
@@ -91,6 +93,12 @@ class Texts:
     @cached_property
     def by_path(self) -> dict[Path, list[Piece]]:
         return {path: pieces(path) for path in self.paths if "_identity." not in path.name}
+
+    @cached_property
+    def in_order(self) -> list[tuple[Piece, bytes]]:
+        """Each piece, and what a hash that reaches it is of."""
+        ordered = (one for path in sorted(self.by_path) for one in self.by_path[path])
+        return [(one, f"{one.path.name} {one.text}\0".encode()) for one in ordered]
 
     @cached_property
     def by_name(self) -> dict[str, list[Piece]]:
@@ -128,7 +136,5 @@ class Texts:
         for path in more:
             key.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")
         found = self.reached(roots, words)
-        for path in sorted(self.by_path):
-            for one in self.by_path[path]:
-                key.update(f"{path.name} {one.text}\0".encode() if one in found else b"")
+        key.update(b"".join(text for one, text in self.in_order if one in found))
         return key.hexdigest()

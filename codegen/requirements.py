@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+BRACKET = re.compile(r"[](){}[]")
 NUMBER = re.compile(r"\[([A-Z]+-[A-Z]-\d{3}(?:\.\w+)*)\]")
 FUNCTION = re.compile(r"^(?!typedef|enum|struct)[A-Za-z_][\w *]*?\b(\w+)\((?!.*;$)", re.MULTILINE)
 CHECKS = re.compile(r"\bfailures = (?!0;)|\bfailures \+= |\+\+failures;|return failures \+ ")
@@ -87,7 +88,7 @@ def end_of_statement(lines: list[str], begin: int) -> int:
             if i == begin:  # a macro
                 return i
             continue
-        depth += sum(line.count(one) for one in "({[") - sum(line.count(one) for one in ")}]")
+        depth += sum(1 if one in "({[" else -1 for one in BRACKET.findall(line))
         if depth <= 0 and line.endswith((";", "}")):
             return i
         if depth < 0:
@@ -99,7 +100,7 @@ def tags(text: str, path: str) -> list[Tag]:
     """The comments with numbers, each with the statement on its line, or else on the next line of code."""
     plain = blank(text)
     code, found = plain.split("\n"), []
-    breaks = [i for i, letter in enumerate(text) if letter == "\n"]
+    breaks = [one.start() for one in re.finditer("\n", text)]
     functions = {bisect(breaks, one.start()): one[1] for one in FUNCTION.finditer(plain)}
     ends = {begin: end_of_statement(code, begin) for begin in functions}
     for comment in COMMENT.finditer(text):
@@ -225,9 +226,11 @@ def unnumbered(files: dict[str, str]) -> list[str]:
 def rows(found: dict[str, Requirement], files: dict[str, str], result: dict[str, str]) -> list[dict[str, str]]:
     """A row each; result: by function of the self-test what is known of it."""
     made = []
+    by_path = {place.path: place for one in found.values() for place in one.tried}
+    test = {path: test_of(place, files) for path, place in by_path.items()}
     for one in found.values():
-        tests = list(dict.fromkeys(test_of(place, files) for place in one.tried))
-        known = sorted({result[test] for test in tests if test in result})
+        tests = list(dict.fromkeys(test[place.path] for place in one.tried))
+        known = sorted({result[name] for name in tests if name in result})
         made.append(
             {
                 "requirement": one.number,
