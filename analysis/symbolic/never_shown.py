@@ -190,13 +190,21 @@ def powers(model: Model, name: str) -> tuple[list[sp.Matrix], list[sp.Matrix]]:
     F, H, rates = (spelled(part, slow).xreplace(inputs).doit() for part in (F, H, rates))
     count = min(ORDERS, len(x))
     if model.f is None:
-        return tuple([(part.diff(T, j) / sp.factorial(j) if j else part).subs(T, 0) for j in range(count)]
-                     for part in (H, F))  # type: ignore[return-value]  # fmt: skip
+        return taylor(H, count), taylor(F, count)
     N = [H]
     for _ in range(count - 1):
         slopes = (N[-1].diff(s) * rate for s, rate in zip(x, rates, strict=True))
         N.append(N[-1] * F + reduce(add, slopes))
     return N, []
+
+
+def taylor(part: sp.Matrix, count: int) -> list[sp.Matrix]:
+    """What stands with the first powers of T."""
+    out = []
+    for j in range(count):
+        out.append(part.subs(T, 0) / sp.factorial(j))
+        part = part.applyfunc(lambda e: e.diff(T))
+    return out
 
 
 def level_rate(matrix: sp.Matrix, slow: set[Any]) -> sp.Matrix:
