@@ -1,4 +1,4 @@
-"""A drive of its own, and sixty-one recordings of it that are wrong in one thing each.  Nothing of the check is used.
+"""A drive of its own, and sixty-two recordings of it that are wrong in one thing each.  Nothing of the check is used.
 
 `healthy(seed)` draws a vehicle, its motion, its sensors and its rates; FAULTS changes one recording of a turn of 100
 degrees.  python tests/recordings_falsified.py [HEALTHY] prints what `--check` says of each, and how many of so many
@@ -525,6 +525,11 @@ def one_accel_axis_by_2_per_cent(w):
 @fault("feet")
 def height_in_feet(w):
     w.columns["position"][:, 2] /= 0.3048
+
+
+@fault("goes against the vertical velocity")
+def depth_in_fathoms(w):
+    w.columns["position"][:, 2] /= -1.8288
 
 
 @fault(r"\+0\.2\d* s late")

@@ -418,6 +418,12 @@ def test_what_is_not_known_is_named_with_what_was_meant(describe, replaced, word
     refused(describe(replaced), *words)
 
 
+def test_of_many_columns_forty_are_named(describe):
+    names = ["t", "gyro", "accel", *(f"spare{i}" for i in range(42))]
+    imu = {name: np.arange(3.0) if name == "t" else np.zeros((3, 3)) for name in names}
+    refused(describe(('"gyro"', '"gyroo"'), imu=imu), f"{names[39]} and 5 more")
+
+
 # ---------------------------------------------------------------- samples at instants
 
 

@@ -129,6 +129,7 @@ def test_report_and_figures(tmp_path, monkeypatch):
     text = study.report(result)
     assert text.splitlines()[-1].startswith("float-covariance: UD in float within")
     assert "dies, 1 s" in text
+    assert study.LOOK.keys() <= {*study.ALL}  # each that has a look is flown, and so drawn
     written = drawn(study.STUDY, result, tmp_path)
     assert [path.name for path in written] == ["float-gentle.png", "float-coarse.png"]
     assert all(path.stat().st_size > 10_000 for path in written)
