@@ -11,6 +11,7 @@ import sys
 
 import pytest
 from conftest import ROOT
+from faults.__main__ import faults, place
 
 from boresight.codegen import generate as g
 from boresight.codegen import verify as v
@@ -22,8 +23,12 @@ from boresight.evidence.kind import KINDS, kinds_for
 from boresight.evidence.verified import by_unit
 
 LIVE = ("strapdown", "stationary-detector", "euler-matching", "velocity-attitude")  # a component each, small, large
-FOLDERS = {folder.manifest["model"]: folder for folder in folders()}
 (VERIFIED,) = (kind for kind in KINDS if kind.name == "verified")
+
+
+def folder_of(name):
+    """Not read before a test runs: of a folder that was edited nothing can be read."""
+    return next(folder for folder in folders() if folder.name == name.replace("-", "_"))
 
 
 @pytest.fixture(scope="module", params=LIVE)
@@ -48,7 +53,7 @@ def test_what_is_committed_is_what_its_source_makes(made, monkeypatch):
 
 @pytest.mark.parametrize("name", g.target_names())
 def test_a_folder_was_made_by_the_sources_that_are_here(name):
-    assert g.stamp(name).items() <= FOLDERS[name].manifest.items(), "run 'boresight generate'"
+    assert g.stamp(name).items() <= folder_of(name).manifest.items(), "run 'boresight generate'"
 
 
 def test_the_c_of_a_model_is_proven(made, monkeypatch):
@@ -57,13 +62,13 @@ def test_the_c_of_a_model_is_proven(made, monkeypatch):
         return  # of no model: tests/runtime/test_detector.py holds it
     monkeypatch.setattr(v, "load_model", lambda _: model)
     monkeypatch.setattr(v, "units", lambda _: printed)
-    assert by_unit(v.verify(name)) == results.read(FOLDERS[name])["verified"]["units"]
+    assert by_unit(v.verify(name)) == results.read(folder_of(name))["verified"]["units"]
 
 
 @pytest.mark.parametrize("name", g.model_names())
 def test_the_c_of_every_model_was_proven(name):
     """tests/evidence/test_results.py holds that it was this C."""
-    folder = FOLDERS[name]
+    folder = folder_of(name)
     assert VERIFIED in kinds_for(folder)
     found = results.read(folder)["verified"]["units"]
     assert found.keys() >= folder.manifest["units"].keys()
@@ -85,3 +90,13 @@ def test_no_generated_file_was_edited():
 def test_style_and_types_hold(words):
     done = subprocess.run([sys.executable, "-m", *words.split()], cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_each_of_the_forty_faults_finds_its_line_and_names_the_tests_that_see_it():
+    """Whether they do is for `python tests/faults run`, in some four minutes."""
+    assert len(faults()) == 40
+    for fault in faults():
+        place(fault, ROOT)
+        assert ("same" in fault) == (not fault["tests"]), fault
+        for name, _, function in (word.partition("::") for word in fault["tests"] if word.startswith("tests/")):
+            assert f"def {function}" in (ROOT / name).read_text(), fault
