@@ -4,6 +4,7 @@ import re
 import shutil
 import subprocess
 import sys
+from functools import cache
 
 import numpy as np
 import pytest
@@ -51,10 +52,10 @@ def minute(example):
 
 @pytest.fixture(scope="module")
 def made(example, minute, filters, tmp_path_factory):
-    """Lines of `make TARGET` with a filter, in a copy of the example with the recording in place."""
+    """Lines of `make TARGET` with a filter, in a copy of the example with the recording in place; each flown once."""
     folders = {}
 
-    def make(target, precision="double", compiler="gcc", runs="", shift=3, may_fail=False, records=None):
+    def fly(target, precision, compiler, runs, shift, may_fail, records=None):
         key = precision, compiler
         if key not in folders:
             folders[key] = tmp_path_factory.mktemp("make") / "flight"
@@ -68,7 +69,19 @@ def made(example, minute, filters, tmp_path_factory):
         assert may_fail or done.returncode == 0, done.stdout + done.stderr
         return (done.stdout + done.stderr).splitlines()
 
+    once = cache(fly)
+
+    def make(target, precision="double", compiler="gcc", runs="", shift=3, may_fail=False, records=None):
+        flight = target, precision, compiler, runs, shift, may_fail
+        return once(*flight) if records is None else fly(*flight, records)
+
     return make
+
+
+@pytest.fixture(scope="module")
+def replayed(example, minute):
+    """The loop that has flown the minute from Python, by precision; each flown once."""
+    return cache(lambda precision: example[1](*minute[:2], precision))
 
 
 @pytest.fixture(scope="module")
@@ -132,8 +145,8 @@ def test_a_core_that_is_too_slow_has_late_corrections_and_another_hash(made):
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])
-def test_python_has_the_same_hash(example, minute, made, precision):
-    loop = example[1](*minute[:2], precision)
+def test_python_has_the_same_hash(replayed, made, precision):
+    loop = replayed(precision)
     assert loop.digest() == made("run", precision)[-1]
     assert [line.split(": ", 1)[1] for line in loop.events()][1:] == [
         "a message of velocity was not taken: a number is none, or lies outside its box",
@@ -143,11 +156,10 @@ def test_python_has_the_same_hash(example, minute, made, precision):
     ]
 
 
-def test_a_billionth_of_one_increment_changes_the_hash(example, minute, made):
-    setup, records, _ = minute
-    other = records.copy()
+def test_a_billionth_of_one_increment_changes_the_hash(minute, made):
+    other = minute[1].copy()
     other[7000, 2] *= 1 + 1e-9
-    assert example[1](setup, other).digest() != made("run")[-1]
+    assert made("run", records=other)[-1] != made("run")[-1]
 
 
 def test_heading_misalignment_and_delay_are_those_of_the_hull(minute, flown):
@@ -164,7 +176,7 @@ def test_heading_misalignment_and_delay_are_those_of_the_hull(minute, flown):
     assert lines[-1, DELAY_SIGMA] < 0.15
 
 
-def test_in_float_the_flight_stays_within_a_fraction_of_its_sigmas(example, minute, flown):
+def test_in_float_the_flight_stays_within_a_fraction_of_its_sigmas(replayed, flown):
     """Each sample adds the Earth's rate to a rounded quaternion, and is rounded in the same direction each time: by
     2^-25 of a component at most, 1.2e-5 rad/s at 200 Hz.  The gyro biases take it, two of their sigmas."""
     exact, rounded = flown["double"], flown["float"]
@@ -176,7 +188,7 @@ def test_in_float_the_flight_stays_within_a_fraction_of_its_sigmas(example, minu
     for column in (SIGMA, DELAY_SIGMA):
         off = np.abs(rounded[:, column] / exact[:, column] - 1)
         assert off[:10].max() < 0.03 and off[10:].max() < 0.01
-    bias = [example[1](*minute[:2], p).output(60_000_000)["gyro_bias"] for p in ("double", "float")]
+    bias = [replayed(precision).output(60_000_000)["gyro_bias"] for precision in ("double", "float")]
     assert np.abs(bias[1] - bias[0]).max() < 1.2e-5
 
 

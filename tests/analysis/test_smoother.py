@@ -5,11 +5,12 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from conftest import ROOT
-from mpmath import mp
+from flint import arb_mat
 from scipy.optimize import least_squares
 from scipy.stats import chi2
 
 from boresight import BoresightError, CompiledFilter, Filter, Record, load, smooth
+from boresight.derive.ledger.numbers import digits
 from tests.analysis import test_budget_flights as flights
 
 
@@ -67,43 +68,41 @@ def batch(A, Q, P0, H, R, z, wanted):
 
     Of all measurements at once: cov(x, z) cov(z, z)^-1.  H[k] is None where nothing is measured.
     """
-    mp.dps = 50
-    A, Q, P = [mp.matrix(a) for a in A], [mp.matrix(q) for q in Q], [mp.matrix(P0)]
-    for a, q in zip(A, Q, strict=True):
-        P.append(a * P[-1] * a.T + q)
-    taken = [k for k, h in enumerate(H) if h is not None]
-    # of each pair cov(x_i, x_j) h_j: down from the diagonal by A', up by A
-    across = {}
-    for j in taken:
-        h = mp.matrix(H[j])
-        column = P[j] * h
-        across[j, j] = column
-        for i in range(j, len(A)):
-            column = A[i] * column
-            across[i + 1, j] = column
-        row = h
-        for i in range(j - 1, -1, -1):
-            row = A[i].T * row
-            across[i, j] = P[i] * row
-    S = mp.matrix(len(taken), len(taken))
-    for a, i in enumerate(taken):
-        for b, j in enumerate(taken):
-            S[a, b] = (mp.matrix(H[i]).T * across[i, j])[0] + (mp.mpf(R) if a == b else 0)
-    L, values = mp.cholesky(S), mp.matrix([z[k] for k in taken])
-    out = []
-    for k in wanted:
-        C = mp.matrix(P[0].rows, len(taken))
-        for a, j in enumerate(taken):
-            C[:, a] = across[k, j]
-        half = mp.matrix(len(taken), P[0].rows + 1)
-        for i in range(len(taken)):  # L half = [C' z]
-            for c in range(half.cols):
-                value = C[c, i] if c < C.rows else values[i]
-                half[i, c] = (value - mp.fsum(L[i, j] * half[j, c] for j in range(i))) / L[i, i]
-        G, y = half[:, : C.rows], half[:, C.rows]
-        x, cov = G.T * y, P[k] - G.T * G
-        out.append((np.array(x.tolist(), float)[:, 0], np.array(cov.tolist(), float)))
+    with digits(50):
+        A, P = [exact(a) for a in A], [exact(P0)]
+        for a, q in zip(A, Q, strict=True):
+            P.append(a * P[-1] * a.transpose() + exact(q))
+        taken = [k for k, h in enumerate(H) if h is not None]
+        rows = {k: exact([H[k]]) for k in taken}
+        # of each pair cov(x_i, x_j) h_j: down from the diagonal by A', up by A
+        across = {}
+        for j in taken:
+            row = rows[j].transpose()
+            across[j, j] = column = P[j] * row
+            for i in range(j, len(A)):
+                across[i + 1, j] = column = A[i] * column
+            for i in range(j - 1, -1, -1):
+                row = A[i].transpose() * row
+                across[i, j] = P[i] * row
+        S = arb_mat([[(rows[i] * across[i, j])[0, 0] + (R if i == j else 0) for j in taken] for i in taken])
+        values = exact([[z[k]] for k in taken])
+        out = []
+        for k in wanted:
+            C = arb_mat([[across[k, j][i, 0] for j in taken] for i in range(P[0].nrows())])
+            gain = S.solve(C.transpose()).transpose()
+            out.append((middles(gain * values)[:, 0], middles(P[k] - gain * C.transpose())))
     return out
+
+
+def exact(rows):
+    return arb_mat(np.asarray(rows, float).tolist())
+
+
+def middles(found):
+    """Floats, of balls whose radii 50 digits leave far below any digit that is compared."""
+    rows = np.array([[(float(entry.mid()), float(entry.rad())) for entry in row] for row in found.tolist()])
+    assert (rows[..., 1] <= 1e-12 * np.abs(rows[..., 0]) + 1e-30).all()
+    return rows[..., 0]
 
 
 def test_200_steps_agree_with_batch_least_squares_in_50_digits():

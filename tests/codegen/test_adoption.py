@@ -84,15 +84,15 @@ def test_sources_and_headers_are_c_and_cxx_from_1999_to_today(compiler, std, fol
 
 USER = """
 #include <stdio.h>
-#include "azimuth_hold_filter.h"
+#include "euler_matching_filter.h"
 
-static ah_filter filter;
+static em_filter filter;
 
 int main(void)
 {
-    static const unsigned char considered[AH_N_STATES] = { 0 };
-    (void)printf("%s", ah_identity());
-    return (int)ah_filter_consider(&filter, considered);
+    static const unsigned char considered[EM_N_STATES] = { 0 };
+    (void)printf("%s", em_identity());
+    return (int)em_filter_consider(&filter, considered);
 }
 """
 
@@ -100,14 +100,14 @@ int main(void)
 @pytest.mark.parametrize("precision", ["double", "float"])
 @pytest.mark.parametrize(("compiler", "std"), IN_CXX)
 def test_a_cxx_program_links_the_c_library(compiler, std, precision, libraries, tmp_path):
-    folder, library = libraries("azimuth-hold", precision)
+    folder, library = libraries("euler-matching", precision)
     (tmp_path / "main.cpp").write_text(USER)
     out = tmp_path / "user"
     done = run(
         compiler, f"-std={std}", "-Wall", "-Wextra", *EXACT, *include(folder), tmp_path / "main.cpp", library, "-o", out
     )
     assert done.returncode == 0, done.stderr
-    assert run(out).stdout.startswith("azimuth-hold, Boresight")
+    assert run(out).stdout.startswith("euler-matching, Boresight")
 
 
 @needs("g++")
@@ -134,16 +134,16 @@ def test_a_cxx_main_runs_the_self_test(libraries, tmp_path):
 @pytest.mark.parametrize(("header", "library"), [("float", "double"), ("double", "float")])
 def test_a_header_of_one_precision_does_not_link_with_a_library_of_the_other(header, library, libraries, tmp_path):
     (tmp_path / "main.c").write_text(USER)
-    command = ["gcc", "-std=c99", *include(libraries("azimuth-hold", header)[0]), tmp_path / "main.c"]
-    assert run(*command, libraries("azimuth-hold", header)[1], "-lm", "-o", tmp_path / "right").returncode == 0
-    done = run(*command, libraries("azimuth-hold", library)[1], "-lm", "-o", tmp_path / "wrong")
+    command = ["gcc", "-std=c99", *include(libraries("euler-matching", header)[0]), tmp_path / "main.c"]
+    assert run(*command, libraries("euler-matching", header)[1], "-lm", "-o", tmp_path / "right").returncode == 0
+    done = run(*command, libraries("euler-matching", library)[1], "-lm", "-o", tmp_path / "wrong")
     assert done.returncode != 0 and "undefined reference" in done.stderr
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])
 def test_a_header_of_one_form_does_not_link_with_a_library_of_the_other(precision, libraries, tmp_path):
     """Both directions: the library as it is built with a user told of the other form, and the other way."""
-    folder, library = libraries("azimuth-hold", precision)
+    folder, library = libraries("euler-matching", precision)
     (tmp_path / "main.c").write_text(USER)
     own = {"double": 0, "float": 1}[precision]
     other = tmp_path / "other"
@@ -156,27 +156,27 @@ def test_a_header_of_one_form_does_not_link_with_a_library_of_the_other(precisio
         flags = [f"-DBORESIGHT_UD={header}", *include(folder)]
         done = run("gcc", "-std=c99", *flags, tmp_path / "main.c", *halves[built], "-lm", "-o", tmp_path / "user")
         assert (done.returncode == 0) == (header == built), done.stderr
-        assert header == built or "undefined reference to `ah_filter_" in done.stderr
+        assert header == built or "undefined reference to `em_filter_" in done.stderr
 
 
 @pytest.mark.parametrize("precisions", [("double", "float"), ("float", "double")])
 @pytest.mark.parametrize("before", ["", '#include "boresight.h"\n'])
 def test_two_precisions_in_one_file_are_refused_in_a_sentence(precisions, before, folders, tmp_path):
-    first, second = folders("strapdown", precisions[0]), folders("azimuth-hold", precisions[1])
-    (tmp_path / "both.c").write_text(before + '#include "strapdown.h"\n#include "azimuth_hold.h"\n')
+    first, second = folders("strapdown", precisions[0]), folders("euler-matching", precisions[1])
+    (tmp_path / "both.c").write_text(before + '#include "strapdown.h"\n#include "euler_matching.h"\n')
     done = run("gcc", "-std=c99", "-fsyntax-only", *include(first), *include(second), tmp_path / "both.c")
     assert done.returncode != 0
-    assert f"azimuth_hold is in {precisions[1]}; another precision was seen" in done.stderr
-    same = folders("azimuth-hold", precisions[0])
+    assert f"euler_matching is in {precisions[1]}; another precision was seen" in done.stderr
+    same = folders("euler-matching", precisions[0])
     assert run("gcc", "-std=c99", "-fsyntax-only", *include(first), *include(same), tmp_path / "both.c").returncode == 0
 
 
 def test_two_versions_in_one_file_are_refused(folders, tmp_path):
     first, second = folders("strapdown", "double"), tmp_path / "second"
-    shutil.copytree(folders("azimuth-hold", "double"), second)
-    header = second / "include" / "azimuth_hold_identity.h"
+    shutil.copytree(folders("euler-matching", "double"), second)
+    header = second / "include" / "euler_matching_identity.h"
     header.write_text(re.sub(r"(VERSION_NUMBER (?:!= )?)\d+", r"\g<1>990000", header.read_text()))
-    (tmp_path / "both.c").write_text('#include "strapdown.h"\n#include "azimuth_hold.h"\n')
+    (tmp_path / "both.c").write_text('#include "strapdown.h"\n#include "euler_matching.h"\n')
     done = run("gcc", "-std=c99", "-fsyntax-only", *include(first), *include(second), tmp_path / "both.c")
     assert done.returncode != 0 and "another version was seen" in done.stderr
 
@@ -187,7 +187,7 @@ def test_a_double_export_is_not_made_float_by_a_flag(folders):
     assert done.returncode != 0 and "exported in double" in done.stderr
 
 
-@pytest.mark.parametrize("model", ["strapdown", "azimuth-hold", "stationary-detector"])
+@pytest.mark.parametrize("model", ["strapdown", "euler-matching", "stationary-detector"])
 def test_every_symbol_says_its_precision(model, libraries):
     """All that the objects offer, whatever a header lists: so none was forgotten."""
     symbols = {}
@@ -268,7 +268,7 @@ def test_the_probe_finds_what_the_preprocessor_cannot_see(precision, compiler, f
 
 
 def test_the_sources_forbid_what_a_compiler_fuses_by_default(folders, tmp_path):
-    folder, fused = folders("azimuth-hold", "double"), {}
+    folder, fused = folders("euler-matching", "double"), {}
     clang = tool("clang")
     for contract in ("on", "fast"):
         command = [clang, "-std=gnu99", "-O2", "-mfma", f"-ffp-contract={contract}", *include(folder), "-S", "-o", "-"]
@@ -289,8 +289,8 @@ def test_constants_cut_to_single_precision_are_found(folders, tmp_path):
 @pytest.mark.parametrize(
     ("model", "precision", "form"),
     [
-        ("azimuth-hold", "double", "Joseph"),
-        ("azimuth-hold", "float", "UD"),
+        ("euler-matching", "double", "Joseph"),
+        ("euler-matching", "float", "UD"),
         ("strapdown", "float", "none"),
         ("stationary-detector", "double", "none"),
     ],
@@ -342,7 +342,7 @@ def test_any_change_of_the_c_changes_the_hash(folders, tmp_path):
     assert done.returncode != 0 and "not what was exported" in done.stdout
 
 
-@pytest.mark.parametrize("model", ["strapdown", "azimuth-hold"])
+@pytest.mark.parametrize("model", ["strapdown", "euler-matching"])
 def test_the_manifest_lists_every_file_with_its_hash(model, tmp_path):
     exported_c(model, tmp_path / "out", "float")
     found = {str(path.relative_to(tmp_path / "out")) for path in (tmp_path / "out").rglob("*") if path.is_file()}

@@ -17,7 +17,7 @@ def model(tmp_path, monkeypatch, request):
     """The example in a folder of the user's, generated there."""
     shutil.copy(request.config.rootpath / "examples" / "pendulum.py", tmp_path)
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(own, "QUICK", ("trace", "coverage"))
+    monkeypatch.setattr(own, "QUICK", ("trace", "rounding"))
     generate(NAME)
     return tmp_path
 
@@ -26,7 +26,7 @@ def test_it_is_made_kept_by_unit_and_exported(model, capsys):
     folder = own.make_own(NAME, quick=True)
     assert "not made of this C" in capsys.readouterr().out  # the other columns
     kept = proof.kept(folder)
-    assert kept.keys() == {"trace", "coverage"} and "pd_F" in kept["coverage"]["units"]
+    assert kept.keys() == {"trace", "rounding"} and "pd_F" in kept["rounding"]["units"]
     own.make_own(NAME, quick=True)
     assert "trace: kept" in capsys.readouterr().out
     export(NAME, "c")
