@@ -1,7 +1,9 @@
 """What several tests need: folders of their own to generate and compile in, and the model's functions."""
 
+import functools
 import hashlib
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -19,6 +21,8 @@ from xdist.scheduler import LoadFileScheduling
 pytest_plugins = ("tools",)
 ROOT = Path(__file__).parent.parent
 LEDGERS = ("tests/test_cli.py", "tests/test_kept_ledger.py", "tests/test_notebook.py")  # beside tests/derive
+# flags that write files beside the object
+BESIDE = ("--coverage", "-g", "-M", "-fstack-usage", "-fcallgraph-info", "-save-temps")
 PENDULUM = f"{ROOT / 'tests' / 'pendulum.py'}:PENDULUM"
 
 
@@ -66,7 +70,28 @@ def compiled_once(run_folder):
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("BORESIGHT_CACHE", str(run_folder / "cache"))
         patch.setattr(compiler, "run", kept.run)
+        patch.setattr(compiler, "compile_sources", functools.partial(together, compiler.compile_sources))
         yield
+
+
+def together(compile_sources, command, sources, out):
+    """`compiler.compile_sources` that compiles the printed units of a folder as one text, whose headers are read once.
+
+    Not where they are optimised, so that no function is put into another.  What stands alone has helpers or macros
+    whose names others have too.  tests/codegen/test_c_build.py holds that each file compiles by itself.
+    """
+    alone = re.compile(r"_(filter|live|covariance|digest)$")
+    printed = [path for path, more in sources.items() if path.parent.name == "src" and not more]
+    units = [path for path in printed if not alone.search(path.stem)]
+    words = [str(word) for word in command]
+    plain = [word for word in words if word.startswith("-O")][-1:] == ["-O0"]
+    of_one = len(units) > 1 and len({path.parent for path in units}) == 1
+    if not (plain and of_one) or any(word.startswith(BESIDE) for word in words):
+        return compile_sources(command, sources, out)
+    text = out / "units.c"
+    text.write_text("".join(path.read_text() for path in units))
+    rest = {path: more for path, more in sources.items() if path not in units}
+    return compile_sources([*command, "-I", units[0].parent], {text: (), **rest}, out)
 
 
 class Objects:
@@ -78,17 +103,9 @@ class Objects:
 
     def run(self, command, cwd=None):
         words = [str(word) for word in command]
-        beside = (
-            "--coverage",
-            "-g",
-            "-M",
-            "-fstack-usage",
-            "-fcallgraph-info",
-            "-save-temps",
-        )  # write files beside the object
         elsewhere = ("-I/", "-I.", "-isystem", "-iquote")  # headers that are not looked for below
         known = "-c" in words and "-o" in words and words[words.index("-c") + 1].endswith(".c")
-        if cwd or not known or any(word.startswith(beside + elsewhere) for word in words):
+        if cwd or not known or any(word.startswith(BESIDE + elsewhere) for word in words):
             return self._run(words, cwd)
         key, headers, out = hashlib.sha256(), set(), Path(words[words.index("-o") + 1])
         for before, word in zip(["", *words], words, strict=False):
