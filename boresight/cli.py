@@ -1123,7 +1123,7 @@ def observe(
     """Show which motion informs which state, and how soon.
 
     Sigma of each state at the end over sigma at the start, by the covariance along the true motion, motions beside each
-    other (still, straight, steady turn and s turn if none is named); the direction of which most is left, in words.
+    other (still, straight, steady turn and s turn if none is named); the direction in which most is left, in words.
     With -o also observe.json and a figure.
     """
     from boresight import terminal
