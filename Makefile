@@ -8,11 +8,11 @@ PYTHON ?= python3
 EXTRAS ?= all
 BENCH := .venv-bench
 SITE := .venv-site
-PEERS := symforce wrenfold casadi sympy filterpy python-ins simdkalman numba jax
-COUNTING := unicorn pyelftools
+PEERS := symforce wrenfold casadi sympy filterpy python-ins simdkalman numba jax control gtsam allantools
+COUNTING := unicorn pyelftools pycparser
 
 .NOTPARALLEL:
-.PHONY: run quick test generated check evidence proofs bench site clean tools announce
+.PHONY: run quick test generated check evidence proofs bench cross-checks site clean tools announce
 
 run: announce $(VENV)/.installed
 	$(BIN)/boresight generate
@@ -59,6 +59,10 @@ bench: $(BENCH)/.installed
 	$(BENCH)/bin/python -m benchmarks.growth
 	-$(BENCH)/bin/python -m benchmarks.instructions
 	-$(BENCH)/bin/python -m benchmarks.gpu
+
+# The same numbers by Boresight, by peers and in 50 digits; results and docs/cross-checks.md.  Never in CI.
+cross-checks: $(BENCH)/.installed
+	$(BENCH)/bin/python -m boresight.evidence.crossed
 
 # The site of the documentation, into out/site, without a network once its environment is there.
 site: $(SITE)/.installed

@@ -6,6 +6,7 @@ from boresight.errors import need
 
 need("evidence")
 
+from boresight.evidence.crossed import table as crossed  # noqa: E402
 from boresight.evidence.kind import KINDS, make_all  # noqa: E402
 from boresight.evidence.kinds import all_kinds, still_open  # noqa: E402
 from boresight.evidence.results import OPEN  # noqa: E402
@@ -27,6 +28,7 @@ def main() -> int:
     failed = make_all((kind, subject) for kind, subject in pairs if not named or subject.name in named)
     OPEN.write_text("".join(f"{line}\n" for line in still_open()))
     PAGE.write_text(page(PAGE.read_text()))
+    crossed.PAGE.write_text(crossed.page(crossed.PAGE.read_text()))
     return 1 if failed else 0
 
 

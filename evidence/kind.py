@@ -30,16 +30,15 @@ from boresight.evidence.misra import MISSING as MISRA_MISSING
 from boresight.evidence.misra import misra
 from boresight.evidence.misra import version as misra_version
 from boresight.evidence.mutants import mutants
+from boresight.evidence.results import Subject
 from boresight.evidence.riscv import riscv
 from boresight.evidence.rounding import rounding
-from boresight.evidence.sources import Derivations, Drawn, Examples, Flights
 from boresight.evidence.stack import stack
 from boresight.evidence.targets import CLANG, GCC, HARNESS, M4F, RV32
 from boresight.evidence.trace import trace
 from boresight.evidence.verified import made_of, verified
 
 UNITS = dict[str, dict[str, Any]]
-Subject = Folder | Derivations | Drawn | Examples | Flights
 
 
 @dataclass(frozen=True)

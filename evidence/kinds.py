@@ -1,10 +1,12 @@
 """Everything of which evidence is made: the generated folders, the papers, the examples, the flights."""
 
 from collections.abc import Callable
+from functools import partial
 
 from boresight.codegen.folder import folders
 from boresight.codegen.generate import COMPONENTS
 from boresight.derive.papers import PAPERS
+from boresight.evidence.crossed import PEERS
 from boresight.evidence.drawn import NUMBERS, drawn_models
 from boresight.evidence.examples import NAMES, examples
 from boresight.evidence.flights.campaign import campaign
@@ -12,7 +14,7 @@ from boresight.evidence.kind import KINDS, Kind, Subject, kinds_for, of_another_
 from boresight.evidence.pages import MISSING as PAGES_MISSING
 from boresight.evidence.pages import of_model, pages
 from boresight.evidence.proofs import kept as proofs
-from boresight.evidence.sources import Derivations, Drawn, Examples, Flights, derivations
+from boresight.evidence.sources import CrossChecks, Derivations, Drawn, Examples, Flights, derivations
 from boresight.evidence.spoilt import spoilt
 from boresight.evidence.steps import steps
 from boresight.evidence.targets import GCC
@@ -39,6 +41,11 @@ FLOWN = Kind("flown", examples, GCC.missing, lambda: "", lambda of: {name: of.ha
 # Of drawn models.
 DRAWN = Kind("drawn", drawn_models, GCC.missing, lambda: "", lambda drawn: dict.fromkeys(NUMBERS, drawn.hash))
 
+# Of what independent tools compute too: a kind for each of them, which another version makes stale.
+CROSSED = tuple(
+    Kind(peer.name, peer.make, peer.missing, partial(getattr, peer, "tools"), peer.hashes) for peer in PEERS
+)
+
 # Of the transfer alignment.
 TRIED = Kind("tried", campaign, GCC.missing, lambda: "", lambda flights: {flights.name: flights.hash}, by_unit=False)
 
@@ -56,7 +63,13 @@ def all_kinds() -> list[tuple[Kind, Subject]]:
     ]
     pairs += [(PAGES, folder) for folder in every if folder.manifest["model"] not in COMPONENTS]
     pairs += [(kind, paper) for paper in derivations() for kind in kinds_of(paper)]
-    return [*pairs, (FLOWN, Examples()), (DRAWN, Drawn()), (TRIED, Flights())]
+    return [
+        *pairs,
+        *((kind, CrossChecks()) for kind in CROSSED),
+        (FLOWN, Examples()),
+        (DRAWN, Drawn()),
+        (TRIED, Flights()),
+    ]
 
 
 def still_open() -> list[str]:

@@ -34,6 +34,26 @@ class Derivations:
 
 
 @dataclass(frozen=True)
+class CrossChecks:
+    """The same numbers by Boresight and by its peers."""
+
+    name: str = "cross-checks"
+
+    @property
+    def place(self) -> Path:
+        return HERE / "crossed"
+
+    def hash(self, module: Path, of: tuple[str, ...]) -> str:
+        """Of a check: its module with what all of them share, and what our answer is of, generated folders by their C
+        and modules by their syntax trees."""
+        code = {folder.name: folder.code for folder in folders()}
+        paths = {module, *(self.place / f"{name}.py" for name in ("judge", "exact", "flights"))}
+        paths |= {PACKAGE / name for name in of if name not in code}
+        parts = [code[name] for name in of if name in code]
+        return hashlib.sha256("\n".join([hashed(paths), *parts]).encode()).hexdigest()
+
+
+@dataclass(frozen=True)
 class Examples:
     """The examples: models, and the scripts that fly them."""
 

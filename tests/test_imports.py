@@ -18,7 +18,7 @@ ARROWS = {
     "analysis": {"runtime"},
     "analysis/symbolic": {"derive", "analysis"},  # with SymPy; the command line alone imports it
     "studies": {"runtime", "analysis"},
-    "evidence": {"derive", "codegen", "runtime"},
+    "evidence": {"derive", "codegen", "runtime", "analysis"},
 }
 # SymPy and CasADi stop at codegen: what flies needs neither.
 FORBIDDEN = {

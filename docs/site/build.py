@@ -34,7 +34,7 @@ KINDS: Mapping[str, tuple[str, ...]] = {
     "How-to": ("design-questions", "error-budget", "noise", "recordings", "transfer-alignment", "live", "zero-velocity",
                "stationary-detectors", "batch", "from-ekf2-and-kf-gins"),
     "Explanation": ("conventions", "own-model", "mechanics", "covariance", "float", "equation-to-test", "evidence",
-                    "benchmarks"),
+                    "cross-checks", "benchmarks"),
     "Studies": ("euler-matching", "azimuth-hold", "sea-state", "sea-exploration"),
 }  # fmt: skip
 FOLDERS = {"How-to": "how-to", "Explanation": "decisions", "Studies": "derivations", "Reference": "reference"}
