@@ -15,6 +15,7 @@ from boresight.codegen.functions.unit import Unit, state_variable
 from boresight.codegen.text.covariance import arranged, nonzeros
 from boresight.codegen.text.names import beyond, norms_beyond, norms_near, number, rows_of, shared_tables
 from boresight.codegen.text.places import Places, table
+from boresight.codegen.text.views import pages
 from boresight.derive.model import Measurement, Model, Variable
 
 ENDS = ("low", "high")
@@ -191,7 +192,8 @@ def measuring(wiring: Wiring, m: Measurement) -> dict[str, Any]:
         "h": wiring.called(f"{m.name}_h") if explicit else None,
         "H": wiring.called(f"{m.name}_H", zeros=m.correlated),
         "name": m.name, "meaning": m.meaning, "names": ", ".join(m.rows), "unit": m.unit, "m": len(m.rows),
-        "equations": m.equations, "nonlinear": nonlinear, "structs": structs, "fields": fields,
+        "equations": m.equations, "pages": pages(wiring.model, f"{wiring.model.c_prefix}_filter", m.equations),
+        "nonlinear": nonlinear, "structs": structs, "fields": fields,
         "all": 2 ** len(m.rows) - 1, "angles": sum(1 << i for i in m.angles), "correlated": m.correlated,
         "size_R": len(m.rows) ** (2 if m.correlated else 1),
         # where z - h(x) goes, or a z of the caller's that is changed

@@ -1,6 +1,7 @@
 """Units and models as the templates see them."""
 
 import hashlib
+from collections.abc import Sequence
 from typing import Any
 
 from boresight.codegen.functions.samples import norm_ends
@@ -22,6 +23,7 @@ from boresight.codegen.text.names import (
 )
 from boresight.codegen.text.statements import Part, parts
 from boresight.derive.model import Model, Variable
+from boresight.derive.models import MODELS
 
 
 def where_read(model: Model) -> dict[str, tuple[str, str]]:
@@ -137,6 +139,7 @@ def view(model: Model, unit: Unit) -> dict[str, Any]:
         "guard": file_stem(model, unit.name),  # F and f, H and h are read into one file
         "meaning": unit.meaning,
         "stands_on": stands_on(model, unit),
+        "pages": pages(model, file_stem(model, unit.name), unit.equations),
         "column": max(len(named["path"]) for named in args + results),
         "operations": unit.tape.operations,
         "hash": unit_hash(unit),
@@ -212,6 +215,19 @@ def stands_on(model: Model, unit: Unit) -> str:
     return f"Derived from: the model {model.name}, which states it"
 
 
+def pages(model: Model, file: str, equations: Sequence[str]) -> str:
+    """The pages of the documentation's site of a file of C and of equations; a model of one's own has none there."""
+    if model.name not in MODELS:
+        return ""
+    return ", ".join([f"c/{snake(model.name)}/{file}", *(f"equations/{page_of(cited)}" for cited in equations)])
+
+
+def page_of(cited: str) -> str:
+    """Of `kim-2018 (9)`."""
+    paper, number = cited.rstrip(")").split(" (")
+    return f"{paper}/{number}"
+
+
 def model_view(model: Model, unit_views: list[dict[str, Any]]) -> dict[str, Any]:
     states, index = [], 0
     for block in model.states:
@@ -232,6 +248,7 @@ def model_view(model: Model, unit_views: list[dict[str, Any]]) -> dict[str, Any]
         "name": model.name,
         "snake": snake(model.name),
         "prefix": model.c_prefix,
+        "page": f"models/{snake(model.name)}" if model.name in MODELS else "",
         "title": model.title,
         "frame": model.frame,
         "kind": model.kind.replace("-", " "),

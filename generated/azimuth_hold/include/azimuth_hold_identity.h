@@ -21,7 +21,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "236970bf522884e57e76820b7d2abef5d6442ea3be05e6ef4b40b57f155a6e0f"
+#define AH_MODEL_HASH "77958eb212fb2d4828a4219db54a8cb22e1530a0372c1de96bc7c4185f653acf"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

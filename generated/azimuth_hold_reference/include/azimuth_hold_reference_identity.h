@@ -21,7 +21,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "52c6ededa18438882a7301d8c5d2b058d9d90cb550a000089927c2eafc11ee78"
+#define AHR_MODEL_HASH "f5e4d6d51c84cf439a9455c8ea14883c0a3c59000c4c7d9409409e614ad00bfa"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

@@ -21,7 +21,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "0c85a7fde1493099f4cc9c1296acae86afffd11bbd0369bc1dca2156b96d2d94"
+#define EM_MODEL_HASH "09f538a8611400ee14f265b53c1a8c350138b5290829aec34f96462c1da6845a"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1

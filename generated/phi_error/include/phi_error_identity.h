@@ -19,7 +19,7 @@
 #endif
 
 #define PHI_MODEL "phi-error"
-#define PHI_MODEL_HASH "c5ac6c99d72222fbf9506c999ae85b464c4a238c47c01a63c385164c644819fa"
+#define PHI_MODEL_HASH "2783451f579992574276318e8b78d0a05a80a9b1d0f07d87785f1c5f53a755e7"
 #define PHI_VERSION "0.1.0" /* of the Boresight that printed it */
 #define PHI_VERSION_MAJOR 0
 #define PHI_VERSION_MINOR 1

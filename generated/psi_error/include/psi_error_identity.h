@@ -19,7 +19,7 @@
 #endif
 
 #define PSI_MODEL "psi-error"
-#define PSI_MODEL_HASH "3c00f64d37937aa26b68c260d86cc1e4f726ed42ebd37099da4aa3cdf73d3a62"
+#define PSI_MODEL_HASH "903b859e5e74e8efbf41ca08465bbedf5da43f700f44266963c596535d854cef"
 #define PSI_VERSION "0.1.0" /* of the Boresight that printed it */
 #define PSI_VERSION_MAJOR 0
 #define PSI_VERSION_MINOR 1

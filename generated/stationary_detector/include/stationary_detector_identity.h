@@ -19,7 +19,7 @@
 #endif
 
 #define DET_MODEL "stationary-detector"
-#define DET_MODEL_HASH "f8e60be5f45d96eee1a6be724e6b6fb5b66ee132d231ea4a912b48f6374ec7b3"
+#define DET_MODEL_HASH "ae14b50c20a9f074fb149cddc26fa8b84947f6d24f305b7d70ce8b78aa0d36e6"
 #define DET_VERSION "0.1.0" /* of the Boresight that printed it */
 #define DET_VERSION_MAJOR 0
 #define DET_VERSION_MINOR 1

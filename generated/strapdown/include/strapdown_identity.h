@@ -19,7 +19,7 @@
 #endif
 
 #define SD_MODEL "strapdown"
-#define SD_MODEL_HASH "1d13a49a85a9b8bc414c1a0477eb20b60a6d4338ba0418e618e978c79634f759"
+#define SD_MODEL_HASH "56c6812d47cfabb1a34df23d196a9e44ae3c2e00e97a61c23e049f895ddd943f"
 #define SD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define SD_VERSION_MAJOR 0
 #define SD_VERSION_MINOR 1

@@ -21,7 +21,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "d69e20d61e2b475939ca70630d5ea62bb981ec8c17a0a91db519dc30701db31c"
+#define VAL_MODEL_HASH "ec3ce92ea84068c7006ec025fff57135497aa072b3ac32655ef9a044d51ef0e3"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

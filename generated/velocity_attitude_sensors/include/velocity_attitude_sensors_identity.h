@@ -21,7 +21,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "179587795f994d80d02f99ebe539080dc44b5e0c1b3d51f52a2e4052af525699"
+#define VAS_MODEL_HASH "bc888fc434a3c2674adf3ffd1ce961dfef762eda2c425eecc184e8e421ead96d"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1

@@ -21,7 +21,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "fdf1b445e4a4c851f3161c26fd328ed0001bc4288700a80b380b61071ed3df35"
+#define VD_MODEL_HASH "773e5595efcf33af5db2012d104838dde3c5d1a45e84f7cf3275c85f102210eb"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1
