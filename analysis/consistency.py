@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from boresight import BoresightError
+from boresight import BoresightError, __version__
 from boresight.runtime.array import Array
 from boresight.runtime.filter import Innovation
 
@@ -247,6 +247,7 @@ class Consistency:
         columns = 1 if panels <= 4 else 3
         rows = -(-panels // columns)
         size: dict[str, Any] = {"nrows": rows, "ncols": columns, "sharex": True, "squeeze": False}
+        size["made_from"] = f"boresight {__version__}, {self.errors.shape[1]} runs"
         with figure(Path(path), 8 if columns == 1 else 12, 0.5 + 1.7 * rows, **size) as (drawing, axes):
             axes = axes.ravel()
             for i, (ax, label) in enumerate(zip(axes, self.labels, strict=False)):
@@ -263,15 +264,16 @@ class Consistency:
             for ax in axes[panels:]:
                 ax.remove()
             for ax in axes[max(panels - columns, 0) : panels]:
-                ax.set_xlabel("time, s")
+                ax.set_xlabel("time [s]")
                 ax.tick_params(labelbottom=True)
             runs = min(DRAWN, self.errors.shape[1])
             drawing.suptitle(f"errors of {runs} runs (blue), and 3 sigma of the filter (orange)")
         return f"figure in {path}"
 
     def _chi_square(self, ax: Any, title: str, times: Any, mean: Array, band: list[float]) -> None:
-        from boresight.analysis.figures import BLUE, GREY
+        from boresight.analysis.figures import BLUE, FAINT
 
-        ax.axhspan(*band, color=GREY, alpha=0.3, linewidth=0)
+        ax.axhspan(*band, **FAINT)
         ax.plot(times, mean, color=BLUE, linewidth=0.8)
+        ax.margins(y=0.1)
         ax.set_title(f"{title}, mean of the runs, and 95 % band")

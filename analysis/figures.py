@@ -1,6 +1,9 @@
-"""One look for every figure of the studies, and what it was made from at its edge.
+"""The one look of every figure, and what it was made from at its edge.
 
 Colours are told apart by readers who see two primaries only, and every line has its label beside it or in a legend.
+What is ours, estimated or with the remedy is blue; what it is compared with, or without, is orange; axes x, y, z are
+AXES, a tool has the colour of TOOLS in every panel.  A label is `quantity [unit]`.  A band that a title or a legend
+names is drawn.  What is committed is SVG, the same to the byte from one run to the next.
 """
 
 from collections.abc import Iterator
@@ -21,6 +24,7 @@ STYLE: Any = {
     "axes.grid": True,
     "grid.color": "0.9",
     "grid.linewidth": 0.6,
+    "axes.prop_cycle": "cycler('color', ['#0b5fa5', '#d1600a', '#2b7a3d', '#a3469b', '#8c5a2b', '#c9a227'])",
     "lines.linewidth": 1.1,
     "xtick.major.width": 0.7,
     "ytick.major.width": 0.7,
@@ -31,9 +35,16 @@ STYLE: Any = {
     "svg.hashsalt": "boresight",  # the same file from one run to the next
 }
 BLUE, ORANGE, GREY, GREEN = "#0b5fa5", "#d1600a", "0.55", "#2b7a3d"
-
+AXES = (BLUE, ORANGE, GREEN)
+TOOLS = {
+    "Boresight": BLUE, "CasADi": ORANGE, "SymForce": GREEN, "wrenfold": "#a3469b", "SymPy cse": "#8c5a2b",
+    "SymPy staged": "#c9a227", "Eigen, dense by hand": GREY, "Numba": "#a3469b", "JAX": "#c9a227",
+    "NumPy by hand": GREY, "simdkalman": GREEN, "filterpy": "#8c5a2b", "python-ins": ORANGE,
+}  # fmt: skip
+FAINT = {"color": GREY, "alpha": 0.3, "linewidth": 0}  # a band that is not of one line
 
 EDGE_IN = 0.16
+MANY = 1000  # points: in SVG a longer line is a picture, so that the file stays small
 
 
 @contextmanager
@@ -64,6 +75,8 @@ def figure(
         yield drawing, axes
         # No software name or date inside: the file is the same from one run to the next.
         nothing = {"Date": None, "Creator": None} if svg else {"Software": None}
+        for artist in drawing.findobj(long) if svg else ():
+            artist.set_rasterized(True)
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
             # `savefig` draws twice, first for the margins: one drawing finds them and makes the same picture
@@ -72,6 +85,12 @@ def figure(
         except OSError as error:
             reason = f"cannot write {path} ({error.strerror}); choose another folder with -o"
             raise BoresightError(reason) from None
+
+
+def long(artist: Any) -> bool:
+    """Whether a line or a band has many points."""
+    paths = [artist.get_path()] if hasattr(artist, "get_xydata") else getattr(artist, "get_paths", list)()
+    return sum(len(path.vertices) for path in paths) > MANY
 
 
 class Sheets:

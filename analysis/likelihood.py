@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.analysis.figures import BLUE, GREEN, GREY, ORANGE, figure
+from boresight.analysis.figures import AXES, GREY, figure
 from boresight.analysis.record import Record
 from boresight.analysis.smoother import changes
 from boresight.runtime.array import Array
@@ -302,8 +302,8 @@ class Likeliest:
                                 alpha=0.3, lw=0, label="predicted: white, 95 %")  # fmt: skip
                 for i, row in enumerate(w):
                     ax.plot(count, np.sqrt(variances(row, 1.0, count)), "o-", ms=2.5, lw=0.8,
-                            color=(BLUE, ORANGE, GREEN)[i % 3], label=f"row {i + 1}, measured")  # fmt: skip
-                ax.set(xscale="log", yscale="log", xlabel="average over, updates", ylabel="Allan deviation, sigmas")
+                            color=AXES[i % 3], label=f"row {i + 1}, measured")  # fmt: skip
+                ax.set(xscale="log", yscale="log", xlabel="average over [updates]", ylabel="Allan deviation [sigmas]")
                 ax.set_title(f"innovations of {name}", loc="left")
                 ax.legend(loc="lower left")
         return Path(path)

@@ -14,7 +14,8 @@ import numpy as np
 from boresight import BoresightError
 from boresight.analysis.allan import FLOOR, TERMS, UNFIT, Fit, fitted
 from boresight.analysis.datasheet import datasheet
-from boresight.analysis.figures import BLUE, GREEN, ORANGE, figure
+from boresight.analysis.figures import AXES as COLOURS
+from boresight.analysis.figures import figure
 from boresight.analysis.likelihood import likeliest
 from boresight.runtime.array import Array
 from boresight.runtime.recording.types import Finding, Recording
@@ -325,7 +326,7 @@ class Identified:
         with figure(Path(path), 7.2, 3.6, made_from=made_from, ncols=2) as (_, panels):
             for (sensor, fits), axes in zip(self.sensors(), panels, strict=True):
                 unit, factor = sensor.shown
-                for fit, label, colour in zip(fits, AXES, (BLUE, ORANGE, GREEN), strict=True):
+                for fit, label, colour in zip(fits, AXES, COLOURS, strict=True):
                     reach = [fit.deviation - fit.deviation_low, fit.deviation_high - fit.deviation]
                     axes.errorbar(
                         fit.tau, fit.deviation / factor, np.array(reach) / factor, fmt="o", ms=2.5, color=colour,
@@ -341,7 +342,7 @@ class Identified:
                     axes.plot(
                         tau, described, ":", color="black", lw=1.2, label="a filter with [noise] of the description"
                     )
-                axes.set(xscale="log", yscale="log", xlabel="average over, s", ylabel=f"Allan deviation, {unit}")
+                axes.set(xscale="log", yscale="log", xlabel="average over [s]", ylabel=f"Allan deviation [{unit}]")
                 axes.set_title(f"{sensor.name}: measured, and fitted (lines)", loc="left")
                 worst = max(fits, key=lambda fit: float(fit.coefficients[1]))
                 low = axes.get_ylim()[0]

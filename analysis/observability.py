@@ -393,5 +393,6 @@ def draw(found: Mapping[str, Observed], sheets: Sheets) -> None:
             for i, (part, seconds) in enumerate(zip(one.part, one.seconds, strict=True)):
                 after = "" if np.isnan(seconds) else f"\n{seconds:.3g} s"
                 text = "known" if np.isnan(part) else f"{part:.2g}{after}"
-                ax.text(j, i, text.replace("\n", "  "), ha="center", va="center", fontsize=7)
+                ax.text(j, i, text.replace("\n", "  "), ha="center", va="center", fontsize=7,
+                        color="white" if part > 0.8 else "0.15")  # fmt: skip
         ax.set_title("sigma at the end / at the start; seconds until it stays below half")

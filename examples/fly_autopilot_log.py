@@ -181,7 +181,7 @@ def draw(of, path):
     import matplotlib.pyplot as plt
 
     figure, axes = plt.subplots(3, 3, figsize=(11, 8), sharex=True)
-    colours = ("#2166ac", "#e08214")
+    colours = ("#0b5fa5", "#d1600a")
     for row, (quantity, (part, unit)) in enumerate(JUDGED.items()):
         factor = np.degrees(1) if unit == "deg" else 1.0
         for column, axis in enumerate(("north", "east", "down")):
@@ -191,10 +191,10 @@ def draw(of, path):
                 at.fill_between(times, -factor * sigma[:, k], factor * sigma[:, k], color=colour, alpha=0.12, lw=0)
             largest = max(np.abs(off[times > times[0] + 2, k]).max() for times, off, _ in of.values()) * factor
             at.set_ylim(-4 * largest, 4 * largest)
-            at.set_title(f"{quantity} {axis}, {unit}", fontsize=9, loc="left")
+            at.set_title(f"{quantity} {axis} [{unit}]", fontsize=9, loc="left")
     axes[0, 0].legend(fontsize=8)
     for at in axes[-1]:
-        at.set_xlabel("time of the log, s")
+        at.set_xlabel("time of the log [s]")
     figure.suptitle("Errors from the ground truth; bands: one sigma", fontsize=10)
     figure.tight_layout()
     figure.savefig(path, dpi=90)

@@ -1,5 +1,6 @@
 """What `make bench` reads, checks and prints; nothing is timed against anything here."""
 
+import matplotlib
 import numpy as np
 import pytest
 from conftest import ROOT
@@ -9,6 +10,7 @@ from benchmarks.growth import grown
 from benchmarks.peers import __main__ as bench
 from benchmarks.peers import batch, compiled, formulas, report
 from benchmarks.peers.printers import PRINTERS
+from boresight.analysis import figures
 from boresight.derive.models.azimuth_hold import azimuth_hold
 from boresight.evidence.machine import accesses
 
@@ -164,3 +166,29 @@ def test_the_readme_quotes_the_page():
 def test_loads_and_stores_are_read_from_the_instructions(halves, expected):
     """As objdump names them."""
     assert accesses(*halves) == expected
+
+
+def test_the_committed_figure_is_that_of_the_tables_of_its_page_and_a_tool_has_one_colour(tmp_path):
+    """To the byte, by the version of matplotlib that is pinned; by another, as many curves and bars."""
+    text, kept = (ROOT / "docs" / "benchmarks.md").read_text(), ROOT / "docs" / "figures" / "benchmarks.svg"
+    report.figure(tmp_path / "benchmarks.svg", text)
+    made = (tmp_path / "benchmarks.svg").read_text()
+    if f"matplotlib=={matplotlib.__version__}\n" in (ROOT / "benchmarks" / "constraints.txt").read_text():
+        assert made == kept.read_text(), "run 'python -m benchmarks.peers --page docs/benchmarks.md --draw'"
+    tables = report.read_back(text)
+    assert tables["One call at -O2: ns / instructions."]["Boresight", "F"] == 82
+    assert ("Boresight", "updates, plain") not in tables["One call at -O2: ns / instructions."]
+    tools = {tool for cells in tables.values() for tool, _ in cells if not tool.startswith("Boresight")}
+    assert {tool.partition(", plain form")[0] for tool in tools} <= figures.TOOLS.keys()
+    assert all(colour in made for tool, colour in figures.TOOLS.items() if f">{tool}<" in made and colour[0] == "#")
+
+
+def test_a_long_line_is_a_picture_in_svg_and_the_file_is_the_same_twice(tmp_path):
+    texts = []
+    for points in (figures.MANY // 2, 2 * figures.MANY, 2 * figures.MANY):
+        with figures.figure(tmp_path / "a.svg", 3, 2) as (_, ax):
+            ax.plot(np.arange(points), np.sin(np.arange(points)), color=figures.BLUE, label="long")
+            ax.fill_between(np.arange(9), 0, 1, **figures.FAINT)
+        texts.append((tmp_path / "a.svg").read_text())
+    assert [text.count("<image") for text in texts] == [0, 1, 1] and texts[1] == texts[2]
+    assert len(texts[1]) < 40_000

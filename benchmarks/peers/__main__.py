@@ -87,7 +87,10 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.peers", description=__doc__)
     parser.add_argument("--page", type=Path, help="a page of Markdown with the two markers")
     parser.add_argument("--out", type=Path, default=Path("out/bench"))
+    parser.add_argument("--draw", action="store_true", help="measure nothing: draw the page's figure from its tables")
     chosen = parser.parse_args()
+    if chosen.draw and chosen.page:
+        return draw(chosen.page)
     folder, missing = chosen.out, dict[str, str]()
     folder.mkdir(parents=True, exist_ok=True)
     second = azimuth_hold()
@@ -98,7 +101,6 @@ def main() -> None:
         missing |= compiled.measure(tasks, label, folder)
     no_sizes = compiled.sizes([task for task in tasks if task.kind in PAGE_KINDS], folder)
     growing: list[Task] = []
-    curves: dict[str, list[tuple[float, float]]] = {}
     for n in STATES:
         model = grown(n)
         smaller = problem(model)
@@ -108,8 +110,6 @@ def main() -> None:
         compiled.measure(some, "-O2", folder, rounds=9)
         compiled.sizes([task for task in some if task.tool.startswith(report.OURS)], folder)
         growing += some
-        for task in some:
-            curves.setdefault(f"{task.tool}, {task.kind}", []).append((n, task.ns["-O2"]))
     batched, absent = batch.measure(p)
     missing |= absent
     tables = [*single(tasks, p, compiled.clock(folder)), *many(batched), *growth(growing)]
@@ -125,14 +125,15 @@ def main() -> None:
     print("\n\n".join([*(table.text() for table in tables), *foot]))
     text = "\n\n".join([*(table.markdown() for table in tables), *map(wrapped, foot)])
     (folder / "benchmarks.md").write_text(text + "\n")
-    drawn = {tool: [(N, ns) for (other, step, N), ns in batched.items() if other == tool and step == "propagate"]
-             for tool in dict.fromkeys(tool for tool, _, _ in batched)}  # fmt: skip
-    bars = report.cells_of(tasks, lambda task: task.ns.get("-O2"))
-    figure = folder / "benchmarks.png"
-    report.figure(figure, bars, {tool: line for tool, line in drawn.items() if line}, curves, code)
+    report.figure(folder / "benchmarks.svg", text)
     if chosen.page:
         report.written(chosen.page, text)
-        shutil.copy(figure, chosen.page.parent / "figures" / "benchmarks.png")
+        draw(chosen.page)
+
+
+def draw(page: Path) -> None:
+    """The figure of a page, from its tables."""
+    report.figure(page.parent / "figures" / "benchmarks.svg", page.read_text(encoding="utf-8"))
 
 
 def wrapped(line: str) -> str:

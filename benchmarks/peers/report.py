@@ -119,56 +119,80 @@ def without_paths(text: str) -> str:
     return re.sub(r"(?<![\w.])/(?:[^\s/:,;'\"()]+/)+", "", text)
 
 
-Line = Sequence[tuple[float, float]]
+# Of ours, which has one colour: how its forms are told apart, as a line and as a bar.
+FORMS = {
+    "Boresight": ("-", ""), "Boresight, Epoch": ("-", ""), "Boresight, CompiledFilter": ((0, (5, 2)), ""),
+    "Boresight, Filter": ((0, (1, 1.5)), ""), "Boresight, non-zeros alone": ("-", "///"),
+    "Boresight, UD factors": ((0, (5, 2)), "\\\\\\"),
+}  # fmt: skip
+ROW = re.compile(r"^\| (.+?) \|(.*)\|$", re.MULTILINE)
+COUNTED = ("operations of", "limit of", "Boresight over")  # rows that are no tool's
 
 
-def figure(path: Path, bars: Cells, batch: Mapping[str, Line], growth: Mapping[str, Line], bytes_of: Cells) -> None:
-    """Four panels: one call in C, a batch from Python, cost against states, code on a Cortex-M7."""
-    import matplotlib
+def read_back(text: str) -> dict[str, dict[tuple[str, str], float]]:
+    """Title -> (tool, column) -> the first number of the cell, of every table of a page."""
+    found = {}
+    for title, head, body in re.findall(r"^(\S.*)\n\n\|  \|(.*)\|\n\|[-|]+\n((?:\|.*\n?)+)", text, re.MULTILINE):
+        columns = [column.strip() for column in head.split("|")]
+        cells = {
+            (tool, column): re.match(r"[*]*(\d+)", cell.strip())
+            for tool, row in ROW.findall(body)
+            if not tool.startswith(COUNTED)
+            for column, cell in zip(columns, row.split("|"), strict=True)
+        }
+        found[title.strip("*")] = {key: float(number[1]) for key, number in cells.items() if number}
+    return found
 
-    matplotlib.use("Agg")
-    matplotlib.rcParams["svg.hashsalt"] = "benchmarks"
-    from matplotlib import pyplot as plt
 
-    fig, axes = plt.subplots(2, 2, figsize=(14, 9), constrained_layout=True)
+def figure(path: Path, text: str) -> None:
+    """Four panels of the tables of a page: one call in C, a batch from Python, cost against states, code on a
+    Cortex-M7.  A tool has one colour in all of them, and ours has one in all its forms."""
+    from boresight.analysis.figures import TOOLS, Sheets
 
-    drawn = (*(tool for tool, _ in bars), *batch, *growth, *(tool for tool, _ in bytes_of))
-    color = {tool: f"C{k % 10}" for k, tool in enumerate(dict.fromkeys(drawn))}
+    tables = read_back(text)
 
-    def grouped(axis: Any, cells: Cells, label: str) -> None:
+    def of(begin: str) -> dict[tuple[str, str], float]:
+        return next((cells for title, cells in tables.items() if title.startswith(begin)), {})
+
+    def look(tool: str) -> tuple[str, Any]:
+        return TOOLS["Boresight" if tool.startswith("Boresight") else tool], FORMS.get(tool, ("-", ""))
+
+    def bars(axis: Any, cells: Cells, title: str, unit: str) -> None:
         kinds, tools = ([*dict.fromkeys(key[at] for key in cells)] for at in (1, 0))
+        kinds.sort(key=KINDS.index)
         for k, tool in enumerate(tools):
-            at = [i + (0.8 * k + 0.4) / len(tools) - 0.4 for i, kind in enumerate(kinds) if (tool, kind) in cells]
-            axis.bar(
-                at,
-                [cells[tool, kind] for kind in kinds if (tool, kind) in cells],
-                0.8 / len(tools),
-                label=tool,
-                color=color[tool],
-            )
-        axis.set_xticks(range(len(kinds)), [kind.replace(", ", ",\n") for kind in kinds], fontsize=8)
-        axis.set_ylabel(label)
+            colour, (_, hatch) = look(tool)
+            there = [(i, cells[tool, kind]) for i, kind in enumerate(kinds) if (tool, kind) in cells]
+            at = [i + (0.8 * k + 0.4) / len(tools) - 0.4 for i, _ in there]
+            drawn = {"facecolor": "white", "edgecolor": colour, "hatch": hatch} if hatch else {"color": colour}
+            axis.bar(at, [value for _, value in there], 0.75 / len(tools), label=tool, linewidth=0.6, **drawn)
+        axis.set_xticks(range(len(kinds)), [kind.replace(", ", ",\n") for kind in kinds], fontsize=7)
+        axis.set_axisbelow(True)
+        axis.grid(axis="x", visible=False)
+        axis.set(title=title, ylabel=f"[{unit}]")
 
-    def curves(axis: Any, lines: Mapping[str, Line], x: str, y: str) -> None:
-        for tool, points in lines.items():
-            axis.loglog(*zip(*points, strict=True), "o-", label=tool, color=color[tool])
-        at = sorted({point for points in lines.values() for point, _ in points})
-        axis.set_xticks(at, map(str, at), minor=False)
+    def lines(axis: Any, cells: Cells, title: str, x: str, note: str = "", marker: str = "o") -> None:
+        for tool in dict.fromkeys(tool for tool, _ in cells):
+            colour, (line, _) = look(tool)
+            points = [(int(re.findall(r"\d+", column)[0]), value) for (t, column), value in cells.items() if t == tool]
+            axis.loglog(*zip(*points, strict=True), marker=marker, ms=4, ls=line, color=colour, label=tool + note)
+        at = sorted({int(re.findall(r"\d+", column)[0]) for _, column in cells})
+        axis.set_xticks(at, map(str, at))
         axis.set_xticks([], minor=True)
-        axis.set_xlabel(x)
-        axis.set_ylabel(y)
+        axis.set(title=title, xlabel=x, ylabel="[ns]")
 
-    grouped(axes[0, 0], bars, "one call in C at -O2, ns")
-    curves(axes[0, 1], batch, "runs at once", "propagate from Python, ns per run")
-    curves(axes[1, 0], growth, "states", "one call at -O2, ns")
-    grouped(axes[1, 1], bytes_of, "code on a Cortex-M7, bytes")
-    axes[1, 1].set_yscale("log")
-    for axis in axes.flat:
-        axis.grid(True, alpha=0.3)
-        if axis.get_legend_handles_labels()[0]:
-            axis.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1, 1))  # beside what is drawn
-    fig.savefig(path, dpi=90, metadata={"Software": None})
-    plt.close(fig)
+    measured = re.search(r"Measured on (.*?);", text)
+    made_from = f"make bench, {measured[1]}" if measured else "make bench"
+    sheets = Sheets(path.parent, made_from, svg=path.suffix == ".svg")
+    with sheets("benchmarks", 12, 8.2, nrows=2, ncols=2) as (_, ((calls, batch), (growth, size))):
+        bars(calls, of("One call at -O2"), "one call in C at -O2", "ns")
+        lines(batch, of("Propagate, N runs"), "propagate from Python, of each run", "runs at once")
+        lines(growth, of("Predict 2 at -O2"), "one call at -O2", "states", ", predict 2")
+        lines(growth, of("Updates, Joseph at -O2"), "one call at -O2", "states", ", updates", "s")
+        bars(size, of("Code and tables"), "code on a Cortex-M7", "bytes")
+        size.set_yscale("log")
+        for axis in (calls, batch, growth, size):
+            axis.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1, 1), handlelength=3)  # beside what is drawn
 
 
 def cells_of(tasks: Sequence[Any], value: Callable[[Any], Any]) -> dict[tuple[str, str], float]:

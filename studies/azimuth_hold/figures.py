@@ -52,7 +52,7 @@ def draw(result: dict[str, Any], sheets: Sheets) -> None:
 def sigma_and_rms(ax: Any, history: dict[str, Any], axis: int, modes: list[str]) -> None:
     rms = np.sqrt(np.mean(history["error_arcmin"][..., axis] ** 2, axis=-1))
     lines(ax, history["time_s"], history["sigma_arcmin"][..., axis], modes)
-    lines(ax, history["time_s"], rms, modes, linestyle=(0, (1, 1.5)), linewidth=0.9, label="")
+    lines(ax, history["time_s"], rms, modes, linestyle=(0, (1, 1.5)), linewidth=1.6, label="")
     ax.set_yscale("log")
 
 

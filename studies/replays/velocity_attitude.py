@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.analysis.figures import BLUE, GREY, ORANGE, Sheets
+from boresight.analysis.consistency import chi_square_band
+from boresight.analysis.figures import BLUE, FAINT, ORANGE, Sheets
 from boresight.analysis.record import Record
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
@@ -802,8 +803,8 @@ def draw_states(result: Mapping[str, Any], axes: Array) -> None:
         whole = len(time) // count * count
         binned = np.ma.masked_invalid(square[:whole].reshape(-1, count * square.shape[1])).mean(1)
         over.semilogy(time[:whole].reshape(-1, count).mean(1), binned, color=color)
-    over.axhline(1, color=GREY, lw=0.8)
-    over.set_title("NIS per row in time; orange: delay taken as 0")
+    over.axhspan(*chi_square_band(1, count * square.shape[1]), **FAINT)
+    over.set_title("NIS per row in time and 95 % band; orange: delay taken as 0")
     ratio = axes[-1, 2]
     shown = result["states"][::-1]
     ratio.barh(range(len(shown)), [s["of_prior"] for s in shown], color=BLUE, height=0.7)

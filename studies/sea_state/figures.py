@@ -77,8 +77,9 @@ def bench(result: dict[str, Any], sheets: Sheets) -> None:
             for ax in (rest, rolling) if amplitude else (rest,):
                 banded(ax, time, history["heading_deg"][:, i], color, label, (0, 100))
         sigma = -history["sigma_deg"][:, 0]
+        low = 1.05 * history["heading_deg"][len(time) // 20 :, 0].min()  # all of the band at rest, but for the start
         rest.plot(time, sigma, color=ORANGE, linewidth=0.9, linestyle=(0, (1, 2)), label="at rest, - sigma")
-        rest.set(title="at rest and rolling: mean and all runs", ylabel="heading error [deg]", ylim=(-3.2, 1))
+        rest.set(title="at rest and rolling: mean and all runs", ylabel="heading error [deg]", ylim=(low, 1))
         for sign in (1, -1):
             rolling.axhline(sign * 0.15, **LIMIT)
         rolling.set(title="rolling; dashed: the paper's 0.15 deg", ylim=(-0.5, 0.5))
