@@ -100,9 +100,9 @@ def paper_of(name: str) -> str:
     return one_of(name, derived_names(), "paper")
 
 
-def one_of(name: str, known: list[str], what: str) -> str:
+def one_of(name: str, known: list[str], what: str, more: str = "") -> str:
     if name not in known:
-        raise BoresightError(f"no {what} {name!r}; there are {', '.join(known)}")
+        raise BoresightError(f"no {what} {name!r}; there are {', '.join(known)}{f'; {more}' * bool(more)}")
     return name
 
 
@@ -248,7 +248,11 @@ def show(
             raise BoresightError(f"{name} is C without a model; 'boresight show kim-2018 31' shows its equation")
         if Path(name).is_dir() and name not in model_names():
             paper_of(name)
-        one_of(name, [*derived_names(), *model_names()], "paper or model")
+        from boresight.studies.known import STUDIES
+
+        own_one = "your own is FILE.py:NAME, or the folder of a paper"
+        more = f"'boresight study {name}' runs the study of that name" if name in STUDIES else own_one
+        one_of(name, [*derived_names(), *model_names()], "paper or model", more)
     one_of(form, FORMATS, "format")
     if derived:
         one_of(derived, DERIVED, "what is derived")

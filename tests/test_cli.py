@@ -342,6 +342,8 @@ def test_what_is_longer_than_the_terminal_is_paged_and_whole_in_a_pipe(run):
         (("show", "nothing"), "there are song-lee-2001"),
         (("show", "stationary-detector"), "without a model"),
         (("show", "examples/pendulum.py:PENDULUM", "3"), "made from no paper's equations"),
+        (("show", "euler-table"), "velocity-dcm; 'boresight study euler-table' runs the study of that name"),
+        (("show", "my-filter"), "velocity-dcm; your own is FILE.py:NAME, or the folder of a paper"),
         (("show", "nothing.py:X"), "nothing.py is not found"),
         (("show", "song-lee-2001", "--format", "word"), "there are"),
         (("show", "song-lee-2001", "--format", "pdf"), "-o"),
