@@ -1,13 +1,18 @@
 """What the site is made of, without Sphinx: links, clicks, prototypes of C, names; `make site` builds it."""
 
+import dataclasses
 import re
 import subprocess
+from pathlib import Path
 
 import pytest
 from conftest import ROOT
 
 import boresight
 from boresight.codegen.folder import folders
+from boresight.codegen.generate import COMPONENTS, load_model
+from boresight.codegen.text.views import pages
+from boresight.studies.known import STUDIES, study
 from docs.site import build, executed, layout, links, reference, trace
 
 
@@ -34,6 +39,7 @@ def test_a_site_whose_equation_is_far_from_its_c_is_refused(tmp_path, monkeypatc
     (folder,) = (folder for folder in folders() if folder.name == "euler_matching")
     (unit,) = (unit for unit in trace.units_of(folder) if unit.path.stem == "em_F")
     known = trace.Trace(units=[unit])
+    monkeypatch.setattr(trace, "cited_pages", lambda folder: {"1"})
     known.equations["song-lee-2001", "20"] = one = trace.Equation("song-lee-2001", "20", "(20)", "exact", "", "")
 
     def written(*ring):
@@ -50,6 +56,9 @@ def test_a_site_whose_equation_is_far_from_its_c_is_refused(tmp_path, monkeypatc
     ):
         build.checked(tmp_path, known)
     written(one.page, unit.page)
+    monkeypatch.setattr(trace, "cited_pages", lambda folder: {"nowhere"})
+    with pytest.raises(SystemExit, match="site: a header of euler_matching cites the page nowhere, which is not there"):
+        build.checked(tmp_path, known)
     monkeypatch.setattr(build, "LARGEST", 10)
     with pytest.raises(SystemExit, match=r"bytes, more than 10"):
         build.checked(tmp_path, known)
@@ -154,6 +163,24 @@ def test_every_equation_leads_to_c_or_is_named_as_one_that_does_not():
     assert "em_F" in names["20"] and names["7"] == names["20"] and not names["30"]
 
 
+@pytest.mark.parametrize("folder", folders(), ids=lambda folder: folder.name)
+def test_the_headers_cite_the_pages_of_the_model_of_its_functions_and_of_their_equations(folder):
+    units = trace.units_of(folder)
+    equations = {(m[1], m[2]) for unit in units for one in unit.equations if (m := trace.CITED.fullmatch(one))}
+    pages = {trace.Equation(*of, "", "", "", "").page for of in equations}
+    cited = trace.cited_pages(folder)
+    assert f"models/{folder.name}" in cited
+    if folder.manifest["model"] not in COMPONENTS:
+        private = {f"c/{folder.name}/{folder.manifest['c_prefix']}_{part}" for part in ("math", "identity")}
+        assert cited == {f"models/{folder.name}"} | pages | {unit.page for unit in units} - private
+
+
+def test_a_model_of_ones_own_has_no_page():
+    model = load_model("euler-matching")
+    assert pages(model, "em_F", ("kim-2018 (9)",)) == "c/euler_matching/em_F, equations/kim-2018/9"
+    assert not pages(dataclasses.replace(model, name="mine"), "m_F", ("kim-2018 (9)",))
+
+
 def test_names_in_code_become_links_to_their_pages():
     known = trace.Trace(units=[unit for f in folders() if f.name == "euler_matching" for unit in trace.units_of(f)])
     known.equations["kim-2018", "9"] = trace.Equation("kim-2018", "9", "(9)", "erratum", "", "")
@@ -162,6 +189,13 @@ def test_names_in_code_become_links_to_their_pages():
         '<a href="../../c/euler_matching/em_F.html"><code>em_F</code></a> <code>em_X</code> '
         '<a href="../../equations/kim-2018/9.html">kim-2018 (9)</a> kim-2018 (99)'
     )
+
+
+def test_each_study_has_a_page_which_the_equations_of_its_models_lead_to():
+    found = trace.studied()
+    assert {model for name in STUDIES for model in study(name).models} == {model for model, on in found.items() if on}
+    assert [page.stem for page in found["euler-matching"]] == ["euler-matching"]
+    assert "sea-exploration" in {page.stem for page in found["velocity-attitude-lever"]}
 
 
 def test_the_tests_of_an_equation_are_those_that_are_marked_with_it():
@@ -191,6 +225,10 @@ def test_a_figure_finds_the_function_that_draws_it():
     path, name, text = reference.drawn_by("sea_slope_figure_4_compensation")
     assert (path.parent.name, path.name, name) == ("sea_state", "figures.py", "compensation")
     assert text.startswith("def compensation(") and reference.drawn_by("nobody_draws_this") is None
+    shown = [Path(name).stem for name in reference.shown_on([ROOT / "README.md", *layout.pages()])]
+    assert sorted(name for name in shown if not reference.code_of(name)) == sorted(reference.BY_HAND)
+    path, name, text = reference.code_of("sea_slope_figure_3_with")
+    assert (path.name, name) == ("figures.py", "heading") and "def draw" in reference.code_of("noise")[2]
 
 
 def test_of_what_verify_prints_the_rows_that_failed_are_shown():
@@ -202,6 +240,11 @@ def test_of_what_verify_prints_the_rows_that_failed_are_shown():
         "  held against  exact  difference", "  F  a:  7 FAILED", "     more", "  Phi c 1", "     d FAILED",
         "verify: 2 failed",
     ]  # fmt: skip
+
+
+def test_figures_are_svg_but_those_whose_logs_are_not_kept_and_that_of_an_example():
+    there = {path.stem for path in (ROOT / "docs" / "figures").iterdir() if path.suffix != ".svg"}
+    assert there == {"noise", "noise_flight", "autopilot_log"}
 
 
 def test_the_first_flight_is_that_of_the_readme_and_keeps_its_estimates():

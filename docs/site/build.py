@@ -71,7 +71,7 @@ def flight() -> str:
         'plt.xlabel("time [s]")\n'
         'plt.ylabel("misalignment [deg]")\n'
         "plt.legend()\n"
-        'plt.savefig("first-flight.png", dpi=110)\n'
+        'plt.savefig("first-flight.svg")\n'
     )
 
 
@@ -154,6 +154,9 @@ def checked(out: Path, known: trace.Trace) -> str:
     path, size = max(sizes.items(), key=lambda item: item[1])
     if size > LARGEST:
         raise SystemExit(f"site: {path.relative_to(out)} has {size} bytes, more than {LARGEST}")
+    for folder in dict.fromkeys(unit.folder for unit in known.units):
+        if gone := sorted(page for page in trace.cited_pages(folder) if f"{page}.html" not in site.links):
+            raise SystemExit(f"site: a header of {folder.name} cites the page {gone[0]}, which is not there")
     far: Counter[int] = Counter()
     without = []
     for equation, units in trace.ends(known):

@@ -11,6 +11,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from matplotlib import rc_context
+
+from boresight.analysis.figures import STYLE
+
 BLOCK = re.compile(r"^```python(?: (\S+))?\n(.*?)^```\n(?:```text\n.*?^```\n)?", re.MULTILINE | re.DOTALL)
 
 
@@ -23,16 +27,20 @@ class Ran:
     pictures: tuple[Path, ...]
 
 
+def pictures(folder: Path) -> list[Path]:
+    return [path for path in folder.iterdir() if path.suffix in (".png", ".svg")]
+
+
 def ran(code: str, names: dict[str, Any], folder: Path) -> Ran:
     """A block of Python in a folder, with the names of the blocks before it."""
-    before, out = set(folder.glob("*.png")), io.StringIO()
+    before, out = set(pictures(folder)), io.StringIO()
     sys.path.insert(0, str(folder))
     try:
-        with chdir(folder), redirect_stdout(out):
+        with chdir(folder), redirect_stdout(out), rc_context(STYLE):
             exec(compile(code, "block", "exec"), names)
     finally:
         sys.path.remove(str(folder))
-    return Ran(code, out.getvalue(), tuple(sorted(set(folder.glob("*.png")) - before)))
+    return Ran(code, out.getvalue(), tuple(sorted(set(pictures(folder)) - before)))
 
 
 def page(text: str, folder: Path, shown: Path, prefix: str = "") -> tuple[str, str]:

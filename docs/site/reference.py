@@ -18,9 +18,18 @@ from docs.site.layout import ROOT, fenced
 
 GROUP = re.compile(r"^(\w[\w ]*)\n((?:    .*\n)+)", re.MULTILINE)
 NAME = re.compile(r"`(\w+)`")
+# Figures whose name the caller gives, and the function that draws them.
+NAMED_BY_CALLER = {
+    "autopilot_log": "examples/fly_autopilot_log.py:draw",
+    "labelled_rest": "tests/studies/labelled_rest.py:draw",
+    "noise": "analysis/noise.py:draw",
+    "noise_flight": "analysis/likelihood.py:draw",
+    "tutorial": "analysis/consistency.py:draw",
+}
+BY_HAND = ("measurement", "pipe")
 ROOMS = ("studies", "analysis", "benchmarks", "examples")
 DRAWS = re.compile(r"sheets\(|\.savefig\(")
-LITERAL = 6  # characters of a name that a string must have as they are
+LITERAL = 5  # characters of a name that a string must have as they are
 
 
 def groups() -> dict[str, list[str]]:
@@ -124,13 +133,23 @@ def drawn_by(figure: str) -> tuple[Path, str, str] | None:
 def fits(node: ast.AST, figure: str) -> int:
     """How many characters of a figure's name a string has as they are, if all of it can be that name; else 0."""
     if isinstance(node, ast.Constant) and isinstance(node.value, str):
-        return len(figure) if node.value.removesuffix(".png") == figure else 0
+        return len(figure) if Path(node.value).stem == figure else 0
     if not isinstance(node, ast.JoinedStr):
         return 0
     constant = [str(v.value) if isinstance(v, ast.Constant) else "" for v in node.values]
     pattern = "".join(re.escape(text) if text else ".+" for text in constant)
     literal = sum(map(len, constant))
     return literal if literal >= LITERAL and re.fullmatch(pattern, figure) else 0
+
+
+def code_of(figure: str) -> tuple[Path, str, str] | None:
+    """The function that draws it; of what is drawn by hand None."""
+    if figure not in NAMED_BY_CALLER:
+        return drawn_by(figure)
+    path, _, name = NAMED_BY_CALLER[figure].partition(":")
+    text = (ROOT / path).read_text(encoding="utf-8")
+    (node,) = (n for n in ast.walk(ast.parse(text)) if isinstance(n, ast.FunctionDef) and n.name == name)
+    return ROOT / path, name, "\n".join(text.splitlines()[node.lineno - 1 : node.end_lineno])
 
 
 def shown_on(pages: list[Path]) -> dict[str, list[tuple[Path, str]]]:
@@ -145,16 +164,17 @@ def shown_on(pages: list[Path]) -> dict[str, list[tuple[Path, str]]]:
 
 def gallery(source: layout.Source) -> None:
     """Each figure with the pages that show it; those that one function draws together, and its code."""
-    text = "# Gallery\n\nEach figure, the page that explains it, and the function that draws it, where one names it.\n"
+    text = "# Gallery\n\nEach figure, the page that explains it, and the function that draws it.\n"
     shown = shown_on([ROOT / "README.md", *layout.pages()])
     by_code: dict[tuple[Path, str, str] | None, list[str]] = {}
     for name in sorted(shown):
-        by_code.setdefault(drawn_by(Path(name).stem), []).append(name)
+        by_code.setdefault(code_of(Path(name).stem), []).append(name)
     for drawn, figures in by_code.items():
         for name in figures:
             (page, words), *_ = shown[name]
             text += f"\n## {words}\n\n![{words}]({source.picture('gallery', ROOT / 'docs' / 'figures' / name)})\n\n"
-            text += f"On {source.link('gallery', page, layout.title_of(page.read_text(encoding='utf-8')))}.\n"
+            by_hand = " Drawn by hand, as SVG." * (not drawn)
+            text += f"On {source.link('gallery', page, layout.title_of(page.read_text(encoding='utf-8')))}.{by_hand}\n"
         if drawn:
             file, function, code = drawn
             link = source.link("gallery", file, f"`{file.relative_to(ROOT)}`")

@@ -9,7 +9,7 @@ import tempfile
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cache, cached_property
 from html import escape
 from itertools import chain
 from pathlib import Path
@@ -25,6 +25,7 @@ from boresight.derive.pages.model import model_page
 from boresight.derive.pages.page import anchor, equations_page, paper_page
 from boresight.derive.papers import DERIVATIONS, PAPERS, paper
 from boresight.evidence import trace as statements
+from boresight.studies.known import STUDIES, study
 from docs.site import layout, reference
 from docs.site.layout import ORPHAN, ROOT, fenced, raw, table, toctree
 
@@ -38,6 +39,7 @@ FUNCTION = re.compile(
     re.MULTILINE | re.DOTALL,
 )
 DEFINED = re.compile(r"^(?!static|typedef|return|else)[a-z]\w*(?: \w+)*[ *]+(\w+)\([^;{}()]*\)\n?\s*\{", re.MULTILINE)
+NAMED_PAGES = re.compile(r"\bPages?:([^.]*)\.")
 APART = 30_000  # characters: a longer section of a model has its own page
 TOGETHER = 40  # formulas of a block
 MOST = 150_000  # characters: what is longer has several
@@ -106,6 +108,15 @@ def units_of(folder: Folder) -> list[Unit]:
         if functions:
             made.append(Unit(folder, path, functions, Source(folder, path).described or {}))
     return made
+
+
+def cited_pages(folder: Folder) -> set[str]:
+    """The pages of the site that the folder's headers cite, by name."""
+    found: set[str] = set()
+    for header in folder.include.glob("*.h"):
+        for text in NAMED_PAGES.findall(header.read_text(encoding="utf-8")):
+            found |= {page.strip(" *\n") for page in text.split(",")}
+    return found
 
 
 # ---------------------------------------------------------------- what is linked with what
@@ -263,6 +274,10 @@ def equation_page(source: layout.Source, known: Trace, one: Equation) -> None:
     lines = [f"{word} " + ", ".join(f"[{e.title}]({top}{e.page}.md)" for e in of) for word, of in links.items() if of]
     if not units and (reached := known.reached(one)):
         lines.append("In C through these: " + ", ".join(f"[`{u.path.stem}`]({top}{u.page}.md)" for u in reached))
+    models = dict.fromkeys(unit.folder.manifest["model"] for unit in units or known.reached(one))
+    flown_on = dict.fromkeys(page for model in models for page in studied().get(model, ()))
+    if flown_on:
+        lines.append("Flown in the studies " + ", ".join(titled(source, here, page) for page in flown_on))
     if tests := known.tests.get((one.paper, one.number)):
         lines.append("Tested by " + ", ".join(source.link(here, path, f"`{name}`") for path, name in tests))
     head = f"[All of {one.paper}](../{one.paper}.md)" + (f", {one.source}" if one.source else "")
@@ -373,24 +388,41 @@ def models(source: layout.Source, known: Trace, shown: Mapping[str, dict[str, An
     source.write("models/index", text)
 
 
+@cache
+def studied() -> dict[str, list[Path]]:
+    """Model -> the pages of docs/ on the studies that fly it; a page shows the command of its study."""
+    found: dict[str, list[Path]] = defaultdict(list)
+    texts = {path: path.read_text(encoding="utf-8") for path in layout.pages()}
+    for name in STUDIES:
+        shown = [path for path, text in texts.items() if re.search(rf"^boresight study {name}\b", text, re.MULTILINE)]
+        for model in study(name).models:
+            found[model] += [path for path in shown if path not in found[model]]
+    return found
+
+
+def titled(source: layout.Source, here: str, page: Path) -> str:
+    """A link to a page of docs/, in the words of its title."""
+    return source.link(here, page, layout.title_of(page.read_text(encoding="utf-8")))
+
+
 def explained(source: layout.Source, here: str, model: str) -> list[str]:
     """Links to the page of docs/ that is called like a model, and to those that name it most often."""
     word = re.compile(rf"(?<![\w-]){model}(?![\w-])")
     named = [(path.stem == model, len(word.findall(path.read_text(encoding="utf-8"))), path) for path in layout.pages()]
     most = sorted((one for one in named if one[1]), key=lambda one: (-one[0], -one[1]))[:4]
-    return [source.link(here, path, layout.title_of(path.read_text(encoding="utf-8"))) for _, _, path in most]
+    return [titled(source, here, path) for _, _, path in most]
 
 
 def flown(source: layout.Source, here: str, model: str) -> str:
     """A figure of a study whose code names the model, and the page that explains it; nothing if there is none."""
     for figure, pages in sorted(reference.shown_on(layout.pages()).items()):
-        drawn = reference.drawn_by(Path(figure).stem)
+        drawn = reference.code_of(Path(figure).stem)
         if not drawn or ROOT / "studies" not in drawn[0].parents:
             continue
         if any(f'"{model}"' in path.read_text(encoding="utf-8") for path in drawn[0].parent.glob("*.py")):
             page, words = pages[0]
             picture = f"![{words}]({source.picture(here, ROOT / 'docs' / 'figures' / figure)})"
-            on = source.link(here, page, layout.title_of(page.read_text(encoding="utf-8")))
+            on = titled(source, here, page)
             return f"\n## In a study\n\n{picture}\n\n{words}, of {on}; [all figures](../gallery.md).\n"
     return ""
 

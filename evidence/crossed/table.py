@@ -46,6 +46,6 @@ def wrapped(line: str) -> str:
 def row(check: Check, found: dict[str, Any] | None) -> tuple[str, ...]:
     if found is None:
         return check.name, *"-" * (len(HEAD) - 1)
-    sizes = (f"{found[key]:.1e}" for key in ("apart", "ours", "peer", "allowed"))
+    sizes = (f"`{found[key]:.1e}`" for key in ("apart", "ours", "peer", "allowed"))
     unit = f", {check.unit}" * (check.unit != "1")
-    return check.name + unit, f"{found['number']:.17g}", *sizes, verdict(found)
+    return check.name + unit, f"`{found['number']:.17g}`", *sizes, verdict(found)
