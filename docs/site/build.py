@@ -33,8 +33,8 @@ KINDS: Mapping[str, tuple[str, ...]] = {
     "Tutorials": ("tutorial", "from-nothing", "your-paper", "smoother", "observability"),
     "How-to": ("design-questions", "error-budget", "noise", "recordings", "transfer-alignment", "live", "zero-velocity",
                "stationary-detectors", "batch", "from-ekf2-and-kf-gins"),
-    "Explanation": ("conventions", "own-model", "mechanics", "covariance", "float", "equation-to-test", "evidence",
-                    "cross-checks", "benchmarks"),
+    "Explanation": ("conventions", "own-model", "mechanics", "covariance", "float", "evidence", "cross-checks",
+                    "benchmarks"),
     "Studies": ("euler-matching", "azimuth-hold", "sea-state", "sea-exploration"),
 }  # fmt: skip
 FOLDERS = {"How-to": "how-to", "Explanation": "decisions", "Studies": "derivations", "Reference": "reference"}
