@@ -2,6 +2,7 @@
 
 import hashlib
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -43,14 +44,17 @@ class CrossChecks:
     def place(self) -> Path:
         return HERE / "crossed"
 
-    def hash(self, module: Path, of: tuple[str, ...]) -> str:
-        """Of a check: its module with what all of them share, and what our answer is of, generated folders by their C
-        and modules by their syntax trees."""
-        code = {folder.name: folder.code for folder in folders()}
-        paths = {module, *(self.place / f"{name}.py" for name in ("judge", "exact", "flights"))}
-        paths |= {PACKAGE / name for name in of if name not in code}
-        parts = [code[name] for name in of if name in code]
-        return hashlib.sha256("\n".join([hashed(paths), *parts]).encode()).hexdigest()
+    def hashes(self, module: Path, checks: Mapping[str, tuple[str, ...]]) -> dict[str, str]:
+        """Of each check: its module with what all of them share, and what our answer is of, generated folders by their
+        C and modules by their syntax trees."""
+        by_name = {folder.name: folder for folder in folders()}
+        shared = {module, *(self.place / f"{name}.py" for name in ("judge", "exact", "flights"))}
+        found = {}
+        for check, of in checks.items():
+            parts = [hashed(shared | {PACKAGE / name for name in of if name not in by_name})]
+            parts += [by_name[name].code for name in of if name in by_name]
+            found[check] = hashlib.sha256("\n".join(parts).encode()).hexdigest()
+        return found
 
 
 @dataclass(frozen=True)

@@ -25,6 +25,8 @@ from boresight.derive.pages.model import model_page
 from boresight.derive.pages.page import anchor, equations_page, paper_page
 from boresight.derive.papers import DERIVATIONS, PAPERS, paper
 from boresight.evidence import trace as statements
+from boresight.evidence.crossed import PEERS
+from boresight.evidence.crossed import table as crossed
 from boresight.studies.known import STUDIES, study
 from docs.site import layout, reference
 from docs.site.layout import ORPHAN, ROOT, fenced, raw, table, toctree
@@ -361,8 +363,9 @@ def models(source: layout.Source, known: Trace, shown: Mapping[str, dict[str, An
             f"[Evidence of its C]({folder.name}-evidence.md). `boresight export {m['model']} -o DIR` writes it.",
             f"Headers: {', '.join(headers)}.",
             f"Explained in {', '.join(explained(source, here, m['model']))}.",
+            beside(source, here, folder),
         )
-        text = f"# {m['model']}\n\n" + "\n\n".join(lead) + "\n"
+        text = f"# {m['model']}\n\n" + "\n\n".join(filter(None, lead)) + "\n"
         for name, title, html in shown.get(folder.name, {"sections": ()})["sections"]:
             place = known.blocks[folder.name].get(name, here)
             page = place.partition(".html")[0] or here
@@ -398,6 +401,12 @@ def studied() -> dict[str, list[Path]]:
         for model in study(name).models:
             found[model] += [path for path in shown if path not in found[model]]
     return found
+
+
+def beside(source: layout.Source, here: str, folder: Folder) -> str:
+    """The tools that were asked for the same numbers as the folder's C; nothing if none was."""
+    tools = ", ".join(peer.name for peer in PEERS if any(folder.name in check.of for check in peer.checks))
+    return f"The same numbers by {tools}: {titled(source, here, crossed.PAGE)}." if tools else ""
 
 
 def titled(source: layout.Source, here: str, page: Path) -> str:

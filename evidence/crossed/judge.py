@@ -119,7 +119,10 @@ class Peer:
 
     def hashes(self, subject: Any) -> dict[str, str]:
         """By check, of all that its result hangs on."""
-        return {check.name: subject.hash(Path(self.file).resolve(), check.of) for check in self.checks}
+        made: dict[str, str] = subject.hashes(
+            Path(self.file).resolve(), {check.name: check.of for check in self.checks}
+        )
+        return made
 
     @property
     def missing(self) -> str:
