@@ -242,6 +242,17 @@ def test_of_what_verify_prints_the_rows_that_failed_are_shown():
     ]  # fmt: skip
 
 
+def test_every_figure_is_a_page_with_its_code(tmp_path):
+    source = layout.Source(tmp_path / "source")
+    reference.gallery(source)
+    shown = reference.shown_on([ROOT / "README.md", *layout.pages()])
+    cards = re.findall(r"^:link: (gallery/.*)$", (source.folder / "gallery.md").read_text(), re.MULTILINE)
+    assert sorted(cards) == sorted(f"gallery/{Path(name).stem}" for name in shown) and len(cards) > 30
+    text = (source.folder / "gallery" / "sea_unknown_delay.md").read_text()
+    assert "![" in text and "def unknown_delay(" in text and "../sea-state.md" in text
+    assert "by hand" in (source.folder / "gallery" / "pipe.md").read_text()
+
+
 def test_figures_are_svg_but_those_whose_logs_are_not_kept_and_that_of_an_example():
     there = {path.stem for path in (ROOT / "docs" / "figures").iterdir() if path.suffix != ".svg"}
     assert there == {"noise", "noise_flight", "autopilot_log"}

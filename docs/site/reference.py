@@ -163,23 +163,28 @@ def shown_on(pages: list[Path]) -> dict[str, list[tuple[Path, str]]]:
 
 
 def gallery(source: layout.Source) -> None:
-    """Each figure with the pages that show it; those that one function draws together, and its code."""
-    text = "# Gallery\n\nEach figure, the page that explains it, and the function that draws it.\n"
-    shown = shown_on([ROOT / "README.md", *layout.pages()])
-    by_code: dict[tuple[Path, str, str] | None, list[str]] = {}
-    for name in sorted(shown):
-        by_code.setdefault(code_of(Path(name).stem), []).append(name)
-    for drawn, figures in by_code.items():
-        for name in figures:
-            (page, words), *_ = shown[name]
-            text += f"\n## {words}\n\n![{words}]({source.picture('gallery', ROOT / 'docs' / 'figures' / name)})\n\n"
-            by_hand = " Drawn by hand, as SVG." * (not drawn)
-            text += f"On {source.link('gallery', page, layout.title_of(page.read_text(encoding='utf-8')))}.{by_hand}\n"
-        if drawn:
+    """Each figure on a card, and on a page of its own with the pages that show it and the code that draws it."""
+    text = "# Gallery\n\nEach figure leads to the page that explains it and to the function that draws it.\n\n"
+    cards = ["::::{grid} 1 2 2 3\n:gutter: 2\n"]
+    for name, pages in sorted(shown_on([ROOT / "README.md", *layout.pages()]).items()):
+        here, (_, words) = f"gallery/{Path(name).stem}", pages[0]
+        picture = source.picture(here, ROOT / "docs" / "figures" / name)
+        cards.append(
+            f":::{{grid-item-card}} {words}\n:link: {here}\n:link-type: doc\n:img-bottom: figures/{name}\n:::\n"
+        )
+        on = ", ".join(source.link(here, page, title_at(page)) for page in dict.fromkeys(page for page, _ in pages))
+        own = f"{layout.ORPHAN}# {words}\n\n![{words}]({picture})\n\nOn {on}; [all figures](../gallery.md).\n\n"
+        if drawn := code_of(Path(name).stem):
             file, function, code = drawn
-            link = source.link("gallery", file, f"`{file.relative_to(ROOT)}`")
-            text += f"\n:::{{dropdown}} The code: `{function}`\nOf {link}.\n\n{fenced(code, 'python')}:::\n"
-    source.write("gallery", text)
+            own += f"Drawn by `{function}` of {source.link(here, file)}:\n\n{fenced(code, 'python')}"
+        else:
+            own += "Drawn by hand, as SVG.\n"
+        source.write(here, own)
+    source.write("gallery", text + "\n".join([*cards, "::::\n"]))
+
+
+def title_at(page: Path) -> str:
+    return layout.title_of(page.read_text(encoding="utf-8"))
 
 
 # ---------------------------------------------------------------- for programs

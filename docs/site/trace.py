@@ -411,7 +411,7 @@ def beside(source: layout.Source, here: str, folder: Folder) -> str:
 
 def titled(source: layout.Source, here: str, page: Path) -> str:
     """A link to a page of docs/, in the words of its title."""
-    return source.link(here, page, layout.title_of(page.read_text(encoding="utf-8")))
+    return source.link(here, page, reference.title_at(page))
 
 
 def explained(source: layout.Source, here: str, model: str) -> list[str]:
@@ -432,7 +432,7 @@ def flown(source: layout.Source, here: str, model: str) -> str:
             page, words = pages[0]
             picture = f"![{words}]({source.picture(here, ROOT / 'docs' / 'figures' / figure)})"
             on = titled(source, here, page)
-            return f"\n## In a study\n\n{picture}\n\n{words}, of {on}; [all figures](../gallery.md).\n"
+            return f"\n## In a study\n\n{picture}\n\n{words}, of {on}; [its code](../gallery/{Path(figure).stem}.md).\n"
     return ""
 
 
