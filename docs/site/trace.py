@@ -279,7 +279,7 @@ def equation_page(source: layout.Source, known: Trace, one: Equation) -> None:
     models = dict.fromkeys(unit.folder.manifest["model"] for unit in units or known.reached(one))
     flown_on = dict.fromkeys(page for model in models for page in studied().get(model, ()))
     if flown_on:
-        lines.append("Flown in the studies " + ", ".join(titled(source, here, page) for page in flown_on))
+        lines.append("Flown in " + ", ".join(titled(source, here, page) for page in flown_on))
     if tests := known.tests.get((one.paper, one.number)):
         lines.append("Tested by " + ", ".join(source.link(here, path, f"`{name}`") for path, name in tests))
     head = f"[All of {one.paper}](../{one.paper}.md)" + (f", {one.source}" if one.source else "")
