@@ -52,7 +52,8 @@ def host(folder: Path, experiment: Path, precision: str = "double") -> ctypes.CD
 def library(folder: Path, *own: Path, precision: str = "double") -> ctypes.CDLL:
     """The C of a model, of random numbers and of these files, for the host.
 
-    gcc 12 fuses what its vectors add and subtract side by side, a complex product in a loop, whatever -ffp-contract says.
+    gcc 12 fuses a complex product in a loop, which its vectors add and subtract side by side, whatever -ffp-contract
+    says.
     """
     places = dict.fromkeys((*HEADERS, *(file.parent for file in own)))
     read = NUMBERS, *own, *(header for place in places for header in sorted(place.glob("*.h")))
