@@ -1,6 +1,5 @@
 /* many.c - one run of `boresight many`: a slave's filter at sea from its start to its final errors, in the C of
  * velocity-attitude.  Operation by operation the same as many.py and matching.py, which fly many runs side by side. */
-#include "run.h"
 #include "sea.h"
 
 #define MIL 0.0009817477042468104 /* rad */
@@ -96,56 +95,19 @@ static void finish(const va_nav *nav, const bs_real P[VA_N_STATES * VA_N_STATES]
     row[34] = nis;
 }
 
-/* What the master reports at an update. */
-static void report(const flight *f, size_t update, double v[3], double q[4])
-{
-    static const double ones[ALL] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
-    static const double none[ALL] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
-    double pose[PARTS];
-    double drawn[ALL];
-    double turn[4];
-    for (int i = 0; i < PARTS; ++i) {
-        pose[i] = 0.0;
-        for (size_t k = 0U; k < NODES; ++k) {
-            pose[i] = pose[i] + (f->weight[k] * f->master[(((k * (f->updates + 1U)) + update) * PARTS) + (size_t)i]);
-        }
-    }
-    normal(&pose[3]);
-    boresight_normals(f->seed, &f->run, 1U, MASTER, ALL * (update + 1U), ALL, drawn, 0, 1, ones, none);
-    turn[0] = 1.0;
-    for (int i = 0; i < 3; ++i) {
-        v[i] = pose[i] + (f->all->velocity_noise * drawn[i]);
-        turn[1 + i] = (f->all->attitude_noise * drawn[3 + i]) / 2.0;
-    }
-    normal(turn);
-    hull_product(turn, &pose[3], q);
-}
-
 /* The delay, the biases and the first report; the filter begins. */
 static bs_status begin(flight *f)
 {
     static const double none[ALL] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
     const common *const all = f->all;
-    uint64_t word;
     double bias[ALL];
     double v[3];
     double q[4];
     double swing[3];
     va_nav nav;
-    boresight_words(f->seed, &f->run, 1U, DELAY, 0U, 1U, &word, 0, 1);
-    const double part = (double)(word >> 11U) * 1.1102230246251565e-16;
-    f->delay = 1e-3 * (all->delay_ms[0] + (all->delay_ms[1] * part));
-    for (int i = 0; i < NODES; ++i) {
-        f->weight[i] = 1.0;
-        for (int k = 0; k < NODES; ++k) {
-            if (k != i) {
-                const double *const at = f->true_->delays;
-                f->weight[i] = f->weight[i] * ((f->delay - at[k]) / (at[i] - at[k]));
-            }
-        }
-    }
+    f->delay = sea_delay(all, f->true_, f->seed, f->run, f->weight);
     boresight_normals(f->seed, &f->run, 1U, MASTER, 0U, ALL, bias, 0, 1, all->bias, none);
-    report(f, 0U, v, q);
+    sea_report(all, f->master, f->weight, f->seed, f->run, 0U, v, q);
     hull_turned(q, f->true_->swing, swing);
     for (int i = 0; i < 3; ++i) {
         nav.v_n[i] = (bs_real)(v[i] + swing[i]);
@@ -283,7 +245,7 @@ static bs_status match(flight *f, size_t update, double *nis)
     double v[3];
     double q[4];
     moving(f, omega, a_n);
-    report(f, update, v, q);
+    sea_report(f->all, f->master, f->weight, f->seed, f->run, update, v, q);
     convert(omega, imu.omega_ib_b, 3);
     convert(a_n, master.a_n, 3);
     convert(v, master.v_m_n, 3);

@@ -6,6 +6,7 @@
 #include "velocity_attitude_filter.h"
 
 #include "hull.h"
+#include "run.h"
 
 enum { NODES = 6, ALL = 6, PARTS = 7, DRAWN = 8 /* samples at a time */, SLAVE = 0, MASTER = 1, DELAY = 2, WAVES = 3 };
 
@@ -82,5 +83,51 @@ static inline void attitude_error(const bs_real hat[4], const double q[4], doubl
     for (int i = 0; i < 3; ++i) {
         error[i] = scale * v[i];
     }
+}
+
+/* The delay of a run, and the weights of the master's poses for it. */
+static inline double sea_delay(const common *all, const sea *true_, uint64_t seed, uint64_t run, double weight[NODES])
+{
+    uint64_t word;
+    boresight_words(seed, &run, 1U, DELAY, 0U, 1U, &word, 0, 1);
+    const double part = (double)(word >> 11U) * 1.1102230246251565e-16;
+    const double delay = 1e-3 * (all->delay_ms[0] + (all->delay_ms[1] * part));
+    const double *const at = true_->delays;
+    for (int i = 0; i < NODES; ++i) {
+        weight[i] = 1.0;
+        for (int k = 0; k < NODES; ++k) {
+            if (k != i) {
+                weight[i] = weight[i] * ((delay - at[k]) / (at[i] - at[k]));
+            }
+        }
+    }
+    return delay;
+}
+
+/* What the master reports at an update. */
+static inline void sea_report(const common *all, const double *master, const double weight[NODES], uint64_t seed,
+                              uint64_t run, size_t update, double v[3], double q[4])
+{
+    static const double ones[ALL] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+    static const double none[ALL] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+    const size_t updates = (size_t)all->updates;
+    double pose[PARTS];
+    double drawn[ALL];
+    double turn[4];
+    for (int i = 0; i < PARTS; ++i) {
+        pose[i] = 0.0;
+        for (size_t k = 0U; k < NODES; ++k) {
+            pose[i] = pose[i] + (weight[k] * master[(((k * (updates + 1U)) + update) * PARTS) + (size_t)i]);
+        }
+    }
+    normal(&pose[3]);
+    boresight_normals(seed, &run, 1U, MASTER, ALL * (update + 1U), ALL, drawn, 0, 1, ones, none);
+    turn[0] = 1.0;
+    for (int i = 0; i < 3; ++i) {
+        v[i] = pose[i] + (all->velocity_noise * drawn[i]);
+        turn[1 + i] = (all->attitude_noise * drawn[3 + i]) / 2.0;
+    }
+    normal(turn);
+    hull_product(turn, &pose[3], q);
 }
 #endif

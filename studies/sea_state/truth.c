@@ -1,6 +1,5 @@
 /* truth.c - what is true at sea for many runs of many.c, in double: a hull in waves, the increments of ideal sensors on
  * it, the master's poses, and the covariance with which a filter begins. */
-#include "run.h"
 #include "sea.h"
 
 enum { WAVE = 0, SLOPE = 1, SEA = 2, COMPONENTS = 120, ROUNDS = 30 };
