@@ -6,7 +6,7 @@
 enum { EVENTS = 20, EACH_US = 10000, LATE = 5 /* samples from an instant to its message */ };
 
 /* All that the loop says by now, by code; `row` has the events, and behind them what was not taken. */
-static void heard(va_live *live, double row[])
+static void count_events(va_live *live, double row[])
 {
     bs_event event;
     while (va_live_next_event(live, &event) == BS_OK) {
@@ -109,7 +109,7 @@ int boresight_run(const double *given, uint64_t seed, uint64_t run, double *row)
         }
         while (va_live_background(&live) == BS_OK) {
         }
-        heard(&live, row);
+        count_events(&live, row);
     }
     if ((status == BS_OK) && (va_live_counted(&live, &counts) == BS_OK)) {
         row[EVENTS] = (double)counts.fate[BS_MSG_TAKEN];

@@ -50,13 +50,13 @@ def main() -> None:
     parser.add_argument("--jobs", type=int, default=1)
     asked = parser.parse_args()
     parts = [min(TOGETHER, asked.hours - first) for first in range(0, asked.hours, TOGETHER)]
-    total, told, hours = np.zeros(COLUMNS), 0, 0
+    total, eventful, hours = np.zeros(COLUMNS), 0, 0
     with ProcessPoolExecutor(asked.jobs) as pool:
         for rows in pool.map(in_a_sea, range(len(parts)), parts):
             total, hours = total + rows.sum(0), hours + len(rows)
-            told += int((rows[:, Event.MESSAGE : TAKEN].sum(1) > 0).sum())
-            print(f"{hours} h, {told} of them with an event", end="\r", flush=True)
-    print(f"{hours} hours, {told} of them with an event")
+            eventful += int((rows[:, Event.MESSAGE : TAKEN].sum(1) > 0).sum())
+            print(f"{hours} h, {eventful} of them with an event", end="\r", flush=True)
+    print(f"{hours} hours, {eventful} of them with an event")
     print(f"{total[TAKEN]:.0f} messages were taken, {total[TAKEN + 1]:.0f} in part or not")
     for event in Event:
         low, high = chi2.ppf([0.025, 0.975], [2 * total[event], 2 * total[event] + 2]) / 2 / hours
