@@ -35,7 +35,7 @@ static inline int logged(int line, int red)
 }
 """
 CALLED = (r"(failures = )(?!0;)(.*?);\s*$", r"(failures \+= )(.*?);\s*$", r"(return failures \+ )(.*?);\s*$")
-BEGUN = re.compile(r"^(\s*(?:const )?(bs_status|bs_msg_fate|bool|int|bs_real) \w+ =).*;\s*$", re.DOTALL)
+BEGUN = re.compile(r"^(\s*(?:const )?(bs_status|bs_msg_fate|bool|int|bs_real) \w+(\[\d+\])? =).*;\s*$", re.DOTALL)
 NONE = {"bs_status": "BS_OK"}
 
 
@@ -71,7 +71,7 @@ def without(text, places):
             of = next(line for line in reversed(lines[: place.line]) if re.match(r"[a-zA-Z].*\w\(", line))
             made = "    return BS_OK;" if "bs_status" in of.split("(")[0] else "    return 0;"
         elif begun := BEGUN.match(whole):
-            made = f"{begun[1]} {NONE.get(begun[2], '0')};"
+            made = f"{begun[1]} {'{ 0 }' if begun[3] else NONE.get(begun[2], '0')};"
         else:
             made = "    ;"
         made += "\n" * (count - 1 - made.count("\n"))
