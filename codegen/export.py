@@ -205,10 +205,11 @@ def exported(
     else:
         make = MAKE.format(target) if ":" in target else MADE_HERE.format(folder.name)
     page = proof.page_view(of, found, why, make)
-    if page["lowest"]["golden"] < proof.Verdict.LISTED:
+    run_here = page["lowest"]["golden"] < proof.Verdict.LISTED or "coverage" not in found
+    if run_here:
         check_self_test(files, precision)
     demanded = requirements.requirements(files, manifest)
-    page["trace"] = requirements.rows(demanded, files, ran(files, found, precision))
+    page["trace"] = requirements.rows(demanded, files, ran(files, found, precision, run_here))
     view = export_view(manifest, folder, files, precision, form or FORM_OF[precision], page)
     made = ["Makefile", "CMakeLists.txt", "README.md", "LICENSE", "package.pc.in", "EVIDENCE.html"]
     made += ["example/main.c", "example/minute.h"] if view["minute"] else []
@@ -248,7 +249,7 @@ def check_self_test(files: dict[str, str], precision: str) -> None:
     """Raise BoresightError where the self-test of an export fails on this machine; files: text by path."""
     with tempfile.TemporaryDirectory() as aside:
         folder, program = Path(aside), Path(aside) / "selftest.out"
-        write_all(folder, {path: text for path, text in files.items() if path.endswith((".c", ".h"))})
+        write_all(folder, {path: text for path, text in files.items() if path.endswith((".c", ".h", ".inc"))})
         parts = [f"-I{folder / part}" for part in ("include", "src", "selftest")]
         command = [*compiler.compiler(), "-std=c99", "-ffp-contract=off", *compiler.PRECISIONS[precision], *parts]
         sources = [path for part in ("src", "selftest") for path in sorted((folder / part).glob("*.c"))]
@@ -264,8 +265,11 @@ def check_self_test(files: dict[str, str], precision: str) -> None:
         )
 
 
-def ran(files: dict[str, str], found: dict[str, Any], precision: str) -> dict[str, str]:
-    """By function of the self-test what is known of it: how many failures on which builds, or that it passes here."""
+def ran(files: dict[str, str], found: dict[str, Any], precision: str, here: bool) -> dict[str, str]:
+    """By function of the self-test what is known of it: how many failures on which builds, or where it passed.
+
+    here: whether the whole self-test has just passed on this machine, as it did where its coverage was taken.
+    """
     units = found.get("golden", {}).get("units", {})
     result = {}
     for path in files:
@@ -275,7 +279,8 @@ def ran(files: dict[str, str], found: dict[str, Any], precision: str) -> dict[st
         of = [build["failures"] for name, build in builds.items() if name.endswith(precision)]
         for test in re.findall(r"^int (test_\w+)\(void\)", files[path], re.MULTILINE):
             known = f"{sum(of)} failures on {len(of)} builds in {precision}"
-            result[test] = known if of else "passes on this machine"
+            passed = "passes on this machine" if here else "passed where its coverage was taken"
+            result[test] = known if of else passed
     return result
 
 

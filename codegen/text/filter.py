@@ -374,6 +374,15 @@ def inside(model: Model) -> list[float]:
 
 def answered_by_all(model: Model, made: list[Unit]) -> list[np.ndarray]:
     """FLOWN points of all inputs, (FLOWN, size) each, at which every unit answers for x as `inside` has it."""
+    points = answered(model, made)
+    if len(points[0]) < FLOWN:
+        few = f"{len(points[0])} of {128 * FLOWN} points of its boxes"
+        raise BoresightError(f"{model.name}: {few} have an answer everywhere; narrow them")
+    return [part[:FLOWN] for part in points]
+
+
+def answered(model: Model, made: list[Unit]) -> list[np.ndarray]:
+    """Those of 128 FLOWN drawn points of all inputs, (points, size) each, at which every unit answers."""
     half, rng = 64 * FLOWN, generator("filter", model.name)
     anywhere, small = (sample(model.inputs, 0, half, rng, small=small) for small in (False, True))
     drawn, count = [np.vstack(both) for both in zip(anywhere, small, strict=True)], 2 * half
@@ -392,12 +401,7 @@ def answered_by_all(model: Model, made: list[Unit]) -> list[np.ndarray]:
             if unit.name == "strapdown" and result.name in boxes:  # what is carried on must lie in its box again
                 place = result.nonzeros[nz][0]
                 keep &= (value >= boxes[result.name].low[place]) & (value <= boxes[result.name].high[place])
-    chosen = np.flatnonzero(keep)[:FLOWN]
-    if len(chosen) < FLOWN:
-        raise BoresightError(
-            f"{model.name}: {len(chosen)} of {count} points of its boxes have an answer everywhere; narrow them"
-        )
-    return [part[chosen] for part in drawn]
+    return [part[keep] for part in drawn]
 
 
 def box(v: Any, place: int | None = None) -> dict[str, Any]:

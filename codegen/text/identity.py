@@ -8,6 +8,14 @@ from boresight import __version__
 
 # What tells a precision or a version, and computes nothing: an export in either precision has the same hash.
 BESIDE = re.compile(r"include/(\w+_identity|boresight_precision)\.h")
+STATUS = re.compile(r"^bs_status (\w+)\(", re.MULTILINE)
+FORMS = (  # of the names that hang on precision and form: their ending, and when
+    ("", "!defined(BORESIGHT_FLOAT) && !BORESIGHT_UD"),
+    ("_ud", "!defined(BORESIGHT_FLOAT) && BORESIGHT_UD"),
+    ("_f32", "defined(BORESIGHT_FLOAT) && BORESIGHT_UD"),
+    ("_f32_joseph", "defined(BORESIGHT_FLOAT) && !BORESIGHT_UD"),
+)
+PLAIN = (("", "!defined(BORESIGHT_FLOAT)"), ("_f32", "defined(BORESIGHT_FLOAT)"))
 PROTOTYPE = re.compile(r"^(?!typedef|static|extern)\w[\w *]*?\b(\w+)\(", re.MULTILINE)
 
 
@@ -44,6 +52,7 @@ def identity_view(
     files: all C of the folder.  m: `name`, `snake`, `prefix`.  exported, form: of an export, or nothing.
     """
     major, minor, patch = numbers()
+    headers = "\n".join(text for path, text in files.items() if path.startswith("include/"))
     names = sorted({*public_functions(files, m["prefix"]), f"{m['prefix']}_identity"})
     return {
         "m": {key: m[key] for key in ("name", "snake", "prefix")},
@@ -55,5 +64,7 @@ def identity_view(
         "numbers": [major, minor, patch],
         "number": 10000 * major + 100 * minor + patch,
         "names": names,
+        "timed": sorted({*STATUS.findall(headers)} & {*names}),
+        "forms": FORMS if has_filter else PLAIN,
         "of_form": [name for name in names if name.startswith((f"{m['prefix']}_filter_", f"{m['prefix']}_live_"))],
     }

@@ -21,6 +21,7 @@ from boresight.codegen.text.covariance import nonzeros
 from boresight.codegen.text.filter import (
     FLOWN,
     Wiring,
+    answered,
     answered_by_all,
     changing,
     has_filter,
@@ -28,7 +29,7 @@ from boresight.codegen.text.filter import (
     predicting,
     stepping,
 )
-from boresight.codegen.text.names import number
+from boresight.codegen.text.names import number, rows_of
 from boresight.derive.expressions import symbols_in
 from boresight.derive.linear import is_rate
 from boresight.derive.model import Model, Variable
@@ -37,6 +38,7 @@ from boresight.derive.units import RADIAN, SECOND, units
 LAG, DELAY, BEFORE = "lag", "tau", "_before"
 WINDOW, WINDOWS, LEVELS = 64, 4, 3  # messages over which innovations are watched, how many of these make a longer one
 UNLIKELY = 1e-8  # so seldom is one window of one row called so where nothing is wrong
+RESTED = 20  # steps of the strapdown without motion that a self-test of the loop begins with
 OPENED = 0.1  # of the box of a state that others drive: by how much it may err for each second of missing samples
 
 
@@ -192,6 +194,32 @@ def resets(model: Model, made: list[Unit]) -> list[tuple[int, int, int, float]]:
         found.append(terms)
     same = {key for key in found[0] if all(abs(2 * f.get(key, 0) - round(2 * found[0][key])) < 0.1 for f in found)}
     return [(*key, round(2 * found[0][key]) / 2) for key in sorted(same)]
+
+
+def start(inputs: Inputs, made: list[Unit], dt: float) -> dict[str, str]:
+    """By struct one point as C, of those at which every unit answers: the first at which the strapdown, which feels
+    nothing, keeps to its boxes; or the first."""
+    model = inputs.model
+    points = answered(model, made)
+    names = [v.name for v in model.inputs]
+    values = dict(zip(names, points, strict=True)) | {inputs.dt.name: np.full((len(points[0]), 1), dt)}
+    felt = [*(v.name for v in inputs.sensed), *inputs.before]
+    values |= {name: np.zeros_like(values[name]) for name in felt}
+    (unit,) = (unit for unit in made if unit.name == "strapdown")
+    good = np.ones(len(points[0]), dtype=bool)
+    for _ in range(RESTED):
+        results, _ = evaluate(unit.tape, [values[a.name] for a in unit.args])
+        after = {r.name: values[r.name].copy() for r in unit.results}
+        for (output, nz, _), value in zip(unit.tape.results, results, strict=True):
+            result = unit.results[output]
+            after[result.name][:, result.nonzeros[nz][0]] = value
+        for name, value in after.items():
+            box = inputs.fields[name]
+            good &= ((value >= np.array(box.low)) & (value <= np.array(box.high))).all(axis=1)
+        values |= after
+    here = int(np.argmax(good))
+    drawn = iter(part[here : here + 1] for part in points)
+    return {s.name: rows_of(np.hstack([next(drawn) for _ in s.fields])) for s in model.structs}
 
 
 def read_by(unit: Unit) -> dict[tuple[str, int], set[tuple[str, int]]]:
@@ -367,7 +395,7 @@ def live_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> di
             {"access": f"{'&' if v.size == 1 else ''}live->now.{owner[v.name]}.{v.name}", "size": v.size}
             for v in inputs.carried
         ],
-        "test_dt": repr(test_dt), "test_us": round(test_dt * 1e6),
+        "start": start(inputs, made, test_dt), "test_dt": repr(test_dt), "test_us": round(test_dt * 1e6),
         "dt": {
             "low": number(inputs.dt.low[0]), "high": number(inputs.dt.high[0]),
             "longest_us": max(1, int(0.9e6 * inputs.dt.high[0])),

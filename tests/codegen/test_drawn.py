@@ -27,7 +27,8 @@ def test_ten_passed_when_the_evidence_was_made():
 
 def test_an_export_whose_self_test_fails_is_refused_and_nothing_is_written(pendulum_folder, tmp_path, monkeypatch):
     manifest = exporting.read_manifest(pendulum_folder)
-    files = {path: (pendulum_folder / path).read_text() for path in manifest["files"] if path.endswith((".c", ".h"))}
+    paths = (path for path in manifest["files"] if path.endswith((".c", ".h", ".inc")))
+    files = {path: (pendulum_folder / path).read_text() for path in paths}
     names = {"name": manifest["model"], "snake": manifest["model"], "prefix": manifest["c_prefix"]}
     files |= exporting.identity_files(files, names, True, "double")[0]
     exporting.check_self_test(files, "double")

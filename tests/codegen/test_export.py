@@ -51,6 +51,26 @@ def test_a_float_export_has_no_double_in_its_sources(tmp_path):
     assert " double " not in own
 
 
+def test_the_self_test_prints_the_counter_of_a_board_where_one_is_named(tmp_path):
+    """By a counter of one's own, which is ahead by one at each reading: each call then takes one."""
+    exported_c("strapdown", tmp_path / "out", "float")
+    (tmp_path / "out" / "selftest" / "count.c").write_text(
+        "#include <stdint.h>\nuint32_t count(void);\nuint32_t count(void)\n"
+        "{\n    static uint32_t n = UINT32_MAX;\n    return n++;\n}\n"
+    )
+    printed = []
+    for flags in ([], ["-DBORESIGHT_CYCLES=count"]):
+        sources = [*(tmp_path / "out").glob("src/*.c"), *(tmp_path / "out").glob("selftest/*.c")]
+        places = [f"-I{tmp_path / 'out' / part}" for part in ("include", "selftest")]
+        program = tmp_path / "program"
+        command = ["cc", "-std=c99", "-ffp-contract=off", *FLAGS.split(), *flags, *places, *sources, "-lm"]
+        subprocess.run([*command, "-o", program], check=True)
+        done = subprocess.run([program], capture_output=True, text=True, check=True)
+        printed.append(re.findall(r"^cycles (sd_\w+) 1, of (\d+) calls$", done.stdout, re.MULTILINE))
+    assert not printed[0]
+    assert {"sd_rates", "sd_step"} <= {name for name, calls in printed[1] if int(calls) > 9}
+
+
 def test_the_example_notices_a_wrong_filter(tmp_path):
     exported_c("euler-matching", tmp_path / "out")
     kernel = tmp_path / "out" / "src" / "em_Qc_kernel.h"

@@ -41,7 +41,7 @@ def test_no_result_is_of_a_folder_or_a_paper_that_is_gone():
 def vouched(path):
     """The copied folder of Euler matching, whose manifest lists what lies there now."""
     folder, manifest = Folder(path), dict(folder_of("euler_matching").manifest)
-    here = (file.relative_to(path).as_posix() for file in path.rglob("*.[ch]"))
+    here = (file.relative_to(path).as_posix() for file in path.rglob("*.*") if file.suffix in (".c", ".h", ".inc"))
     folder.__dict__["manifest"] = manifest | {"files": dict.fromkeys(here, "")}
     return folder
 
