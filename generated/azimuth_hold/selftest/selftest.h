@@ -4,6 +4,7 @@
 #define BORESIGHT_SELFTEST_H
 
 #include "azimuth_hold.h"
+#include "cycles.inc"
 
 #ifdef __cplusplus
 extern "C" {
@@ -12,6 +13,9 @@ extern "C" {
 /* As printf, of %s, %d and %e alone, this with three digits behind the point: that of the C library
  * takes 20 kB. */
 void selftest_print(const char *format, ...);
+
+/* What each function took at most, where a counter is read: see cycles.c. */
+void selftest_cycles(void);
 
 double selftest_nan(void);
 double selftest_infinity(void);
@@ -47,6 +51,7 @@ int test_ah_covariance(void);
 int test_ah_filter(void);
 int test_ah_digest(void);
 int test_ah_live(void);
+int test_ah_probe(void);
 
 #ifdef __cplusplus
 }

@@ -71,6 +71,7 @@ int test_ah_F(void)
     bs_real got_F[225];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu);
+        selftest_paint(got_F, 225);
         /* [AH-U-001.F] */
         if (ah_F(&nav, &corrected_imu, got_F) != BS_OK) {
             ++failures;

@@ -83,6 +83,7 @@ int test_ah_Phi(void)
     bs_real got_Phi[225];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu);
+        selftest_paint(got_Phi, 225);
         /* [AH-U-001.Phi] */
         if (ah_Phi(&nav, &corrected_imu, got_Phi) != BS_OK) {
             ++failures;

@@ -129,6 +129,7 @@ int test_ah_Q(void)
     bs_real got_Q[225];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &noise);
+        selftest_paint(got_Q, 225);
         /* [AH-U-001.Q] */
         if (ah_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
             ++failures;

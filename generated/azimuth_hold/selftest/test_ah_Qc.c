@@ -75,6 +75,7 @@ int test_ah_Qc(void)
     bs_real got_Qc[225];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &noise);
+        selftest_paint(got_Qc, 225);
         /* [AH-U-001.Qc] */
         if (ah_Qc(&nav, &noise, got_Qc) != BS_OK) {
             ++failures;

@@ -28,6 +28,7 @@ int test_ah_azimuth_H(void)
     int failures = 0;
     bs_real got_H[15];
     for (int v = 0; v < N_VECTORS; ++v) {
+        selftest_paint(got_H, 15);
         /* [AH-U-001.azimuth_H] */
         if (ah_azimuth_H(got_H) != BS_OK) {
             ++failures;

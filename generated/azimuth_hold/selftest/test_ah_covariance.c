@@ -301,7 +301,7 @@ static int predict(int k)
     failures += expect("ud refuses a covariance", k, ah_ud_init(given.P, packed, work) == BS_OK);
     ah_ud_predict(packed, Phi, Q, after, work);
     ah_ud_dense(after, dense);
-    /* [AH-C-030] [AH-C-010] [AH-C-011] [AH-C-060] */
+    /* [AH-C-030] [AH-C-010] [AH-C-011] [AH-C-060] [AH-C-001] */
     failures += compare_P("ud predicted", k, predicted_P[k], predicted_size[k], OF_UD);
     for (int j = 0; j < N; ++j) {
         /* [AH-C-001] */

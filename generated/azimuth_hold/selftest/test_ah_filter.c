@@ -746,6 +746,16 @@ static int fly(void)
         /* [AH-F-001] */
         failures += bs_good(status) ? same_said("zupt: far", 3) : 0;
     }
+    failures += begin();
+    for (int i = 0; i < N; ++i) { /* of an innovation whose square is beyond all numbers */
+        flown.x[i] = (bs_real)((double)(1 + (i * i)) *
+                               ((sizeof(bs_real) == sizeof(float)) ? 1e25 : 1e160));
+    }
+    before = flown;
+    status = measure_zupt();
+    /* [AH-F-024] [AH-F-021] */
+    failures += expect("zupt: an nis that is not finite", (status == BS_NOT_POSITIVE) &&
+                       same_state(&flown, &before));
     set_noise(BS_REAL(1.0));
     for (int i = 0; i < AH_MAX_ROWS; ++i) {
         residual[i] = BS_REAL(0.01) * (bs_real)(i + 1);
@@ -823,6 +833,16 @@ static int fly(void)
         /* [AH-F-001] */
         failures += bs_good(status) ? same_said("azimuth: far", 1) : 0;
     }
+    failures += begin();
+    for (int i = 0; i < N; ++i) { /* of an innovation whose square is beyond all numbers */
+        flown.x[i] = (bs_real)((double)(1 + (i * i)) *
+                               ((sizeof(bs_real) == sizeof(float)) ? 1e25 : 1e160));
+    }
+    before = flown;
+    status = measure_azimuth();
+    /* [AH-F-024] [AH-F-021] */
+    failures += expect("azimuth: an nis that is not finite", (status == BS_NOT_POSITIVE) &&
+                       same_state(&flown, &before));
     set_noise(BS_REAL(1.0));
     for (int i = 0; i < AH_MAX_ROWS; ++i) {
         residual[i] = BS_REAL(0.01) * (bs_real)(i + 1);
@@ -898,6 +918,16 @@ static int fly(void)
         /* [AH-F-001] */
         failures += bs_good(status) ? same_said("zaru: far", 3) : 0;
     }
+    failures += begin();
+    for (int i = 0; i < N; ++i) { /* of an innovation whose square is beyond all numbers */
+        flown.x[i] = (bs_real)((double)(1 + (i * i)) *
+                               ((sizeof(bs_real) == sizeof(float)) ? 1e25 : 1e160));
+    }
+    before = flown;
+    status = measure_zaru();
+    /* [AH-F-024] [AH-F-021] */
+    failures += expect("zaru: an nis that is not finite", (status == BS_NOT_POSITIVE) &&
+                       same_state(&flown, &before));
     set_noise(BS_REAL(1.0));
     for (int i = 0; i < AH_MAX_ROWS; ++i) {
         residual[i] = BS_REAL(0.01) * (bs_real)(i + 1);
@@ -1253,7 +1283,7 @@ static int kept(void)
         /* [AH-F-011] [AH-F-027] */
         failures += expect("at the ceiling", measure_zupt() == BS_AT_CEILING) +
             same("lowered", BS_OK, BS_OK);
-        /* [AH-F-036] */
+        /* [AH-F-036] [AH-F-038] */
         failures += expect("ceilings of measurements", flown.ceilings == 1U);
         /* [AH-F-027] [AH-F-036] */
         failures += expect("then below it", measure_zupt() == BS_OK) +

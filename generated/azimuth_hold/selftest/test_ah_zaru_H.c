@@ -52,6 +52,7 @@ int test_ah_zaru_H(void)
     bs_real got_H[45];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav);
+        selftest_paint(got_H, 45);
         /* [AH-U-001.zaru_H] */
         if (ah_zaru_H(&nav, got_H) != BS_OK) {
             ++failures;

@@ -28,6 +28,7 @@ int test_ah_zupt_H(void)
     int failures = 0;
     bs_real got_H[45];
     for (int v = 0; v < N_VECTORS; ++v) {
+        selftest_paint(got_H, 45);
         /* [AH-U-001.zupt_H] */
         if (ah_zupt_H(got_H) != BS_OK) {
             ++failures;

@@ -71,6 +71,7 @@ int test_ahr_F(void)
     bs_real got_F[256];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu);
+        selftest_paint(got_F, 256);
         /* [AHR-U-001.F] */
         if (ahr_F(&nav, &corrected_imu, got_F) != BS_OK) {
             ++failures;

@@ -83,6 +83,7 @@ int test_ahr_Phi(void)
     bs_real got_Phi[256];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu);
+        selftest_paint(got_Phi, 256);
         /* [AHR-U-001.Phi] */
         if (ahr_Phi(&nav, &corrected_imu, got_Phi) != BS_OK) {
             ++failures;

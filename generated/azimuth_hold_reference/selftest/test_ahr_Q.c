@@ -129,6 +129,7 @@ int test_ahr_Q(void)
     bs_real got_Q[256];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &noise);
+        selftest_paint(got_Q, 256);
         /* [AHR-U-001.Q] */
         if (ahr_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
             ++failures;

@@ -75,6 +75,7 @@ int test_ahr_Qc(void)
     bs_real got_Qc[256];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &noise);
+        selftest_paint(got_Qc, 256);
         /* [AHR-U-001.Qc] */
         if (ahr_Qc(&nav, &noise, got_Qc) != BS_OK) {
             ++failures;

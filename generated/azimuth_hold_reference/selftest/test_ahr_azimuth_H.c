@@ -28,6 +28,7 @@ int test_ahr_azimuth_H(void)
     int failures = 0;
     bs_real got_H[16];
     for (int v = 0; v < N_VECTORS; ++v) {
+        selftest_paint(got_H, 16);
         /* [AHR-U-001.azimuth_H] */
         if (ahr_azimuth_H(got_H) != BS_OK) {
             ++failures;

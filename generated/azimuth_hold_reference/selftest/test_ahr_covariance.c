@@ -301,7 +301,7 @@ static int predict(int k)
     failures += expect("ud refuses a covariance", k, ahr_ud_init(given.P, packed, work) == BS_OK);
     ahr_ud_predict(packed, Phi, Q, after, work);
     ahr_ud_dense(after, dense);
-    /* [AHR-C-030] [AHR-C-010] [AHR-C-011] [AHR-C-060] */
+    /* [AHR-C-030] [AHR-C-010] [AHR-C-011] [AHR-C-060] [AHR-C-001] */
     failures += compare_P("ud predicted", k, predicted_P[k], predicted_size[k], OF_UD);
     for (int j = 0; j < N; ++j) {
         /* [AHR-C-001] */

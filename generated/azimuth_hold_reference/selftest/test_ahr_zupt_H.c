@@ -28,6 +28,7 @@ int test_ahr_zupt_H(void)
     int failures = 0;
     bs_real got_H[48];
     for (int v = 0; v < N_VECTORS; ++v) {
+        selftest_paint(got_H, 48);
         /* [AHR-U-001.zupt_H] */
         if (ahr_zupt_H(got_H) != BS_OK) {
             ++failures;

@@ -434,8 +434,8 @@ static void watch_silence(ahr_live *live, int64_t now)
     if ((live->came[kind] == 1U) && (live->rules.silent_us > 0) &&
         ((now - live->measured[kind]) > (int64_t)live->rules.silent_us)) {
         live->came[kind] = 2U;
-        live->counts.silences += 1U;
         /* [BS-L-035] */
+        live->counts.silences += 1U;
         note_event(live, BY_SAMPLE, BS_EVENT_SILENT, (int)kind, now - live->measured[kind]);
     }
 }
@@ -810,6 +810,7 @@ static void post(ahr_live *live, uint32_t made_due)
         }
     }
     carry_error(live, mail->x, seconds(due - at), MOST_STEPS);
+    /* [AHR-L-040] */
     mail->due = made_due + live->rules.latency;
     mail->at = due;
     mail->took = 0U;
@@ -1395,7 +1396,6 @@ bs_status ahr_live_background(ahr_live *live)
             return BS_OK;
         }
         goal = due->at;
-        /* [AHR-L-040] */
         last = due->due;
     } else {
         goal = oldest_instant(live, last);

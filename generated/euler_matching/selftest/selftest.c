@@ -266,6 +266,13 @@ int main(void)
         selftest_print("FAILED em_live\n");
         ++failed;
     }
+    if (test_em_probe() == 0) {
+        ++passed;
+    } else {
+        selftest_print("FAILED em_probe\n");
+        ++failed;
+    }
+    selftest_cycles();
     selftest_print("%d passed, %d failed\n", passed, failed);
     return (failed == 0) ? 0 : 1;
 }

@@ -45,6 +45,7 @@ int test_em_F(void)
     bs_real got_F[36];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &step);
+        selftest_paint(got_F, 36);
         /* [EM-U-001.F] */
         if (em_F(&step, got_F) != BS_OK) {
             ++failures;

@@ -52,6 +52,7 @@ int test_em_Phi(void)
     bs_real got_Phi[36];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &step);
+        selftest_paint(got_Phi, 36);
         /* [EM-U-001.Phi] */
         if (em_Phi(&step, got_Phi) != BS_OK) {
             ++failures;

@@ -68,6 +68,7 @@ int test_em_Q(void)
     bs_real got_Q[36];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &step, &noise);
+        selftest_paint(got_Q, 36);
         /* [EM-U-001.Q] */
         if (em_Q(&nav, &step, &noise, got_Q) != BS_OK) {
             ++failures;

@@ -53,6 +53,7 @@ int test_em_Qc(void)
     bs_real got_Qc[36];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &noise);
+        selftest_paint(got_Qc, 36);
         /* [EM-U-001.Qc] */
         if (em_Qc(&nav, &noise, got_Qc) != BS_OK) {
             ++failures;

@@ -293,7 +293,7 @@ static int predict(int k)
     failures += expect("ud refuses a covariance", k, em_ud_init(given.P, packed, work) == BS_OK);
     em_ud_predict(packed, Phi, Q, after, work);
     em_ud_dense(after, dense);
-    /* [EM-C-030] [EM-C-010] [EM-C-011] [EM-C-060] */
+    /* [EM-C-030] [EM-C-010] [EM-C-011] [EM-C-060] [EM-C-001] */
     failures += compare_P("ud predicted", k, predicted_P[k], predicted_size[k], OF_UD);
     for (int j = 0; j < N; ++j) {
         /* [EM-C-001] */

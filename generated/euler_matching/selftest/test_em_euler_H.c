@@ -52,6 +52,7 @@ int test_em_euler_H(void)
     bs_real got_H[18];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &angles);
+        selftest_paint(got_H, 18);
         /* [EM-U-001.euler_H] */
         if (em_euler_H(&angles, got_H) != BS_OK) {
             ++failures;

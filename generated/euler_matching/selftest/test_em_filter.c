@@ -1267,7 +1267,7 @@ static int kept(void)
         /* [EM-F-011] [EM-F-027] */
         failures += expect("at the ceiling", measure_euler() == BS_AT_CEILING) +
             same("lowered", BS_OK, BS_OK);
-        /* [EM-F-036] */
+        /* [EM-F-036] [EM-F-038] */
         failures += expect("ceilings of measurements", flown.ceilings == 1U);
         /* [EM-F-027] [EM-F-036] */
         failures += expect("then below it", measure_euler() == BS_OK) +
@@ -2061,7 +2061,7 @@ static int guards(void)
                           1e+30 * 1.0005);
     }
     for (int i = 0; i < N; ++i) {
-        /* [EM-F-105.euler_exact] */
+        /* [EM-F-105.euler_exact] [EM-F-004] */
         failures += spoil("measure_euler_exact: x", measure_euler_exact, &flown.x[i], x_below[i],
                           x_above[i]);
     }

@@ -62,6 +62,7 @@ int test_phi_F(void)
     bs_real got_F[81];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &step);
+        selftest_paint(got_F, 81);
         /* [PHI-U-001.F] */
         if (phi_F(&nav, &step, got_F) != BS_OK) {
             ++failures;

@@ -53,6 +53,7 @@ int test_phi_psi_from_phi(void)
     bs_real got_T[81];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav);
+        selftest_paint(got_T, 81);
         /* [PHI-U-001.psi_from_phi] */
         if (phi_psi_from_phi(&nav, got_T) != BS_OK) {
             ++failures;

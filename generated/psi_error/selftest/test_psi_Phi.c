@@ -71,6 +71,7 @@ int test_psi_Phi(void)
     bs_real got_Phi[81];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &step);
+        selftest_paint(got_Phi, 81);
         /* [PSI-U-001.Phi] */
         if (psi_Phi(&nav, &step, got_Phi) != BS_OK) {
             ++failures;

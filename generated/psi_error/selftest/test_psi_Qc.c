@@ -61,6 +61,7 @@ int test_psi_Qc(void)
     bs_real got_Qc[81];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &noise);
+        selftest_paint(got_Qc, 81);
         /* [PSI-U-001.Qc] */
         if (psi_Qc(&nav, &noise, got_Qc) != BS_OK) {
             ++failures;

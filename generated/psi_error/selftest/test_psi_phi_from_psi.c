@@ -53,6 +53,7 @@ int test_psi_phi_from_psi(void)
     bs_real got_T[81];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav);
+        selftest_paint(got_T, 81);
         /* [PSI-U-001.phi_from_psi] */
         if (psi_phi_from_psi(&nav, got_T) != BS_OK) {
             ++failures;

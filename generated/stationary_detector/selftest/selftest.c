@@ -164,6 +164,13 @@ int main(void)
         selftest_print("FAILED stationary_detector\n");
         ++failed;
     }
+    if (test_det_probe() == 0) {
+        ++passed;
+    } else {
+        selftest_print("FAILED det_probe\n");
+        ++failed;
+    }
+    selftest_cycles();
     selftest_print("%d passed, %d failed\n", passed, failed);
     return (failed == 0) ? 0 : 1;
 }

@@ -188,6 +188,13 @@ int main(void)
         selftest_print("FAILED sd_math\n");
         ++failed;
     }
+    if (test_sd_probe() == 0) {
+        ++passed;
+    } else {
+        selftest_print("FAILED sd_probe\n");
+        ++failed;
+    }
+    selftest_cycles();
     selftest_print("%d passed, %d failed\n", passed, failed);
     return (failed == 0) ? 0 : 1;
 }

@@ -4,6 +4,7 @@
 #define BORESIGHT_SELFTEST_H
 
 #include "strapdown.h"
+#include "cycles.inc"
 
 #ifdef __cplusplus
 extern "C" {
@@ -12,6 +13,9 @@ extern "C" {
 /* As printf, of %s, %d and %e alone, this with three digits behind the point: that of the C library
  * takes 20 kB. */
 void selftest_print(const char *format, ...);
+
+/* What each function took at most, where a counter is read: see cycles.c. */
+void selftest_cycles(void);
 
 double selftest_nan(void);
 double selftest_infinity(void);
@@ -35,6 +39,7 @@ int test_sd_compensated(void);
 int test_sd_rates(void);
 int test_sd_earth(void);
 int test_sd_math(void);
+int test_sd_probe(void);
 
 #ifdef __cplusplus
 }

@@ -88,6 +88,8 @@ int test_sd_earth(void)
     bs_real got_gravity_n[3];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav);
+        selftest_paint(got_omega_ie_n, 3);
+        selftest_paint(got_gravity_n, 3);
         /* [SD-U-001.earth] */
         if (sd_earth(&nav, got_omega_ie_n, got_omega_en_n, got_gravity_n) != BS_OK) {
             ++failures;

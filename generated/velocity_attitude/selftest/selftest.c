@@ -284,6 +284,13 @@ int main(void)
         selftest_print("FAILED va_live\n");
         ++failed;
     }
+    if (test_va_probe() == 0) {
+        ++passed;
+    } else {
+        selftest_print("FAILED va_probe\n");
+        ++failed;
+    }
+    selftest_cycles();
     selftest_print("%d passed, %d failed\n", passed, failed);
     return (failed == 0) ? 0 : 1;
 }

@@ -69,6 +69,7 @@ int test_va_F(void)
     bs_real got_F[256];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu);
+        selftest_paint(got_F, 256);
         /* [VA-U-001.F] */
         if (va_F(&nav, &corrected_imu, got_F) != BS_OK) {
             ++failures;

@@ -125,6 +125,7 @@ int test_va_Q(void)
     bs_real got_Q[256];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &noise);
+        selftest_paint(got_Q, 256);
         /* [VA-U-001.Q] */
         if (va_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
             ++failures;

@@ -299,7 +299,7 @@ static int predict(int k)
     failures += expect("ud refuses a covariance", k, va_ud_init(given.P, packed, work) == BS_OK);
     va_ud_predict(packed, Phi, Q, after, work);
     va_ud_dense(after, dense);
-    /* [VA-C-030] [VA-C-010] [VA-C-011] [VA-C-060] */
+    /* [VA-C-030] [VA-C-010] [VA-C-011] [VA-C-060] [VA-C-001] */
     failures += compare_P("ud predicted", k, predicted_P[k], predicted_size[k], OF_UD);
     for (int j = 0; j < N; ++j) {
         /* [VA-C-001] */

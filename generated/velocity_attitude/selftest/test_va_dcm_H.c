@@ -75,6 +75,7 @@ int test_va_dcm_H(void)
     bs_real got_H[48];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu);
+        selftest_paint(got_H, 48);
         /* [VA-U-001.dcm_H] */
         if (va_dcm_H(&nav, &corrected_imu, got_H) != BS_OK) {
             ++failures;

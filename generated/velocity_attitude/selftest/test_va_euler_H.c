@@ -76,6 +76,7 @@ int test_va_euler_H(void)
     bs_real got_H[48];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &master);
+        selftest_paint(got_H, 48);
         /* [VA-U-001.euler_H] */
         if (va_euler_H(&nav, &corrected_imu, &master, got_H) != BS_OK) {
             ++failures;

@@ -948,6 +948,16 @@ static int fly(int k_point)
         /* [VA-F-001] */
         failures += bs_good(status) ? same_said("velocity: far", 3) : 0;
     }
+    failures += begin();
+    for (int i = 0; i < N; ++i) { /* of an innovation whose square is beyond all numbers */
+        flown.x[i] = (bs_real)((double)(1 + (i * i)) *
+                               ((sizeof(bs_real) == sizeof(float)) ? 1e25 : 1e160));
+    }
+    before = flown;
+    status = measure_velocity();
+    /* [VA-F-024] [VA-F-021] */
+    failures += expect("velocity: an nis that is not finite", (status == BS_NOT_POSITIVE) &&
+                       same_state(&flown, &before));
     set_noise(BS_REAL(1.0));
     for (int i = 0; i < VA_MAX_ROWS; ++i) {
         residual[i] = BS_REAL(0.01) * (bs_real)(i + 1);
@@ -1026,6 +1036,16 @@ static int fly(int k_point)
         /* [VA-F-001] */
         failures += bs_good(status) ? same_said("dcm: far", 3) : 0;
     }
+    failures += begin();
+    for (int i = 0; i < N; ++i) { /* of an innovation whose square is beyond all numbers */
+        flown.x[i] = (bs_real)((double)(1 + (i * i)) *
+                               ((sizeof(bs_real) == sizeof(float)) ? 1e25 : 1e160));
+    }
+    before = flown;
+    status = measure_dcm();
+    /* [VA-F-024] [VA-F-021] */
+    failures += expect("dcm: an nis that is not finite", (status == BS_NOT_POSITIVE) &&
+                       same_state(&flown, &before));
     set_noise(BS_REAL(1.0));
     for (int i = 0; i < VA_MAX_ROWS; ++i) {
         residual[i] = BS_REAL(0.01) * (bs_real)(i + 1);
@@ -1681,7 +1701,7 @@ static int kept(void)
         /* [VA-F-011] [VA-F-027] */
         failures += expect("at the ceiling", measure_velocity() == BS_AT_CEILING) +
             same("lowered", BS_OK, BS_OK);
-        /* [VA-F-036] */
+        /* [VA-F-036] [VA-F-038] */
         failures += expect("ceilings of measurements", flown.ceilings == 1U);
         /* [VA-F-027] [VA-F-036] */
         failures += expect("then below it", measure_velocity() == BS_OK) +
@@ -3419,7 +3439,7 @@ static int guards(void)
                           1e+30 * 1.0005);
     }
     for (int i = 0; i < N; ++i) {
-        /* [VA-F-105.quaternion] */
+        /* [VA-F-105.quaternion] [VA-F-004] */
         failures += spoil("measure_quaternion: x", measure_quaternion, &flown.x[i], x_below[i],
                           x_above[i]);
     }

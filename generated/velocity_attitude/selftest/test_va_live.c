@@ -7,6 +7,7 @@
 #include "selftest.h"
 
 enum { SAMPLES = 24, N = VA_N_STATES };
+#define FARTHEST (INT64_MAX / 8) /* us, that a message may bear */
 
 static const double in_nav[1][21] = {
     { 0x1.59cf735373ac8p-1, 0x1.1d6c3d0ba8e1cp+2, 0x1.1edb9b1620a58p+12, -0x1.a5c3380dbdf5cp+9, -0x1.dea98a4c500f4p+8, -0x1.8e0aabb95af40p+5, 0x1.8300c1dd2e6d1p-2, -0x1.8a725b180452fp-3, 0x1.cca65b17ab7f7p-1, 0x1.af755b9f337bep-4, -0x1.0dbdf66fee420p-8, 0x1.ea47e36db26d4p-10, 0x1.6257e9be136d6p-7, -0x1.bab4652027874p-2, 0x1.b5829af566f3cp-1, -0x1.372c77193c560p-1, -0x1.cebd4b80dfbf1p-7, 0x1.b8434c2dd3640p-1, -0x1.036f578fe951dp-1, 0x1.ec59dae837774p-5, 0x1.30caafb3aaca2p-1 }
@@ -37,7 +38,9 @@ static va_measured measured;
 static bs_real sigma[N];
 static bs_real P[N * N];
 static const unsigned char considered[N];
+static unsigned char all_considered[N];
 static unsigned char bytes[VA_LIVE_SNAPSHOT_SIZE];
+static uint32_t seen[BS_EVENT_OFF + 1]; /* events, by their code */
 
 static int expect(const char *what, int good)
 {
@@ -127,7 +130,7 @@ static void prepare(void)
     message.size = (uint16_t)sizeof(message);
     message.rows = BS_ALL_ROWS;
     for (int i = 0; i < 3; ++i) {
-        message.variance[i] = BS_REAL(1e12); /* nothing lies beyond a gate */
+        message.variance[i] = BS_REAL(1e18); /* nothing lies beyond a gate */
     }
     sample.dt = BS_REAL(0.01);
 }
@@ -150,6 +153,21 @@ static uint32_t fate_of(bs_msg_fate fate)
 {
     (void)va_live_counted(&first, &counts);
     return counts.fate[fate];
+}
+
+/* A loop as the header says that it begins, with the noise that was given. */
+static void begun(void)
+{
+    (void)va_live_begin(&first, &rules, 0, &carried, sigma);
+    memset(seen, 0, sizeof(seen));
+}
+
+static void read_events(void)
+{
+    bs_event event;
+    while (va_live_next_event(&first, &event) == BS_OK) {
+        seen[event.code] += 1U;
+    }
 }
 
 /* What comes wrongly, one thing after another: each is counted, and the loop goes on, until too
@@ -211,7 +229,7 @@ static int wrongly(void)
     send(&first, 0, now - 10000000);
     message.variance[0] = (bs_real)selftest_nan();
     send(&first, 0, now - (10000 / 2));
-    message.variance[0] = BS_REAL(1e12);
+    message.variance[0] = BS_REAL(1e18);
     for (int k = 6; k <= 9; ++k) {
         (void)give(&first, k);
         all_of(&first);
@@ -293,11 +311,11 @@ static int strained(void)
     (void)va_live_counted(&first, &counts);
     /* [BS-L-035] */
     failures += expect("no message for long", (counts.samples < 400U) || (counts.silences > 0U));
-    /* [VA-L-024] */
+    /* [VA-L-024] [BS-L-033] */
     failures += expect("a background that does not come", (counts.samples < 400U) ||
                        (counts.overruns > 0U));
     for (int i = 0; i < 3; ++i) {
-        message.variance[i] = BS_REAL(1e12);
+        message.variance[i] = BS_REAL(1e18);
     }
     return failures;
 }
@@ -306,6 +324,7 @@ static int unlikely(void)
 {
     int failures = 0;
     int found[4] = { 0, 0, 0, 0 };
+    uint16_t judged;
     bs_event event;
     (void)va_live_defaults(&rules);
     (void)va_live_begin(&first, &rules, 0, &carried, sigma);
@@ -322,8 +341,29 @@ static int unlikely(void)
     /* [BS-L-036] */
     failures += expect("innovations that are too large", found[0] == 0);
     /* [BS-L-037] [BS-L-038] [BS-L-039] */
-    failures += expect("each is counted", (fate_of(BS_MSG_TAKEN) < 64U) ||
-                       (counts.unlikely >= (uint32_t)(found[1] + found[2] + found[3])));
+    failures += expect("innovations of full windows",
+                       ((first.windowed[VA_MEASUREMENT_VELOCITY][1] +
+                         first.windowed[VA_MEASUREMENT_VELOCITY][2]) == 0U) ||
+                       ((fate_of(BS_MSG_TAKEN) > 0U) && (found[1] > 0) && (found[2] > 0) &&
+                        (found[3] > 0) &&
+                        (counts.unlikely >= (uint32_t)(found[1] + found[2] + found[3]))));
+    /* and as if they had been large before */
+    for (int i = 0; i < 12; ++i) {
+        first.sums[i][0].squares = BS_REAL(1e6);
+    }
+    judged = first.windowed[VA_MEASUREMENT_VELOCITY][1];
+    memset(seen, 0, sizeof(seen));
+    for (int k = 301; k <= 370; ++k) {
+        (void)give(&first, k);
+        send(&first, VA_MEASUREMENT_VELOCITY, 10000 * (int64_t)k);
+        all_of(&first);
+        read_events();
+    }
+    /* [BS-L-036] */
+    failures += expect("innovations that were too large",
+                       (first.windowed[VA_MEASUREMENT_VELOCITY][1] == judged) ||
+                       ((found[0] + (int)seen[BS_EVENT_LARGE]) > 0));
+    prepare();
     return failures;
 }
 
@@ -349,6 +389,41 @@ static int stepping(void)
                                (output.shift == (10000 - 1000000000000)));
         }
     }
+    for (int way = 0; way < 7; ++way) { /* stamps at either end of all time, a little old, backward,
+                                         * and counts at their ends */
+        (void)va_live_defaults(&rules);
+        rules.oldest_us = 8 * 10000;
+        rules.astray = (way == 4) ? 0U : 3U;
+        (void)va_live_begin(&first, &rules, (way == 1) ? -1000000000000 : 0, &carried, sigma);
+        for (int k = 1; k <= 60; ++k) {
+            int64_t stamp = 10000 * (int64_t)k;
+            sample.at = stamp - ((way == 1) ? 1000000000000 : 0);
+            (void)va_live_sample(&first, &sample);
+            stamp = (way == 0) ? -FARTHEST
+                : ((way == 1) ? FARTHEST : ((way == 2) ? (stamp - 1000000) : (stamp - 20000000)));
+            stamp += ((way == 3) && ((k % 2) == 0)) ? 1000000 : 0;
+            if (way == 5) {
+                first.odd = 65535U;
+                first.odd_since = sample.at;
+            }
+            if (way == 6) {
+                first.shift = ((k % 2) == 0) ? FARTHEST : -FARTHEST;
+                first.usual = ((k % 2) == 0) ? -FARTHEST : FARTHEST;
+                first.odd_age = sample.at - stamp - first.shift;
+                first.odd = 3U;
+                first.odd_since = sample.at - 100000000;
+            }
+            stamp += ((way == 6) && ((k % 2) != 0)) ? FARTHEST : 0;
+            send(&first, 0, stamp);
+            all_of(&first);
+        }
+        /* [BS-L-034] */
+        failures += expect("stamps that are followed though they keep no step", (way > 5) ||
+                           (first.shift == 0) || ((way != 2) && (way != 3) && (way != 4)));
+    }
+    (void)va_live_defaults(&rules);
+    rules.oldest_us = 8 * 10000;
+    rules.astray = 3U;
     rules.ahead_us = 0;
     carried.nav.tau = -BS_REAL(2.0) * sample.dt;
     (void)va_live_begin(&first, &rules, 0, &carried, sigma);
@@ -359,6 +434,759 @@ static int stepping(void)
     }
     failures += expect("a delay that cannot be", fate_of(BS_MSG_AHEAD) == 0U);
     carried.nav.tau = sample.dt / BS_REAL(2.0);
+    return failures;
+}
+
+/* The checksum of a snapshot by its definition: the rest of its bits, each byte's least first, by
+ * x^32 + x^26 + x^23 + ... + 1. */
+static void seal(void)
+{
+    const int size = VA_LIVE_SNAPSHOT_SIZE - BS_SNAPSHOT_CHECKSUM;
+    unsigned long rest = 0xFFFFFFFFUL;
+    for (int i = 0; i < (8 * size); ++i) {
+        const unsigned long bit = ((unsigned long)bytes[i / 8] >> (unsigned int)(i % 8)) & 1UL;
+        const unsigned long top = (rest >> 31U) & 1UL;
+        rest = ((rest << 1U) & 0xFFFFFFFFUL) ^ ((top != bit) ? 0x04C11DB7UL : 0UL);
+    }
+    for (int i = 0; i < 32; ++i) { /* turned round, and each bit inverted */
+        unsigned char *const byte = &bytes[size + (i / 8)];
+        const unsigned int mask = 1U << (unsigned int)(i % 8);
+        const bool set = ((rest >> (31U - (unsigned int)i)) & 1UL) == 0UL;
+        *byte = (unsigned char)(set ? (*byte | mask) : (*byte & ~mask));
+    }
+}
+
+static int of_rule(int32_t *rule, int32_t value)
+{
+    const int32_t good = *rule;
+    bs_status status;
+    *rule = value;
+    status = va_live_begin(&second, &rules, 0, &carried, sigma);
+    *rule = good;
+    /* [VA-L-004] */
+    return expect("a rule out of its range", status == BS_OUT_OF_RANGE);
+}
+
+/* What begins, and what does not: each rule beyond either end. */
+/* [VA-L-004] */
+static int beginnings(void)
+{
+    const unsigned char *byte;
+    size_t noisy = 0U;
+    int failures = 0;
+    memset(&rules, 0xA5, sizeof(rules));
+    (void)va_live_defaults(&rules);
+    byte = (const unsigned char *)&rules.noise;
+    for (size_t i = 0U; i < sizeof(rules.noise); ++i) {
+        noisy += (size_t)byte[i];
+    }
+    /* [VA-L-001] */
+    failures += expect("defaults without noise", noisy == 0U);
+    /* [VA-L-001] */
+    failures += expect("defaults: two samples of 50 Hz, a message that is .2 s old",
+                       (rules.bridge_us >= 40000) && (rules.oldest_us >= 200000));
+    /* [VA-L-001] */
+    failures += expect("defaults begin",
+                       va_live_begin(&second, &rules, 0, &carried, sigma) == BS_OK);
+    {
+        int32_t *const us[6] = { &rules.jitter_us, &rules.bridge_us, &rules.oldest_us,
+                                 &rules.hold_us, &rules.ahead_us, &rules.half_us };
+        for (int i = 0; i < 6; ++i) {
+            failures += of_rule(us[i], -1);
+            failures += of_rule(us[i], 10000001);
+        }
+    }
+    failures += of_rule(&rules.hold_us, rules.oldest_us + 1);
+    failures += of_rule(&rules.silent_us, -1);
+    for (int i = 0; i < 4; ++i) {
+        static const uint16_t wrong[4] = { (VA_LIVE_RING / 4U) + 1U, 0U, VA_LIVE_RING + 1U, 4U };
+        rules.every = (i == 0) ? wrong[0] : 4U;
+        rules.latency = (i == 0) ? 4U : wrong[i];
+        /* [VA-L-004] */
+        failures += expect("samples of a rule",
+                           va_live_begin(&second, &rules, 0, &carried,
+                                         sigma) == ((i < 3) ? BS_OUT_OF_RANGE : BS_OK));
+    }
+    rules.open[0] = (bs_real)selftest_nan();
+    /* [VA-L-004] */
+    failures += expect("a rule that is no number",
+                       va_live_begin(&second, &rules, 0, &carried, sigma) == BS_NOT_FINITE);
+    (void)va_live_defaults(&rules);
+    rules.full_scale[0] = BS_REAL(-1.0);
+    /* [VA-L-004] */
+    failures += expect("a full scale below zero",
+                       va_live_begin(&second, &rules, 0, &carried, sigma) == BS_OUT_OF_RANGE);
+    prepare();
+    /* [VA-L-004] */
+    failures += expect("begin after all time",
+                       va_live_begin(&second, &rules, INT64_MAX, &carried,
+                                     sigma) == BS_OUT_OF_RANGE);
+    /* [VA-L-004] */
+    failures += expect("begin before all time",
+                       va_live_begin(&second, &rules, -INT64_MAX, &carried,
+                                     sigma) == BS_OUT_OF_RANGE);
+    return failures;
+}
+
+/* Of a loop that has not begun. */
+static int empty(void)
+{
+    int64_t at;
+    int failures = 0;
+    memset(&first, 0, sizeof(first));
+    /* [VA-L-012] */
+    failures += expect("a sample before it begins", give(&first, 1) == BS_NOT_READY);
+    /* [VA-L-014] */
+    failures += expect("there is nothing to be done", va_live_background(&first) == BS_NOT_READY);
+    /* [VA-L-006] */
+    failures += expect("P before it begins", va_live_set_covariance(&first, P) == BS_NOT_READY);
+    /* [VA-L-021] */
+    failures += expect("output before it begins",
+                       va_live_output(&first, 0, &output) == BS_NOT_READY);
+    /* [VA-L-023] */
+    failures += expect("sigmas before it begins",
+                       (va_live_sigmas(&first, sigma, &at) == BS_NOT_READY) &&
+                       (va_live_covariance(&first, P, &at) == BS_NOT_READY));
+    /* [VA-L-024] */
+    failures += expect("nothing measured", va_live_measured(&first, &measured) == BS_NOT_READY);
+    begun();
+    at = -1;
+    /* [VA-L-023] */
+    failures += expect("the instant of the sigmas", (va_live_sigmas(&first, sigma, &at) == BS_OK) &&
+                       (at == 0));
+    at = -1;
+    /* [VA-L-023] */
+    failures += expect("the instant of the covariance",
+                       (va_live_covariance(&first, P, &at) == BS_OK) && (at == 0));
+    /* [VA-L-021] */
+    failures += expect("output of its beginning", (va_live_output(&first, 0, &output) == BS_OK) &&
+                       (va_live_output(&first, 1, &output) == BS_OK));
+    /* [VA-L-022] */
+    failures += expect("output before all time",
+                       va_live_output(&first, -INT64_MAX, &output) == BS_OUT_OF_RANGE);
+    if (give(&first, 1) == BS_OK) {
+        const bs_status status = va_live_output(&first, 10000 + 10000 / 2, &output);
+        /* [VA-L-020] */
+        failures += expect("output between two samples", (status != BS_OK) ||
+                           (output.at == (10000 + 10000 / 2)));
+    }
+    begun();
+    first.sequence += 1U;
+    /* [VA-L-021] */
+    failures += expect("output while sample writes",
+                       va_live_output(&first, 0, &output) == BS_NOT_READY);
+    /* [VA-L-030] */
+    failures += expect("snapshot while sample writes",
+                       va_live_snapshot(&first, bytes) == BS_NOT_READY);
+    return failures;
+}
+
+/* Events come in the order of their samples, and those of which too many came are counted. */
+static int in_order(void)
+{
+    bs_event event;
+    int failures = 0;
+    const bs_real dt = sample.dt;
+    begun();
+    sample.dt = BS_REAL(-1.0);
+    (void)give(&first, 1);
+    sample.dt = dt;
+    (void)give(&first, 1);
+    message.size = 0U;
+    send(&first, 0, 0);
+    message.size = (uint16_t)sizeof(message);
+    (void)give(&first, 1);
+    for (int i = 0; i < 4; ++i) {
+        static const bs_event_code code[4] = { BS_EVENT_BAD_SAMPLE, BS_EVENT_BEGUN,
+                                               BS_EVENT_REPEATED, BS_EVENT_MESSAGE };
+        event.code = (unsigned char)BS_EVENT_NONE;
+        /* [VA-L-026] */
+        failures += expect("the oldest event", (va_live_next_event(&first, &event) == BS_OK) &&
+                           (event.code == (unsigned char)code[i]));
+    }
+    /* [VA-L-026] */
+    failures += expect("no event is left", va_live_next_event(&first, &event) == BS_NOT_READY);
+    for (int i = 0; i < 20; ++i) {
+        (void)give(&first, 1);
+    }
+    read_events();
+    (void)va_live_counted(&first, &counts);
+    /* [VA-L-024] */
+    failures += expect("events that were lost", counts.events_lost == (20U - VA_LIVE_EVENTS));
+    return failures;
+}
+
+/* Messages that come too late, wait, do not fit, or are corrected too late. */
+static int messages(void)
+{
+    const int64_t at = 4 * 10000;
+    uint32_t judged = 0U;
+    int misfits = 0;
+    int most = 0;
+    int failures = 0;
+    begun();
+    for (int k = 1; k <= 6; ++k) {
+        (void)give(&first, k);
+    }
+    send(&first, 0, at);
+    (void)give(&first, 7);
+    all_of(&first);
+    (void)va_live_counted(&first, &counts);
+    if ((counts.samples < 7U) || (first.state != BS_LIVE_FLYING)) {
+        return 0; /* from here the strapdown leaves its boxes by itself */
+    }
+    /* [VA-L-024] */
+    failures += expect("what was measured last",
+                       (va_live_measured(&first,
+                                         &measured) == BS_OK) == (counts.fate[BS_MSG_REFUSED] == 0U));
+    send(&first, 0, at - 10000);
+    (void)give(&first, 8);
+    all_of(&first);
+    /* [BS-L-005] */
+    failures += expect("measured before what has been taken", fate_of(BS_MSG_LATE) == 1U);
+    /* one that is held back, and others of its instant */
+    begun();
+    first.rules.hold_us = 3 * 10000;
+    for (int k = 1; k <= 12; ++k) {
+        (void)give(&first, k);
+        if (k == 4) {
+            for (int i = 4 - 1; i >= 0; --i) {
+                send(&first, i, at - ((int64_t)(i % 2) * 100));
+            }
+        }
+        all_of(&first);
+    }
+    (void)va_live_counted(&first, &counts);
+    /* [VA-L-014] */
+    failures += expect("each that was held has its fate",
+                       (counts.fate[BS_MSG_TAKEN] + counts.fate[BS_MSG_IN_PART] +
+                        counts.fate[BS_MSG_GATED] + counts.fate[BS_MSG_REFUSED] +
+                        counts.fate[BS_MSG_LATE] + counts.fate[BS_MSG_OLD]) == 4U);
+    /* the background does not come */
+    begun();
+    first.rules.latency = 1U;
+    for (int k = 1; k <= 12; ++k) {
+        if ((k == 5) || (k == 7)) {
+            send(&first, 0, 10000 * (int64_t)(k - 1));
+        }
+        (void)give(&first, k);
+    }
+    all_of(&first);
+    read_events();
+    (void)va_live_counted(&first, &counts);
+    /* [BS-L-031] */
+    failures += expect("a correction that is late", (counts.corrections == 0U) ||
+                       ((counts.corrections_late > 0U) &&
+                        (seen[BS_EVENT_CORRECTION_LATE] == counts.corrections_late)));
+    /* nothing fits */
+    begun();
+    for (int i = 0; i < N; ++i) {
+        sigma[i] = (bs_real)sigma_of[i] * BS_REAL(1e-6);
+    }
+    for (int i = 0; i < 3; ++i) {
+        message.variance[i] = BS_REAL(1e-12);
+    }
+    (void)va_live_defaults(&rules);
+    begun();
+    for (int k = 1; k <= 12; ++k) {
+        (void)give(&first, k);
+        send(&first, 0, 10000 * (int64_t)k);
+        all_of(&first);
+        misfits = ((va_live_measured(&first, &measured) == BS_OK) &&
+                   (measured.fate != BS_MSG_TAKEN) && (measured.count > judged)) ? (misfits + 1)
+            : 0;
+        judged = measured.count;
+        most = (misfits > most) ? misfits : most;
+    }
+    read_events();
+    /* [BS-L-030] */
+    failures += expect("what does not fit five times", (most < 5) || (seen[BS_EVENT_ASTRAY] > 0U));
+    for (int way = 0; way < 3; ++way) { /* never; as often as is counted; while others fit */
+        rules.astray = (way < 2) ? 0U : 5U;
+        begun();
+        for (int k = 1; k <= 4; ++k) {
+            (void)give(&first, k);
+        }
+        first.astray[0] = (way == 1) ? 65535U : 4U;
+        send(&first, 0, 3 * 10000);
+        (void)give(&first, 5);
+        all_of(&first);
+        read_events();
+        misfits = ((va_live_measured(&first, &measured) == BS_OK) &&
+                   (measured.fate != BS_MSG_TAKEN)) ? 1 : 0;
+        /* [BS-L-030] */
+        failures += expect("what does not fit", (misfits == 0) ||
+                           (seen[BS_EVENT_ASTRAY] == ((way == 2) ? 1U : 0U)));
+    }
+    prepare();
+    return failures;
+}
+
+/* A correction that leads out of a box, and samples that the strapdown refuses. */
+static int refused(void)
+{
+    int failures = 0;
+    uint32_t held = 0U;
+    begun();
+    (void)give(&first, 1);
+    for (int i = 0; i < N; ++i) {
+        first.mail[0].x[i] = (bs_real)selftest_nan();
+    }
+    first.mail[0].due = 2U;
+    first.posted = 1U;
+    (void)give(&first, 2);
+    all_of(&first);
+    read_events();
+    (void)va_live_counted(&first, &counts);
+    /* [BS-L-032] */
+    failures += expect("a correction that is no number", (counts.corrections_refused == 1U) &&
+                       (seen[BS_EVENT_CORRECTION_REFUSED] == 1U));
+    /* [BS-L-032] */
+    failures += expect("and the loop goes on", give(&first, 3) == BS_OK);
+    for (int k = 4; k <= 80; ++k) {
+        (void)give(&first, k);
+        all_of(&first);
+    }
+    /* [BS-L-032] */
+    failures += expect("the covariance does not take it either", (first.state != BS_LIVE_FLYING) ||
+                       ((first.passed == 1U) && (first.x[0] <= BS_REAL(0.0)) &&
+                        (first.x[0] >= BS_REAL(0.0))));
+    for (int i = 0; i < 6; ++i) { /* lat_lon_height near an end of its box, and each sensor at an
+                                   * end of its own */
+        static const bs_real end[2][3] = { { BS_REAL(-1.4835298641951802),
+                                             BS_REAL(-6.283185307179586), BS_REAL(-500.0) },
+                                           { BS_REAL(1.4835298641951802),
+                                             BS_REAL(6.283185307179586), BS_REAL(30000.0) } };
+        const bs_real low = end[0][i / 2];
+        const bs_real high = end[1][i / 2];
+        for (int j = 0; j < (2 * VA_N_SENSED); ++j) {
+            begun();
+            (void)give(&first, 1);
+            first.now.nav.lat_lon_height[i / 2] = ((i % 2) == 0) ? (low +
+                                                                    ((high - low) * BS_REAL(1e-4)))
+                : (high - ((high - low) * BS_REAL(1e-4)));
+            {
+                const int own = (j / 2) - 0;
+                if ((own >= 0) && (own < 3)) {
+                    sample.dtheta_ib_b[own] = ((j % 2) == 0) ? BS_REAL(-0.5) : BS_REAL(0.5);
+                }
+            }
+            {
+                const int own = (j / 2) - 3;
+                if ((own >= 0) && (own < 3)) {
+                    sample.dv_b[own] = ((j % 2) == 0) ? BS_REAL(-100.0) : BS_REAL(100.0);
+                }
+            }
+            (void)give(&first, 2);
+            memset(sample.dtheta_ib_b, 0, sizeof(sample.dtheta_ib_b));
+            memset(sample.dv_b, 0, sizeof(sample.dv_b));
+            read_events();
+            (void)va_live_counted(&first, &counts);
+            /* [BS-L-027] */
+            failures += expect("a sample that is held", counts.held == seen[BS_EVENT_HELD]);
+            held += counts.held;
+        }
+    }
+    for (int i = 0; i < 6; ++i) { /* v_n near an end of its box, and each sensor at an end of its
+                                   * own */
+        static const bs_real end[2][3] = { { BS_REAL(-1000.0), BS_REAL(-1000.0), BS_REAL(-1000.0) },
+                                           { BS_REAL(1000.0), BS_REAL(1000.0), BS_REAL(1000.0) } };
+        const bs_real low = end[0][i / 2];
+        const bs_real high = end[1][i / 2];
+        for (int j = 0; j < (2 * VA_N_SENSED); ++j) {
+            begun();
+            (void)give(&first, 1);
+            first.now.nav.v_n[i / 2] = ((i % 2) == 0) ? (low + ((high - low) * BS_REAL(1e-4)))
+                : (high - ((high - low) * BS_REAL(1e-4)));
+            {
+                const int own = (j / 2) - 0;
+                if ((own >= 0) && (own < 3)) {
+                    sample.dtheta_ib_b[own] = ((j % 2) == 0) ? BS_REAL(-0.5) : BS_REAL(0.5);
+                }
+            }
+            {
+                const int own = (j / 2) - 3;
+                if ((own >= 0) && (own < 3)) {
+                    sample.dv_b[own] = ((j % 2) == 0) ? BS_REAL(-100.0) : BS_REAL(100.0);
+                }
+            }
+            (void)give(&first, 2);
+            memset(sample.dtheta_ib_b, 0, sizeof(sample.dtheta_ib_b));
+            memset(sample.dv_b, 0, sizeof(sample.dv_b));
+            read_events();
+            (void)va_live_counted(&first, &counts);
+            /* [BS-L-027] */
+            failures += expect("a sample that is held", counts.held == seen[BS_EVENT_HELD]);
+            held += counts.held;
+        }
+    }
+    for (int i = 0; i < 8; ++i) { /* q_b2n_wxyz near an end of its box, and each sensor at an end of
+                                   * its own */
+        static const bs_real end[2][4] = { { BS_REAL(-1.001), BS_REAL(-1.001), BS_REAL(-1.001),
+                                             BS_REAL(-1.001) },
+                                           { BS_REAL(1.001), BS_REAL(1.001), BS_REAL(1.001),
+                                             BS_REAL(1.001) } };
+        const bs_real low = end[0][i / 2];
+        const bs_real high = end[1][i / 2];
+        for (int j = 0; j < (2 * VA_N_SENSED); ++j) {
+            begun();
+            (void)give(&first, 1);
+            first.now.nav.q_b2n_wxyz[i / 2] = ((i % 2) == 0) ? (low +
+                                                                ((high - low) * BS_REAL(1e-4)))
+                : (high - ((high - low) * BS_REAL(1e-4)));
+            {
+                const int own = (j / 2) - 0;
+                if ((own >= 0) && (own < 3)) {
+                    sample.dtheta_ib_b[own] = ((j % 2) == 0) ? BS_REAL(-0.5) : BS_REAL(0.5);
+                }
+            }
+            {
+                const int own = (j / 2) - 3;
+                if ((own >= 0) && (own < 3)) {
+                    sample.dv_b[own] = ((j % 2) == 0) ? BS_REAL(-100.0) : BS_REAL(100.0);
+                }
+            }
+            (void)give(&first, 2);
+            memset(sample.dtheta_ib_b, 0, sizeof(sample.dtheta_ib_b));
+            memset(sample.dv_b, 0, sizeof(sample.dv_b));
+            read_events();
+            (void)va_live_counted(&first, &counts);
+            /* [BS-L-027] */
+            failures += expect("a sample that is held", counts.held == seen[BS_EVENT_HELD]);
+            held += counts.held;
+        }
+    }
+    (void)held;
+    return failures;
+}
+
+/* What seldom is: states that are considered, windows that are all full, rates of one instant,
+ * content that is no number, and turns of messages. */
+static int seldom(void)
+{
+    static const int64_t us = 10000;
+    int failures = 0;
+    for (int way = 0; way < 6; ++way) {
+        prepare();
+        rules.half_us = (way == 1) ? 0 : rules.half_us;
+        rules.latency = (way == 2) ? 100U : rules.latency;
+        rules.silent_us = 0;
+        for (int i = 0; i < 3; ++i) {
+            message.variance[i] = (way == 0) ? BS_REAL(1.0) : BS_REAL(1e18);
+        }
+        begun();
+        for (int i = 0; i < N; ++i) {
+            all_considered[i] = (way == 0) ? 1U : 0U;
+        }
+        /* [VA-L-007] */
+        failures += expect("states that are considered",
+                           va_live_consider(&first, all_considered) == BS_OK);
+        if (way == 4) { /* one of the instant at which it begins */
+            send(&first, 0, 5000);
+        }
+        if (way == 5) { /* a first sample that is late */
+            (void)give(&first, 3);
+        }
+        for (int k = 4; k <= 40; ++k) {
+            (void)give(&first, k);
+            if ((k % 3) == 0) {
+                send(&first, (k / 3) % 4, us * (int64_t)(k - 1));
+            }
+            if (way == 3) {
+                for (int i = 0; i < 4; ++i) {
+                    first.windowed[i][0] = 63U;
+                    first.windowed[i][1] = 3U;
+                    first.windowed[i][2] = 3U;
+                }
+            }
+            all_of(&first);
+        }
+        /* [VA-L-007] */
+        failures += expect("considered states are not corrected", (way > 0) ||
+                           (first.state != BS_LIVE_FLYING) ||
+                           ((va_live_covariance(&first, P, NULL) == BS_OK) &&
+                            (first.x[N - 1] <= BS_REAL(0.0)) && (first.x[N - 1] >= BS_REAL(0.0))));
+    }
+    prepare();
+    memset(&message.mounting, 0xFF, sizeof(message.mounting));
+    memset(&message.master, 0xFF, sizeof(message.master));
+    begun();
+    for (int k = 1; k <= 12; ++k) {
+        (void)give(&first, k);
+        if ((k >= 4) && (k < 8)) {
+            send(&first, k - 4, us * 3);
+        }
+        all_of(&first);
+    }
+    /* [BS-L-008] */
+    failures += expect("content that is no number", (first.state != BS_LIVE_FLYING) ||
+                       (fate_of(BS_MSG_REFUSED) > 0U));
+    prepare();
+    begun();
+    (void)give(&first, 1);
+    send(&first, 0, us);
+    (void)give(&first, 2);
+    send(&first, 1, us * 3);
+    all_of(&first); /* the place of the first one is free again */
+    send(&first, 2, us * 3);
+    (void)give(&first, 3);
+    (void)give(&first, 4);
+    all_of(&first);
+    (void)va_live_counted(&first, &counts);
+    /* [VA-L-014] */
+    failures += expect("in the order of their coming", (counts.samples < 4U) ||
+                       (first.waiting[0].state == 0U));
+    for (int way = 0; way < 2; ++way) { /* a clock that steps further than a message may be old; and
+                                         * samples that are missing by their numbers */
+        begun();
+        for (int k = 1; k <= 100; ++k) {
+            sample.serial = (uint32_t)(k + (((way == 1) && (k > 10)) ? 3 : 0));
+            (void)give(&first, (way == 0) ? (k + (((k > 10) && (k < 20)) ? 100000 : 0))
+                       : (k + ((k > 10) ? 3 : 0)));
+            all_of(&first);
+        }
+        sample.serial = 0U;
+        (void)va_live_counted(&first, &counts);
+        /* [BS-L-024] [BS-L-023] */
+        failures += expect("steps of the clock, or samples that are missing",
+                           (counts.samples < 100U) ||
+                           ((way == 0) ? (counts.clock_steps == 2U)
+                            : ((counts.clock_steps == 0U) && (counts.missing == 3U))));
+    }
+    begun();
+    (void)give(&first, 0);
+    (void)va_live_counted(&first, &counts);
+    /* [BS-L-024] */
+    failures += expect("a first sample that ends where it begins", (counts.samples == 0U) ||
+                       (counts.clock_steps == 1U));
+    for (int i = 0; i < VA_N_SENSED; ++i) { /* each sensor at its full scale, alone; and all */
+        (void)va_live_defaults(&rules);
+        rules.full_scale[i] = BS_REAL(1e-9);
+        rules.full_scale[(i + 1) % VA_N_SENSED] = BS_REAL(1e-9);
+        begun();
+        (void)give(&first, 1);
+        sample.dtheta_ib_b[0] = BS_REAL(1e-6);
+        sample.dtheta_ib_b[1] = BS_REAL(1e-6);
+        sample.dtheta_ib_b[2] = BS_REAL(1e-6);
+        sample.dv_b[0] = BS_REAL(1e-6);
+        sample.dv_b[1] = BS_REAL(1e-6);
+        sample.dv_b[2] = BS_REAL(1e-6);
+        (void)give(&first, 2);
+        sample.dtheta_ib_b[0] = BS_REAL(0.0);
+        sample.dtheta_ib_b[1] = BS_REAL(0.0);
+        sample.dtheta_ib_b[2] = BS_REAL(0.0);
+        sample.dv_b[0] = BS_REAL(0.0);
+        sample.dv_b[1] = BS_REAL(0.0);
+        sample.dv_b[2] = BS_REAL(0.0);
+        (void)va_live_counted(&first, &counts);
+        /* [BS-L-028] */
+        failures += expect("saturated, once a sample", (counts.samples < 2U) ||
+                           (counts.saturated == 1U));
+    }
+    prepare();
+    return failures;
+}
+
+/* A number that no sensor and no message brings: nothing may come of it but a refusal, or a loop
+ * that says that it is lost. */
+static int damaged(void)
+{
+    const bs_real none = (bs_real)selftest_nan();
+    int failures = 0;
+    begun();
+    first.now.nav.lat_lon_height[0] = none;
+    /* [VA-L-012] [BS-L-029] */
+    failures += expect("no strapdown from what is no number", (give(&first, 1) != BS_OK) &&
+                       (give(&first, 2) == BS_NOT_READY));
+    begun();
+    (void)give(&first, 1);
+    first.now.nav.lat_lon_height[0] = none;
+    /* [VA-L-012] [BS-L-029] */
+    failures += expect("nor over a gap", (give(&first, 4) != BS_OK) &&
+                       (give(&first, 5) == BS_NOT_READY));
+    for (int damage = 0; damage < 9; ++damage) {
+        for (int stage = 0; stage < 7; ++stage) {
+            bs_status status = BS_OK;
+            rules.gates.gate = BS_REAL(0.0);
+            for (int i = 0; i < 3; ++i) {
+                message.variance[i] = (damage == 7) ? BS_REAL(1e-3) : BS_REAL(1e18);
+            }
+            begun();
+            for (int k = 1; k <= 10; ++k) {
+                (void)give(&first, k);
+            }
+            send(&first, 0, 8 * 10000);
+            (void)give(&first, 11);
+            for (int i = 0; (i < 100) && (status == BS_OK) &&
+                 ((first.behind < 7U) || (first.measuring.stage < (uint16_t)stage)); ++i) {
+                status = va_live_background(&first);
+            }
+            switch (damage) {
+            case 0:
+                first.x[0] = none;
+                break;
+            case 1:
+                for (int k = 0; k <= 11; ++k) {
+                    first.past[k].sensed[0] = none;
+                }
+                break;
+            case 2:
+                memset(first.filter.P, 0xFF, sizeof(first.filter.P));
+                break;
+            case 3:
+                memset(&first.filter.nav, 0xFF, sizeof(first.filter.nav));
+                break;
+            case 4:
+                first.measuring.H[0] = none;
+                first.measuring.variance[0] = none;
+                break;
+            case 5:
+                for (int k = 0; k <= 5; ++k) { /* before its instant */
+                    first.past[k].lat_lon_height[0] = none;
+                }
+                break;
+            case 7:
+                memset(first.filter.Q, 0xFF, sizeof(first.filter.Q));
+                break;
+            case 6:
+                first.filter.P[1] = none;
+                first.unknown = BS_REAL(1.0);
+                first.opening = 1U;
+                break;
+            default:
+                first.now.nav.lat_lon_height[0] = none;
+                break;
+            }
+            all_of(&first);
+            send(&first, 0, 11 * 10000);
+            (void)give(&first, 12);
+            all_of(&first);
+            status = give(&first, 14);
+            /* [VA-L-041] */
+            failures += expect("a number that is none goes on", (first.state == BS_LIVE_LOST) ||
+                               (status == BS_OK));
+            /* [VA-L-012] */
+            failures += expect("a lost loop flies", (first.state != BS_LIVE_LOST) ||
+                               (give(&first, 15) == BS_NOT_READY));
+        }
+    }
+    prepare();
+    return failures;
+}
+
+/* A sealed snapshot of what no loop can have. */
+static int none_such(const char *what)
+{
+    bs_status status;
+    memcpy(&bytes[BS_SNAPSHOT_HEAD], &second, sizeof(second));
+    seal();
+    status = va_live_restore(&second, bytes);
+    /* [VA-L-033] */
+    return expect(what, (status == BS_OUT_OF_RANGE) && (second.state == BS_LIVE_EMPTY));
+}
+
+/* Snapshots of another program, and of numbers that no loop can have. */
+/* [VA-L-033] */
+static int foreign(void)
+{
+    static const int64_t most = INT64_MAX / 2;
+    int failures = 0;
+    begun();
+    (void)give(&first, 1);
+    (void)va_live_snapshot(&first, bytes);
+    (void)va_live_begin(&second, &rules, 0, &carried, sigma);
+    for (int i = 0; i < 9; ++i) {
+        bs_status status;
+        bytes[i] ^= 1U;
+        seal();
+        status = va_live_restore(&second, bytes);
+        bytes[i] ^= 1U;
+        /* [VA-L-031] */
+        failures += expect("restore takes what another program wrote",
+                           (status == BS_OUT_OF_RANGE) && (second.count == 0U));
+    }
+    seal();
+    /* [VA-L-031] [VA-L-030] */
+    failures += expect("restore of its own", (va_live_restore(&second, bytes) == BS_OK) && same());
+    second = first;
+    second.state = (bs_live_state)3;
+    failures += none_such("state that no loop has");
+    second = first;
+    second.sequence += 1U;
+    failures += none_such("sequence that no loop has");
+    second = first;
+    second.behind = second.count - VA_LIVE_RING;
+    failures += none_such("behind that no loop has");
+    second = first;
+    second.applied = second.passed + 100U;
+    failures += none_such("applied that no loop has");
+    second = first;
+    second.posted = second.applied + 100U;
+    failures += none_such("posted that no loop has");
+    second = first;
+    second.passed = second.posted - 100U;
+    failures += none_such("passed that no loop has");
+    second = first;
+    second.clock = most;
+    failures += none_such("clock that no loop has");
+    second = first;
+    second.clock = -most;
+    failures += none_such("clock that no loop has");
+    second = first;
+    second.at = most;
+    failures += none_such("at that no loop has");
+    second = first;
+    second.at = -most;
+    failures += none_such("at that no loop has");
+    second = first;
+    second.measuring.stage = 7U;
+    failures += none_such("measuring.stage that no loop has");
+    second = first;
+    second.measuring.slot = VA_LIVE_WAITING;
+    failures += none_such("measuring.slot that no loop has");
+    second = first;
+    second.since = second.at + 1;
+    failures += none_such("since that no loop has");
+    second = first;
+    second.waiting[0].state = 6U;
+    failures += none_such("waiting[0].state that no loop has");
+    second = first;
+    second.waiting[0].fate = BS_MSG_FATES;
+    failures += none_such("waiting[0].fate that no loop has");
+    second = first;
+    second.waiting[0].message.measurement = VA_N_MEASUREMENTS;
+    failures += none_such("waiting[0].message.measurement that no loop has");
+    second = first;
+    second.waiting[0].due = 9U;
+    failures += none_such("waiting[0].due that no loop has");
+    second = first;
+    second.rules.every = 0U;
+    failures += none_such("rules.every that no loop has");
+    second = first;
+    second.shift = most;
+    failures += none_such("shift that no loop has");
+    second = first;
+    second.shift = -most;
+    failures += none_such("shift that no loop has");
+    second = first;
+    second.usual = most;
+    failures += none_such("usual that no loop has");
+    second = first;
+    second.usual = -most;
+    failures += none_such("usual that no loop has");
+    second = first;
+    second.odd_age = most;
+    failures += none_such("odd_age that no loop has");
+    second = first;
+    second.odd_age = -most;
+    failures += none_such("odd_age that no loop has");
+    second = first;
+    second.since = -most;
+    failures += none_such("an instant before all time");
+    second = first;
+    second.posted = second.passed + 1U + VA_LIVE_WAITING;
+    second.applied = second.passed + VA_LIVE_WAITING;
+    failures += none_such("more corrections than there is room for");
     return failures;
 }
 
@@ -401,7 +1229,7 @@ int test_va_live(void)
     }
     all_of(&second);
     (void)va_live_counted(&first, &counts);
-    /* [VA-L-034] [VA-L-016] */
+    /* [VA-L-034] [VA-L-016] [VA-L-040] */
     failures += expect("what comes out hangs on when the background runs", same());
     /* [VA-L-006] */
     failures += expect("P amid a flight", va_live_set_covariance(&second, P) == BS_NOT_READY);
@@ -453,6 +1281,14 @@ int test_va_live(void)
     failures += strained();
     failures += unlikely();
     failures += stepping();
+    failures += beginnings();
+    failures += empty();
+    failures += in_order();
+    failures += messages();
+    failures += refused();
+    failures += seldom();
+    failures += damaged();
+    failures += foreign();
     rules.every = 0U;
     /* [VA-L-004] */
     failures += expect("a rule out of its range",
@@ -511,8 +1347,14 @@ int test_va_live(void)
     failures += expect("sigmas: a null pointer",
                        va_live_sigmas(NULL, sigma, NULL) == BS_NULL_POINTER);
     /* [VA-L-002] */
+    failures += expect("sigmas: a null pointer",
+                       va_live_sigmas(&first, NULL, NULL) == BS_NULL_POINTER);
+    /* [VA-L-002] */
     failures += expect("covariance: a null pointer",
                        va_live_covariance(&first, NULL, NULL) == BS_NULL_POINTER);
+    /* [VA-L-002] */
+    failures += expect("covariance: a null pointer",
+                       va_live_covariance(NULL, P, NULL) == BS_NULL_POINTER);
     /* [VA-L-002] */
     failures += expect("counted: a null pointer",
                        va_live_counted(NULL, &counts) == BS_NULL_POINTER);
@@ -522,8 +1364,14 @@ int test_va_live(void)
     failures += expect("next_event: a null pointer",
                        va_live_next_event(&first, NULL) == BS_NULL_POINTER);
     /* [VA-L-002] */
+    failures += expect("next_event: a null pointer",
+                       va_live_next_event(NULL, &event) == BS_NULL_POINTER);
+    /* [VA-L-002] */
     failures += expect("snapshot: a null pointer",
                        va_live_snapshot(&first, NULL) == BS_NULL_POINTER);
+    /* [VA-L-002] */
+    failures += expect("snapshot: a null pointer",
+                       va_live_snapshot(NULL, bytes) == BS_NULL_POINTER);
     /* [VA-L-002] */
     failures += expect("measured: a null pointer",
                        va_live_measured(NULL, &measured) == BS_NULL_POINTER);
@@ -533,7 +1381,11 @@ int test_va_live(void)
     /* [VA-L-002] */
     failures += expect("restore: a null pointer", va_live_restore(NULL, bytes) == BS_NULL_POINTER);
     /* [VA-L-002] */
+    failures += expect("restore: a null pointer", va_live_restore(&first, NULL) == BS_NULL_POINTER);
+    /* [VA-L-002] */
     failures += expect("digest: a null pointer", va_live_digest(NULL, bytes) == BS_NULL_POINTER);
+    /* [VA-L-002] */
+    failures += expect("digest: a null pointer", va_live_digest(&first, NULL) == BS_NULL_POINTER);
     /* [VA-L-035] */
     failures += expect("sizes", (va_live_size() == sizeof(va_live)) &&
                        (va_live_snapshot_size() == sizeof(bytes)));

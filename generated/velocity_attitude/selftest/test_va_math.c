@@ -6,9 +6,9 @@
 #include "../src/va_math.h"
 #include "selftest.h"
 
-#define MOST_POINTS 21
+#define MOST_POINTS 22
 
-static const float in_atan2[21][2] = {
+static const float in_atan2[22][2] = {
     { 0x0.0p+0, 0x1.0000000000000p+0 },
     { -0x0.0p+0, 0x1.0000000000000p+0 },
     { 0x0.0p+0, -0x1.0000000000000p+0 },
@@ -29,22 +29,23 @@ static const float in_atan2[21][2] = {
     { 0x1.4484c00000000p-100, 0x1.4484c00000000p-99 },
     { -0x1.93e5940000000p+99, 0x1.2eec2e0000000p+101 },
     { 0x1.4484c00000000p-100, -0x1.93e5940000000p+99 },
-    { 0x1.93e5940000000p+99, 0x1.4484c00000000p-100 }
+    { 0x1.93e5940000000p+99, 0x1.4484c00000000p-100 },
+    { 0x1.c363cc0000000p+127, 0x1.c363cc0000000p+127 }
 };
-static const double out_atan2[1][21] = {
-    { 0x0.0p+0, 0x0.0p+0, 0x1.921fb54442d18p+1, -0x1.921fb54442d18p+1, 0x0.0p+0, -0x1.921fb54442d18p+1, 0x1.921fb54442d18p+0, -0x1.921fb54442d18p+0, 0x1.2a73a71dcec16p-2, 0x1.85a3770ebe7aep-2, 0x1.972bca0ebf527p-2, 0x1.921fb54442d18p-1, 0x1.2d0ead9cfdb3ep+0, 0x1.f38892f1e0c88p+0, 0x1.6cd1406088f96p+1, -0x1.5f3a3c026ae73p+1, -0x1.921fb535f1c7ap+0, 0x1.dac670561bb4fp-2, -0x1.4978fb360754fp-2, 0x1.921fb54442d18p+1, 0x1.921fb54442d18p+0 }
+static const double out_atan2[1][22] = {
+    { 0x0.0p+0, 0x0.0p+0, 0x1.921fb54442d18p+1, -0x1.921fb54442d18p+1, 0x0.0p+0, -0x1.921fb54442d18p+1, 0x1.921fb54442d18p+0, -0x1.921fb54442d18p+0, 0x1.2a73a71dcec16p-2, 0x1.85a3770ebe7aep-2, 0x1.972bca0ebf527p-2, 0x1.921fb54442d18p-1, 0x1.2d0ead9cfdb3ep+0, 0x1.f38892f1e0c88p+0, 0x1.6cd1406088f96p+1, -0x1.5f3a3c026ae73p+1, -0x1.921fb535f1c7ap+0, 0x1.dac670561bb4fp-2, -0x1.4978fb360754fp-2, 0x1.921fb54442d18p+1, 0x1.921fb54442d18p+0, 0x1.921fb54442d18p-1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const float tol_atan2[1][21] = {
-    { 1.42e-45F, 1.42e-45F, 2.41e-07F, 2.41e-07F, 1.42e-45F, 2.41e-07F, 1.20e-07F, 1.20e-07F, 3.01e-08F, 3.01e-08F, 3.01e-08F, 6.02e-08F, 1.20e-07F, 1.20e-07F, 2.41e-07F, 2.41e-07F, 1.20e-07F, 3.01e-08F, 3.01e-08F, 2.41e-07F, 1.20e-07F }
+static const float tol_atan2[1][22] = {
+    { 1.42e-45F, 1.42e-45F, 2.41e-07F, 2.41e-07F, 1.42e-45F, 2.41e-07F, 1.20e-07F, 1.20e-07F, 3.01e-08F, 3.01e-08F, 3.01e-08F, 6.02e-08F, 1.20e-07F, 1.20e-07F, 2.41e-07F, 2.41e-07F, 1.20e-07F, 3.01e-08F, 3.01e-08F, 2.41e-07F, 1.20e-07F, 6.02e-08F }
 };
 #else
-static const float tol_atan2[1][21] = {
-    { 0.0F, 0.0F, 8.97e-16F, 8.97e-16F, 0.0F, 8.97e-16F, 4.49e-16F, 4.49e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 2.24e-16F, 4.49e-16F, 4.49e-16F, 8.97e-16F, 8.97e-16F, 4.49e-16F, 1.12e-16F, 1.12e-16F, 8.97e-16F, 4.49e-16F }
+static const float tol_atan2[1][22] = {
+    { 0.0F, 0.0F, 8.97e-16F, 8.97e-16F, 0.0F, 8.97e-16F, 4.49e-16F, 4.49e-16F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 2.24e-16F, 4.49e-16F, 4.49e-16F, 8.97e-16F, 8.97e-16F, 4.49e-16F, 1.12e-16F, 1.12e-16F, 8.97e-16F, 4.49e-16F, 2.24e-16F }
 };
 #endif
 
-static const float in_cos[17][1] = {
+static const float in_cos[21][1] = {
     { 0x0.0p+0 },
     { -0x0.0p+0 },
     { 0x1.5798ee0000000p-27 },
@@ -61,22 +62,26 @@ static const float in_cos[17][1] = {
     { 0x1.8f33340000000p+5 },
     { -0x1.90cccc0000000p+5 },
     { 0x1.3880000000000p+13 },
-    { 0x1.312d000000000p+23 }
+    { 0x1.312d000000000p+23 },
+    { -0x1.2a05f20000000p+33 },
+    { 0x1.0f0cf00000000p+73 },
+    { -0x1.93e5940000000p+99 },
+    { 0x1.c363cc0000000p+127 }
 };
-static const double out_cos[1][17] = {
-    { 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.e921dd24adb91p-1, 0x1.6a2ecaf40f8ddp-1, 0x1.69d21a46e0beap-1, 0x1.21bd54fc5f9a7p-4, -0x1.ab17777447a85p-13, -0x1.798bad7263fbdp-1, -0x1.fffffffffff99p-1, -0x1.4eaa606db24c1p-1, 0x1.6ad6c3c07d448p-1, 0x1.fffffffffff76p-1, 0x1.de2ef45ee4291p-1, 0x1.f90164543af20p-1, -0x1.e780e88ec4409p-1, -0x1.d085be7a8f4a1p-1 }
+static const double out_cos[1][21] = {
+    { 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.0000000000000p+0, 0x1.e921dd24adb91p-1, 0x1.6a2ecaf40f8ddp-1, 0x1.69d21a46e0beap-1, 0x1.21bd54fc5f9a7p-4, -0x1.ab17777447a85p-13, -0x1.798bad7263fbdp-1, -0x1.fffffffffff99p-1, -0x1.4eaa606db24c1p-1, 0x1.6ad6c3c07d448p-1, 0x1.fffffffffff76p-1, 0x1.de2ef45ee4291p-1, 0x1.f90164543af20p-1, -0x1.e780e88ec4409p-1, -0x1.d085be7a8f4a1p-1, 0x1.bf098901c931ap-1, 0x1.5baded759a40dp-1, -0x1.3924432ee4d87p-1, -0x1.efeaf8c3be59cp-2 }
 };
 #ifdef BORESIGHT_FLOAT
-static const float tol_cos[1][17] = {
-    { 1.20e-07F, 1.20e-07F, 1.20e-07F, 6.02e-08F, 6.02e-08F, 6.02e-08F, 7.53e-09F, 1.47e-11F, 6.02e-08F, 1.20e-07F, 6.02e-08F, 6.02e-08F, 1.20e-07F, 6.02e-08F, 6.02e-08F, 6.02e-08F, 6.02e-08F }
+static const float tol_cos[1][21] = {
+    { 1.20e-07F, 1.20e-07F, 1.20e-07F, 6.02e-08F, 6.02e-08F, 6.02e-08F, 7.53e-09F, 1.47e-11F, 6.02e-08F, 1.20e-07F, 6.02e-08F, 6.02e-08F, 1.20e-07F, 6.02e-08F, 6.02e-08F, 6.02e-08F, 6.02e-08F, 6.02e-08F, 6.02e-08F, 6.02e-08F, 3.01e-08F }
 };
 #else
-static const float tol_cos[1][17] = {
-    { 4.49e-16F, 4.49e-16F, 4.49e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.80e-17F, 5.48e-20F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F }
+static const float tol_cos[1][21] = {
+    { 4.49e-16F, 4.49e-16F, 4.49e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.80e-17F, 5.48e-20F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 1.12e-16F }
 };
 #endif
 
-static const float in_sin[17][1] = {
+static const float in_sin[21][1] = {
     { 0x0.0p+0 },
     { -0x0.0p+0 },
     { 0x1.5798ee0000000p-27 },
@@ -93,18 +98,22 @@ static const float in_sin[17][1] = {
     { 0x1.8f33340000000p+5 },
     { -0x1.90cccc0000000p+5 },
     { 0x1.3880000000000p+13 },
-    { 0x1.312d000000000p+23 }
+    { 0x1.312d000000000p+23 },
+    { -0x1.2a05f20000000p+33 },
+    { 0x1.0f0cf00000000p+73 },
+    { -0x1.93e5940000000p+99 },
+    { 0x1.c363cc0000000p+127 }
 };
-static const double out_sin[1][17] = {
-    { 0x0.0p+0, 0x0.0p+0, 0x1.5798ee0000000p-27, 0x1.2e9cda1f52c88p-2, -0x1.69e4fe1908b92p-1, 0x1.6a41a9f0e19a6p-1, 0x1.feb7a9b2c6d8bp-1, -0x1.ffffff4dde2d3p-1, 0x1.59d64d002a6c5p-1, 0x1.4442d18469883p-23, 0x1.837b9dddc1eaep-1, -0x1.693c94e0ab057p-1, 0x1.777a5cf72ceadp-23, -0x1.6df9df843ae91p-2, 0x1.515dd0fd22868p-3, -0x1.38f2fa75d9289p-2, 0x1.aea414a8a3352p-2 }
+static const double out_sin[1][21] = {
+    { 0x0.0p+0, 0x0.0p+0, 0x1.5798ee0000000p-27, 0x1.2e9cda1f52c88p-2, -0x1.69e4fe1908b92p-1, 0x1.6a41a9f0e19a6p-1, 0x1.feb7a9b2c6d8bp-1, -0x1.ffffff4dde2d3p-1, 0x1.59d64d002a6c5p-1, 0x1.4442d18469883p-23, 0x1.837b9dddc1eaep-1, -0x1.693c94e0ab057p-1, 0x1.777a5cf72ceadp-23, -0x1.6df9df843ae91p-2, 0x1.515dd0fd22868p-3, -0x1.38f2fa75d9289p-2, 0x1.aea414a8a3352p-2, 0x1.f334c7896a4e3p-2, -0x1.77d988f563719p-1, 0x1.95135fcc7c53cp-1, 0x1.bff388901e1a9p-1 }
 };
 #ifdef BORESIGHT_FLOAT
-static const float tol_sin[1][17] = {
-    { 1.42e-45F, 1.42e-45F, 8.97e-16F, 3.01e-08F, 6.02e-08F, 6.02e-08F, 6.02e-08F, 1.20e-07F, 6.02e-08F, 1.44e-14F, 6.02e-08F, 6.02e-08F, 1.44e-14F, 3.01e-08F, 1.51e-08F, 3.01e-08F, 3.01e-08F }
+static const float tol_sin[1][21] = {
+    { 1.42e-45F, 1.42e-45F, 8.97e-16F, 3.01e-08F, 6.02e-08F, 6.02e-08F, 6.02e-08F, 1.20e-07F, 6.02e-08F, 1.44e-14F, 6.02e-08F, 6.02e-08F, 1.44e-14F, 3.01e-08F, 1.51e-08F, 3.01e-08F, 3.01e-08F, 3.01e-08F, 6.02e-08F, 6.02e-08F, 6.02e-08F }
 };
 #else
-static const float tol_sin[1][17] = {
-    { 0.0F, 0.0F, 3.34e-24F, 1.12e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 5.35e-23F, 2.24e-16F, 2.24e-16F, 5.35e-23F, 1.12e-16F, 5.61e-17F, 1.12e-16F, 1.12e-16F }
+static const float tol_sin[1][21] = {
+    { 0.0F, 0.0F, 3.34e-24F, 1.12e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F, 5.35e-23F, 2.24e-16F, 2.24e-16F, 5.35e-23F, 1.12e-16F, 5.61e-17F, 1.12e-16F, 1.12e-16F, 1.12e-16F, 2.24e-16F, 2.24e-16F, 2.24e-16F }
 };
 #endif
 
@@ -116,24 +125,33 @@ int test_va_math(void)
     for (int i = 0; i < MOST_POINTS; ++i) {
         at[i] = (unsigned short)i;
     }
-    for (int i = 0; i < 21; ++i) {
+    for (int i = 0; i < 22; ++i) {
         out[i] = BS_ATAN2((bs_real)in_atan2[i][0], (bs_real)in_atan2[i][1]);
     }
     /* [VA-M-001.atan2] */
-    failures += selftest_compare("atan2", 0, out, 21, out_atan2[0], tol_atan2[0], at, 21, 0);
+    failures += selftest_compare("atan2", 0, out, 22, out_atan2[0], tol_atan2[0], at, 22, 0);
+    for (int i = 0; i < 3; ++i) { /* an infinite y, an infinite x, and both */
+        static const double eighths[1][3] = { { 1.5707963267948966, 0.0, 0.78539816339744831 } };
+        static const float within[1][3] = { { 3e-7F, 0.0F, 3e-7F } };
+        out[i] = BS_ATAN2((bs_real)((i == 1) ? 1.0 : selftest_infinity()),
+                          (bs_real)((i == 0) ? 1.0 : selftest_infinity()));
+        /* [VA-M-001.atan2] */
+        failures += (i < 2) ? 0
+            : selftest_compare("atan2 of infinity", 0, out, 3, eighths[0], within[0], at, 3, 0);
+    }
     out[0] = BS_ATAN2((bs_real)selftest_nan(), BS_REAL(1.0));
     /* [VA-M-001.atan2] */
     if (out[0] <= out[0]) {
         selftest_print("atan2: a value for what is no number\n");
         ++failures;
     }
-    for (int i = 0; i < 17; ++i) {
+    for (int i = 0; i < 21; ++i) {
         out[i] = BS_COS((bs_real)in_cos[i][0]);
     }
     /* [VA-M-001.cos] */
-    failures += selftest_compare("cos", 0, out, 17, out_cos[0], tol_cos[0], at, 17, 0);
+    failures += selftest_compare("cos", 0, out, 21, out_cos[0], tol_cos[0], at, 21, 0);
     /* [VA-M-001.sincos] */
-    for (int i = 0; i < 17; ++i) {
+    for (int i = 0; i < 21; ++i) {
         bs_real sine;
         bs_real cosine;
         BS_SINCOS((bs_real)in_cos[i][0], &sine, &cosine);
@@ -148,13 +166,13 @@ int test_va_math(void)
         selftest_print("cos: a value for what is no number\n");
         ++failures;
     }
-    for (int i = 0; i < 17; ++i) {
+    for (int i = 0; i < 21; ++i) {
         out[i] = BS_SIN((bs_real)in_sin[i][0]);
     }
     /* [VA-M-001.sin] */
-    failures += selftest_compare("sin", 0, out, 17, out_sin[0], tol_sin[0], at, 17, 0);
+    failures += selftest_compare("sin", 0, out, 21, out_sin[0], tol_sin[0], at, 21, 0);
     /* [VA-M-001.sincos] */
-    for (int i = 0; i < 17; ++i) {
+    for (int i = 0; i < 21; ++i) {
         bs_real sine;
         bs_real cosine;
         BS_SINCOS((bs_real)in_sin[i][0], &sine, &cosine);

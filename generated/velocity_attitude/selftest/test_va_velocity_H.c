@@ -88,6 +88,7 @@ int test_va_velocity_H(void)
     bs_real got_H[48];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &mounting, &master);
+        selftest_paint(got_H, 48);
         /* [VA-U-001.velocity_H] */
         if (va_velocity_H(&nav, &corrected_imu, &mounting, &master, got_H) != BS_OK) {
             ++failures;

@@ -80,6 +80,7 @@ int test_val_Phi(void)
     bs_real got_Phi[361];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu);
+        selftest_paint(got_Phi, 361);
         /* [VAL-U-001.Phi] */
         if (val_Phi(&nav, &corrected_imu, got_Phi) != BS_OK) {
             ++failures;

@@ -126,6 +126,7 @@ int test_val_Q(void)
     bs_real got_Q[361];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &noise);
+        selftest_paint(got_Q, 361);
         /* [VAL-U-001.Q] */
         if (val_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
             ++failures;

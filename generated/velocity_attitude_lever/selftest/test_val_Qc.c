@@ -90,6 +90,7 @@ int test_val_Qc(void)
     bs_real got_Qc[361];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &noise);
+        selftest_paint(got_Qc, 361);
         /* [VAL-U-001.Qc] */
         if (val_Qc(&nav, &noise, got_Qc) != BS_OK) {
             ++failures;

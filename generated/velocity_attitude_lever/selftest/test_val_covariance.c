@@ -299,7 +299,7 @@ static int predict(int k)
     failures += expect("ud refuses a covariance", k, val_ud_init(given.P, packed, work) == BS_OK);
     val_ud_predict(packed, Phi, Q, after, work);
     val_ud_dense(after, dense);
-    /* [VAL-C-030] [VAL-C-010] [VAL-C-011] [VAL-C-060] */
+    /* [VAL-C-030] [VAL-C-010] [VAL-C-011] [VAL-C-060] [VAL-C-001] */
     failures += compare_P("ud predicted", k, predicted_P[k], predicted_size[k], OF_UD);
     for (int j = 0; j < N; ++j) {
         /* [VAL-C-001] */

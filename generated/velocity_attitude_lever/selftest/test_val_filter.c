@@ -958,6 +958,16 @@ static int fly(int k_point)
         /* [VAL-F-001] */
         failures += bs_good(status) ? same_said("dcm: far", 3) : 0;
     }
+    failures += begin();
+    for (int i = 0; i < N; ++i) { /* of an innovation whose square is beyond all numbers */
+        flown.x[i] = (bs_real)((double)(1 + (i * i)) *
+                               ((sizeof(bs_real) == sizeof(float)) ? 1e25 : 1e160));
+    }
+    before = flown;
+    status = measure_dcm();
+    /* [VAL-F-024] [VAL-F-021] */
+    failures += expect("dcm: an nis that is not finite", (status == BS_NOT_POSITIVE) &&
+                       same_state(&flown, &before));
     set_noise(BS_REAL(1.0));
     for (int i = 0; i < VAL_MAX_ROWS; ++i) {
         residual[i] = BS_REAL(0.01) * (bs_real)(i + 1);
@@ -1291,6 +1301,16 @@ static int fly(int k_point)
         /* [VAL-F-001] */
         failures += bs_good(status) ? same_said("velocity: far", 3) : 0;
     }
+    failures += begin();
+    for (int i = 0; i < N; ++i) { /* of an innovation whose square is beyond all numbers */
+        flown.x[i] = (bs_real)((double)(1 + (i * i)) *
+                               ((sizeof(bs_real) == sizeof(float)) ? 1e25 : 1e160));
+    }
+    before = flown;
+    status = measure_velocity();
+    /* [VAL-F-024] [VAL-F-021] */
+    failures += expect("velocity: an nis that is not finite", (status == BS_NOT_POSITIVE) &&
+                       same_state(&flown, &before));
     set_noise(BS_REAL(1.0));
     for (int i = 0; i < VAL_MAX_ROWS; ++i) {
         residual[i] = BS_REAL(0.01) * (bs_real)(i + 1);
@@ -1702,7 +1722,7 @@ static int kept(void)
         /* [VAL-F-011] [VAL-F-027] */
         failures += expect("at the ceiling", measure_dcm() == BS_AT_CEILING) +
             same("lowered", BS_OK, BS_OK);
-        /* [VAL-F-036] */
+        /* [VAL-F-036] [VAL-F-038] */
         failures += expect("ceilings of measurements", flown.ceilings == 1U);
         /* [VAL-F-027] [VAL-F-036] */
         failures += expect("then below it", measure_dcm() == BS_OK) +
@@ -3458,7 +3478,7 @@ static int guards(void)
                           1e+30 * 1.0005);
     }
     for (int i = 0; i < N; ++i) {
-        /* [VAL-F-105.quaternion] */
+        /* [VAL-F-105.quaternion] [VAL-F-004] */
         failures += spoil("measure_quaternion: x", measure_quaternion, &flown.x[i], x_below[i],
                           x_above[i]);
     }

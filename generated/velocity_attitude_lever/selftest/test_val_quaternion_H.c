@@ -190,6 +190,7 @@ int test_val_quaternion_H(void)
     bs_real got_H[57];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, x, &nav, &corrected_imu, &master);
+        selftest_paint(got_H, 57);
         /* [VAL-U-001.quaternion_H] */
         if (val_quaternion_H(x, &nav, &corrected_imu, &master, got_H) != BS_OK) {
             ++failures;

@@ -89,6 +89,7 @@ int test_val_velocity_H(void)
     bs_real got_H[57];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &mounting, &master);
+        selftest_paint(got_H, 57);
         /* [VAL-U-001.velocity_H] */
         if (val_velocity_H(&nav, &corrected_imu, &mounting, &master, got_H) != BS_OK) {
             ++failures;

@@ -146,6 +146,7 @@ int test_vas_F(void)
     bs_real got_F[2116];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &bending, &triads, &biases);
+        selftest_paint(got_F, 2116);
         /* [VAS-U-001.F] */
         if (vas_F(&nav, &corrected_imu, &bending, &triads, &biases, got_F) != BS_OK) {
             ++failures;

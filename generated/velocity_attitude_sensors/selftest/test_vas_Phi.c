@@ -165,6 +165,7 @@ int test_vas_Phi(void)
     bs_real got_Phi[2116];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &bending, &triads, &biases);
+        selftest_paint(got_Phi, 2116);
         /* [VAS-U-001.Phi] */
         if (vas_Phi(&nav, &corrected_imu, &bending, &triads, &biases, got_Phi) != BS_OK) {
             ++failures;

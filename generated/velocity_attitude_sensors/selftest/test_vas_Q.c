@@ -222,6 +222,7 @@ int test_vas_Q(void)
     bs_real got_Q[2116];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &noise, &bending, &triads, &biases);
+        selftest_paint(got_Q, 2116);
         /* [VAS-U-001.Q] */
         if (vas_Q(&nav, &corrected_imu, &noise, &bending, &triads, &biases, got_Q) != BS_OK) {
             ++failures;

@@ -131,6 +131,7 @@ int test_vas_Qc(void)
     bs_real got_Qc[2116];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &noise, &bending, &triads);
+        selftest_paint(got_Qc, 2116);
         /* [VAS-U-001.Qc] */
         if (vas_Qc(&nav, &noise, &bending, &triads, got_Qc) != BS_OK) {
             ++failures;

@@ -307,7 +307,7 @@ static int predict(int k)
     failures += expect("ud refuses a covariance", k, vas_ud_init(given.P, packed, work) == BS_OK);
     vas_ud_predict(packed, Phi, Q, after, work);
     vas_ud_dense(after, dense);
-    /* [VAS-C-030] [VAS-C-010] [VAS-C-011] [VAS-C-060] */
+    /* [VAS-C-030] [VAS-C-010] [VAS-C-011] [VAS-C-060] [VAS-C-001] */
     failures += compare_P("ud predicted", k, predicted_P[k], predicted_size[k], OF_UD);
     for (int j = 0; j < N; ++j) {
         /* [VAS-C-001] */

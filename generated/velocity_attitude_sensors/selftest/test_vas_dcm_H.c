@@ -109,6 +109,7 @@ int test_vas_dcm_H(void)
     bs_real got_H[138];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &bending, &triads);
+        selftest_paint(got_H, 138);
         /* [VAS-U-001.dcm_H] */
         if (vas_dcm_H(&nav, &corrected_imu, &bending, &triads, got_H) != BS_OK) {
             ++failures;

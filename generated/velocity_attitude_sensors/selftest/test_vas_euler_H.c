@@ -111,6 +111,7 @@ int test_vas_euler_H(void)
     bs_real got_H[138];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &master, &bending, &triads);
+        selftest_paint(got_H, 138);
         /* [VAS-U-001.euler_H] */
         if (vas_euler_H(&nav, &corrected_imu, &master, &bending, &triads, got_H) != BS_OK) {
             ++failures;

@@ -1119,6 +1119,16 @@ static int fly(int k_point)
         /* [VAS-F-001] */
         failures += bs_good(status) ? same_said("dcm: far", 3) : 0;
     }
+    failures += begin();
+    for (int i = 0; i < N; ++i) { /* of an innovation whose square is beyond all numbers */
+        flown.x[i] = (bs_real)((double)(1 + (i * i)) *
+                               ((sizeof(bs_real) == sizeof(float)) ? 1e25 : 1e160));
+    }
+    before = flown;
+    status = measure_dcm();
+    /* [VAS-F-024] [VAS-F-021] */
+    failures += expect("dcm: an nis that is not finite", (status == BS_NOT_POSITIVE) &&
+                       same_state(&flown, &before));
     set_noise(BS_REAL(1.0));
     for (int i = 0; i < VAS_MAX_ROWS; ++i) {
         residual[i] = BS_REAL(0.01) * (bs_real)(i + 1);
@@ -1452,6 +1462,16 @@ static int fly(int k_point)
         /* [VAS-F-001] */
         failures += bs_good(status) ? same_said("velocity: far", 3) : 0;
     }
+    failures += begin();
+    for (int i = 0; i < N; ++i) { /* of an innovation whose square is beyond all numbers */
+        flown.x[i] = (bs_real)((double)(1 + (i * i)) *
+                               ((sizeof(bs_real) == sizeof(float)) ? 1e25 : 1e160));
+    }
+    before = flown;
+    status = measure_velocity();
+    /* [VAS-F-024] [VAS-F-021] */
+    failures += expect("velocity: an nis that is not finite", (status == BS_NOT_POSITIVE) &&
+                       same_state(&flown, &before));
     set_noise(BS_REAL(1.0));
     for (int i = 0; i < VAS_MAX_ROWS; ++i) {
         residual[i] = BS_REAL(0.01) * (bs_real)(i + 1);
@@ -1962,7 +1982,7 @@ static int kept(void)
         /* [VAS-F-011] [VAS-F-027] */
         failures += expect("at the ceiling", measure_dcm() == BS_AT_CEILING) +
             same("lowered", BS_OK, BS_OK);
-        /* [VAS-F-036] */
+        /* [VAS-F-036] [VAS-F-038] */
         failures += expect("ceilings of measurements", flown.ceilings == 1U);
         /* [VAS-F-027] [VAS-F-036] */
         failures += expect("then below it", measure_dcm() == BS_OK) +
@@ -4982,7 +5002,7 @@ static int guards(void)
                           1e+30 * 1.0005);
     }
     for (int i = 0; i < N; ++i) {
-        /* [VAS-F-105.quaternion] */
+        /* [VAS-F-105.quaternion] [VAS-F-004] */
         failures += spoil("measure_quaternion: x", measure_quaternion, &flown.x[i], x_below[i],
                           x_above[i]);
     }

@@ -228,6 +228,7 @@ int test_vas_quaternion_H(void)
     bs_real got_H[138];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, x, &nav, &corrected_imu, &master, &bending, &triads);
+        selftest_paint(got_H, 138);
         /* [VAS-U-001.quaternion_H] */
         if (vas_quaternion_H(x, &nav, &corrected_imu, &master, &bending, &triads, got_H) != BS_OK) {
             ++failures;

@@ -124,6 +124,7 @@ int test_vas_velocity_H(void)
     bs_real got_H[138];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &mounting, &master, &bending, &triads);
+        selftest_paint(got_H, 138);
         /* [VAS-U-001.velocity_H] */
         if (vas_velocity_H(&nav, &corrected_imu, &mounting, &master, &bending, &triads,
                            got_H) != BS_OK) {

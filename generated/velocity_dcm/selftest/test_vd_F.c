@@ -68,6 +68,7 @@ int test_vd_F(void)
     bs_real got_F[100];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu);
+        selftest_paint(got_F, 100);
         /* [VD-U-001.F] */
         if (vd_F(&nav, &corrected_imu, got_F) != BS_OK) {
             ++failures;

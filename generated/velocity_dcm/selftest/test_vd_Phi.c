@@ -76,6 +76,7 @@ int test_vd_Phi(void)
     bs_real got_Phi[100];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu);
+        selftest_paint(got_Phi, 100);
         /* [VD-U-001.Phi] */
         if (vd_Phi(&nav, &corrected_imu, got_Phi) != BS_OK) {
             ++failures;

@@ -91,6 +91,7 @@ int test_vd_Q(void)
     bs_real got_Q[100];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &nav, &corrected_imu, &noise);
+        selftest_paint(got_Q, 100);
         /* [VD-U-001.Q] */
         if (vd_Q(&nav, &corrected_imu, &noise, got_Q) != BS_OK) {
             ++failures;

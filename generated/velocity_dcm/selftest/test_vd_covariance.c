@@ -295,7 +295,7 @@ static int predict(int k)
     failures += expect("ud refuses a covariance", k, vd_ud_init(given.P, packed, work) == BS_OK);
     vd_ud_predict(packed, Phi, Q, after, work);
     vd_ud_dense(after, dense);
-    /* [VD-C-030] [VD-C-010] [VD-C-011] [VD-C-060] */
+    /* [VD-C-030] [VD-C-010] [VD-C-011] [VD-C-060] [VD-C-001] */
     failures += compare_P("ud predicted", k, predicted_P[k], predicted_size[k], OF_UD);
     for (int j = 0; j < N; ++j) {
         /* [VD-C-001] */

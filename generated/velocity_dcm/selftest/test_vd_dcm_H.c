@@ -52,6 +52,7 @@ int test_vd_dcm_H(void)
     bs_real got_H[30];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &master);
+        selftest_paint(got_H, 30);
         /* [VD-U-001.dcm_H] */
         if (vd_dcm_H(&master, got_H) != BS_OK) {
             ++failures;

@@ -76,6 +76,7 @@ int test_vd_dcm_exact_H(void)
     bs_real got_H[30];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, x, &nav, &master);
+        selftest_paint(got_H, 30);
         /* [VD-U-001.dcm_exact_H] */
         if (vd_dcm_exact_H(x, &nav, &master, got_H) != BS_OK) {
             ++failures;

@@ -833,6 +833,16 @@ static int fly(int k_point)
         /* [VD-F-001] */
         failures += bs_good(status) ? same_said("velocity: far", 3) : 0;
     }
+    failures += begin();
+    for (int i = 0; i < N; ++i) { /* of an innovation whose square is beyond all numbers */
+        flown.x[i] = (bs_real)((double)(1 + (i * i)) *
+                               ((sizeof(bs_real) == sizeof(float)) ? 1e25 : 1e160));
+    }
+    before = flown;
+    status = measure_velocity();
+    /* [VD-F-024] [VD-F-021] */
+    failures += expect("velocity: an nis that is not finite", (status == BS_NOT_POSITIVE) &&
+                       same_state(&flown, &before));
     set_noise(BS_REAL(1.0));
     for (int i = 0; i < VD_MAX_ROWS; ++i) {
         residual[i] = BS_REAL(0.01) * (bs_real)(i + 1);
@@ -908,6 +918,16 @@ static int fly(int k_point)
         /* [VD-F-001] */
         failures += bs_good(status) ? same_said("dcm: far", 3) : 0;
     }
+    failures += begin();
+    for (int i = 0; i < N; ++i) { /* of an innovation whose square is beyond all numbers */
+        flown.x[i] = (bs_real)((double)(1 + (i * i)) *
+                               ((sizeof(bs_real) == sizeof(float)) ? 1e25 : 1e160));
+    }
+    before = flown;
+    status = measure_dcm();
+    /* [VD-F-024] [VD-F-021] */
+    failures += expect("dcm: an nis that is not finite", (status == BS_NOT_POSITIVE) &&
+                       same_state(&flown, &before));
     set_noise(BS_REAL(1.0));
     for (int i = 0; i < VD_MAX_ROWS; ++i) {
         residual[i] = BS_REAL(0.01) * (bs_real)(i + 1);
@@ -1405,7 +1425,7 @@ static int kept(void)
         /* [VD-F-011] [VD-F-027] */
         failures += expect("at the ceiling", measure_velocity() == BS_AT_CEILING) +
             same("lowered", BS_OK, BS_OK);
-        /* [VD-F-036] */
+        /* [VD-F-036] [VD-F-038] */
         failures += expect("ceilings of measurements", flown.ceilings == 1U);
         /* [VD-F-027] [VD-F-036] */
         failures += expect("then below it", measure_velocity() == BS_OK) +
@@ -2664,7 +2684,7 @@ static int guards(void)
                           1.0005);
     }
     for (int i = 0; i < N; ++i) {
-        /* [VD-F-105.dcm_exact] */
+        /* [VD-F-105.dcm_exact] [VD-F-004] */
         failures += spoil("measure_dcm_exact: x", measure_dcm_exact, &flown.x[i], x_below[i],
                           x_above[i]);
     }

@@ -45,6 +45,7 @@ int test_vd_velocity_H(void)
     bs_real got_H[30];
     for (int v = 0; v < N_VECTORS; ++v) {
         set_point(v, &master);
+        selftest_paint(got_H, 30);
         /* [VD-U-001.velocity_H] */
         if (vd_velocity_H(&master, got_H) != BS_OK) {
             ++failures;

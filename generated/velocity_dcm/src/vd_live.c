@@ -466,8 +466,8 @@ static void watch_silence(vd_live *live, int64_t now)
     if ((live->came[kind] == 1U) && (live->rules.silent_us > 0) &&
         ((now - live->measured[kind]) > (int64_t)live->rules.silent_us)) {
         live->came[kind] = 2U;
-        live->counts.silences += 1U;
         /* [BS-L-035] */
+        live->counts.silences += 1U;
         note_event(live, BY_SAMPLE, BS_EVENT_SILENT, (int)kind, now - live->measured[kind]);
     }
 }
@@ -859,6 +859,7 @@ static void post(vd_live *live, uint32_t made_due)
         }
     }
     carry_error(live, mail->x, seconds(due - at), MOST_STEPS);
+    /* [VD-L-040] */
     mail->due = made_due + live->rules.latency;
     mail->at = due;
     mail->took = 0U;
@@ -1537,7 +1538,6 @@ bs_status vd_live_background(vd_live *live)
             return BS_OK;
         }
         goal = due->at;
-        /* [VD-L-040] */
         last = due->due;
     } else {
         goal = oldest_instant(live, last);
