@@ -39,6 +39,22 @@ PLACES = {
     "zephyr": ("zephyr/module.yml", "zephyr/Kconfig", "zephyr/CMakeLists.txt"),
     "px4": ("px4/CMakeLists.txt",),
 }
+# What <math.h> of C99 has, and that of AVR has not.
+OF_AVR = """#ifndef islessequal
+#define isgreaterequal(a, b) __builtin_isgreaterequal(a, b)
+#define islessequal(a, b) __builtin_islessequal(a, b)
+#define isunordered(a, b) __builtin_isunordered(a, b)
+#endif
+"""
+# What Boresight's own examples of these builds have seen, see examples/embed.
+SEEN = {
+    "cmake": "built and run by CMake",
+    "arduino": "built with Arduino's core for AVR, not run; no other board was built",
+    "platformio": "its tool takes library.json; nobody has built it there",
+    "idf": "its tool takes idf_component.yml; nobody has built it there",
+    "zephyr": "nobody has built it there",
+    "px4": "a module is built as C++14 with PX4's warnings, outside PX4; nobody has built it there",
+}
 NO_EVIDENCE = "none was made of this model"
 OTHER_BOXES = "boxes were chosen for this export, {}: its C is other than that of which evidence is kept"
 OTHER_EVIDENCE = "what is kept was found of other C, with another hash"
@@ -214,6 +230,7 @@ def exported(
     made = ["Makefile", "CMakeLists.txt", "README.md", "LICENSE", "package.pc.in", "EVIDENCE.html"]
     made += ["example/main.c", "example/minute.h"] if view["minute"] else []
     view["places"] = places
+    view["seen"] = {place: SEEN[place] for place in places}
     made += [f"places/{path}" for place in places for path in PLACES[place]]
     words = {"export/": "", "places/": "", "package": view["package"]}
     texts = rendered(tuple(f"export/{path}" for path in made), words, e=view)
@@ -241,6 +258,8 @@ def arduino(files: dict[str, str], view: dict[str, Any]) -> dict[str, str]:
     """The C once more as a library of Arduino's, which looks for headers in src/ alone."""
     home, properties = f"arduino/{view['package']}", "library.properties"
     flat = {f"{home}/src/{Path(p).name}": text for p, text in files.items() if p.startswith(("src/", "include/"))}
+    boresight = f"{home}/src/boresight.h"
+    flat[boresight] = flat[boresight].replace("#include <math.h>\n", f"#include <math.h>\n{OF_AVR}", 1)
     texts = rendered((f"export/places/{properties}",), {"export/places": home}, e=view)
     return flat | texts
 

@@ -443,6 +443,8 @@ def test_what_other_tools_read_of_an_export_they_can_read(everywhere):
     assert yaml.safe_load((everywhere / "idf_component.yml").read_text())["version"] == __version__
     module = yaml.safe_load((everywhere / "zephyr" / "module.yml").read_text())["build"]
     assert [(everywhere / path).exists() for path in module.values()] == [True, True]
+    page = (everywhere / "EVIDENCE.html").read_text()
+    assert page.count("nobody has built it there") == 4
     for place in ("zephyr", "px4"):
         named = re.findall(r"\.\./(src/\w+\.c)", (everywhere / place / "CMakeLists.txt").read_text())
         assert {everywhere / name for name in named} == set((everywhere / "src").glob("*.c"))

@@ -1,0 +1,6 @@
+#include "rest.h"
+
+int main(void)
+{
+    return rest();
+}
