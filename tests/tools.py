@@ -47,6 +47,9 @@ class Tool:
 TOOLS = {
     "clang": Tool("clang"),
     "clang++": Tool("clang"),
+    "clang-19": Tool("clang-19 libclang-rt-19-dev"),  # 18 and newer count conditions
+    "llvm-cov-19": Tool("llvm-19"),
+    "llvm-profdata-19": Tool("llvm-19"),
     "libclang-rt": Tool(
         *("clang libclang-rt-dev", "clang"),
         lambda: any(Path(printed("clang", "-print-resource-dir")).glob("lib/*/libclang_rt.ubsan_standalone*")),

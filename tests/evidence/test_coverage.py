@@ -1,13 +1,15 @@
 """Coverage of the self-test, and stack by the graph of calls: against cases whose answer is known."""
 
+import json
 import shutil
+import subprocess
 
 import pytest
 from committed import LIVE, folder_of, spoilt
 from tools import needs
 
 from boresight import BoresightError
-from boresight.evidence.coverage import Decision, coverage, shown_alone, was
+from boresight.evidence.coverage import Decision, coverage, decisions_of, shown_alone, was
 from boresight.evidence.golden import run_with_costs
 from boresight.evidence.stack import FLAGS, Calls
 from boresight.evidence.targets import M4F, build
@@ -111,3 +113,30 @@ def test_what_is_painted_on_an_emulated_core_is_not_above_the_bound(tmp_path):
     for name, most in painted.items():
         room = 64 if calls.library(name) else 0  # memset, sqrtf and their like, which the bound leaves out
         assert most <= calls.deepest(name) + room, name
+
+
+@needs("clang-19", "llvm-cov-19", "llvm-profdata-19")
+def test_clang_counts_the_same_conditions_covered(tmp_path):
+    """Of decisions with several conditions, which alone clang counts, file by file."""
+    folder = folder_of("strapdown")
+    ours: dict[str, list[int]] = {}
+    for one in decisions_of(folder, folder.units, "double", tmp_path):
+        if one.conditions > 1 and one.file.endswith(".c"):
+            counted = ours.setdefault(one.file, [0, 0])
+            counted[0] += sum(shown_alone(one, k) for k in range(one.conditions))
+            counted[1] += one.conditions
+    sources = [*folder.files("src/*.c"), *folder.files("selftest/*.c")]
+    flags = ("-std=c99", "-O1", "-w", "-ffp-contract=off", "-fprofile-instr-generate", "-fcoverage-mapping")
+    program, counts = tmp_path / "program", tmp_path / "counts"
+    command = ["clang-19", *flags, "-fcoverage-mcdc", f"-I{folder.include}", *sources, "-lm", "-o", program]
+    subprocess.run(command, check=True)
+    subprocess.run([program], env={"LLVM_PROFILE_FILE": f"{counts}.raw"}, check=True, capture_output=True)
+    subprocess.run(["llvm-profdata-19", "merge", "-sparse", f"{counts}.raw", "-o", counts], check=True)
+    command = ["llvm-cov-19", "export", program, f"-instr-profile={counts}", "-summary-only", "--show-mcdc-summary"]
+    (found,) = json.loads(subprocess.run(command, check=True, capture_output=True).stdout)["data"]
+    theirs = {}
+    for file in found["files"]:
+        of, path = file["summary"]["mcdc"], file["filename"]
+        if "/src/" in path and of["count"]:
+            theirs[path.rsplit("/", 1)[1]] = [of["covered"], of["count"]]
+    assert len(ours) > 3 and theirs == ours
