@@ -49,7 +49,7 @@ OF_AVR = """#ifndef islessequal
 # What Boresight's own examples of these builds have seen, see examples/embed.
 SEEN = {
     "cmake": "built and run by CMake",
-    "arduino": "built with Arduino's core for AVR, not run; no other board was built",
+    "arduino": "built with Arduino's core for AVR, run by an emulator; no other board was built",
     "platformio": "its tool takes library.json; nobody has built it there",
     "idf": "its tool takes idf_component.yml; nobody has built it there",
     "zephyr": "nobody has built it there",

@@ -67,7 +67,19 @@ def arduino(folder: Path, out: Path) -> str:
     run("avr-gcc", *AVR, "-Wl,--gc-sections", *objects, "-lm", "-o", out / "rest.elf")
     flash = run("avr-size", out / "rest.elf").splitlines()[1].split()
     text, data, bss = map(int, flash[:3])
-    return f"built for an ATmega2560: {text + data} bytes of flash, {data + bss} of RAM"
+    built = f"built for an ATmega2560: {text + data} bytes of flash, {data + bss} of RAM"
+    if not shutil.which("simavr"):
+        return built
+    with subprocess.Popen(
+        ["simavr", "-m", "atmega2560", "-f", "16000000", out / "rest.elf"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+    ) as board:  # which does not end by itself
+        assert board.stdout
+        said = next((line for line in board.stdout if "at rest" in line or "not as" in line), "")
+        board.kill()
+    return f"{built}; on simavr: {'at rest' if 'at rest' in said else 'not as it should be'}"
 
 
 def platformio(folder: Path, out: Path) -> str:
