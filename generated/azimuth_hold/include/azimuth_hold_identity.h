@@ -21,7 +21,7 @@
 #endif
 
 #define AH_MODEL "azimuth-hold"
-#define AH_MODEL_HASH "77958eb212fb2d4828a4219db54a8cb22e1530a0372c1de96bc7c4185f653acf"
+#define AH_MODEL_HASH "5eb3477d75e1321a9c0b292560712e75bcb20e119a66d3fa1e076b8285405797"
 #define AH_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AH_VERSION_MAJOR 0
 #define AH_VERSION_MINOR 1

@@ -21,7 +21,7 @@
 #endif
 
 #define AHR_MODEL "azimuth-hold-reference"
-#define AHR_MODEL_HASH "f5e4d6d51c84cf439a9455c8ea14883c0a3c59000c4c7d9409409e614ad00bfa"
+#define AHR_MODEL_HASH "6688df62cd93b59788b978d8dbc7d5a7818cefb1cee210252341e67b3782ab09"
 #define AHR_VERSION "0.1.0" /* of the Boresight that printed it */
 #define AHR_VERSION_MAJOR 0
 #define AHR_VERSION_MINOR 1

@@ -21,7 +21,7 @@
 #endif
 
 #define EM_MODEL "euler-matching"
-#define EM_MODEL_HASH "09f538a8611400ee14f265b53c1a8c350138b5290829aec34f96462c1da6845a"
+#define EM_MODEL_HASH "4f0af208defb5702d4f78bf4b42ee4574b0f513fddb6d7b67526fc8ecc66b2c6"
 #define EM_VERSION "0.1.0" /* of the Boresight that printed it */
 #define EM_VERSION_MAJOR 0
 #define EM_VERSION_MINOR 1

@@ -21,7 +21,7 @@
 #endif
 
 #define VA_MODEL "velocity-attitude"
-#define VA_MODEL_HASH "ae86e4c8f05376a1067ae9593d75f2185ba91cc6b457983fb881a5d26e6bc207"
+#define VA_MODEL_HASH "447adc82b22e6d00959ecfd5b47f9bc7d016edbb3efe7495281d8dbd149529f8"
 #define VA_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VA_VERSION_MAJOR 0
 #define VA_VERSION_MINOR 1

@@ -21,7 +21,7 @@
 #endif
 
 #define VAL_MODEL "velocity-attitude-lever"
-#define VAL_MODEL_HASH "ec3ce92ea84068c7006ec025fff57135497aa072b3ac32655ef9a044d51ef0e3"
+#define VAL_MODEL_HASH "096de8a5c6d72748fc07356c2f141e69f5874d3081d9304de64aee44ac48d7b5"
 #define VAL_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAL_VERSION_MAJOR 0
 #define VAL_VERSION_MINOR 1

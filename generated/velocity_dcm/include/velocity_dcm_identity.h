@@ -21,7 +21,7 @@
 #endif
 
 #define VD_MODEL "velocity-dcm"
-#define VD_MODEL_HASH "773e5595efcf33af5db2012d104838dde3c5d1a45e84f7cf3275c85f102210eb"
+#define VD_MODEL_HASH "d80bd12329b115530ee0cd9766bf77f861422381bf4200332f5b2a96daf721a8"
 #define VD_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VD_VERSION_MAJOR 0
 #define VD_VERSION_MINOR 1
