@@ -77,9 +77,9 @@ def arduino(folder: Path, out: Path) -> str:
         text=True,
     ) as board:  # which does not end by itself
         assert board.stdout
-        said = next((line for line in board.stdout if "at rest" in line or "not as" in line), "")
+        found = next((line for line in board.stdout if "at rest" in line or "not as" in line), "")
         board.kill()
-    return f"{built}; on simavr: {'at rest' if 'at rest' in said else 'not as it should be'}"
+    return f"{built}; on simavr: {'at rest' if 'at rest' in found else 'not as it should be'}"
 
 
 def platformio(folder: Path, out: Path) -> str:

@@ -6,7 +6,7 @@ import subprocess
 
 import pytest
 from committed import LIVE, folder_of, spoilt
-from tools import needs
+from tools import needs, tool
 
 from boresight import BoresightError
 from boresight.evidence.coverage import Decision, coverage, decisions_of, shown_alone, was
@@ -128,11 +128,18 @@ def test_clang_counts_the_same_conditions_covered(tmp_path):
     sources = [*folder.files("src/*.c"), *folder.files("selftest/*.c")]
     flags = ("-std=c99", "-O1", "-w", "-ffp-contract=off", "-fprofile-instr-generate", "-fcoverage-mapping")
     program, counts = tmp_path / "program", tmp_path / "counts"
-    command = ["clang-19", *flags, "-fcoverage-mcdc", f"-I{folder.include}", *sources, "-lm", "-o", program]
+    command = [tool("clang-19"), *flags, "-fcoverage-mcdc", f"-I{folder.include}", *sources, "-lm", "-o", program]
     subprocess.run(command, check=True)
     subprocess.run([program], env={"LLVM_PROFILE_FILE": f"{counts}.raw"}, check=True, capture_output=True)
-    subprocess.run(["llvm-profdata-19", "merge", "-sparse", f"{counts}.raw", "-o", counts], check=True)
-    command = ["llvm-cov-19", "export", program, f"-instr-profile={counts}", "-summary-only", "--show-mcdc-summary"]
+    subprocess.run([tool("llvm-profdata-19"), "merge", "-sparse", f"{counts}.raw", "-o", counts], check=True)
+    command = [
+        tool("llvm-cov-19"),
+        "export",
+        program,
+        f"-instr-profile={counts}",
+        "-summary-only",
+        "--show-mcdc-summary",
+    ]
     (found,) = json.loads(subprocess.run(command, check=True, capture_output=True).stdout)["data"]
     theirs = {}
     for file in found["files"]:
