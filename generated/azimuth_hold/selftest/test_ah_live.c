@@ -540,8 +540,8 @@ static int messages(void)
     }
     /* [AH-L-024] */
     failures += expect("what was measured last",
-                       (ah_live_measured(&first,
-                                         &measured) == BS_OK) == (counts.fate[BS_MSG_REFUSED] == 0U));
+                       (ah_live_measured(&first, &measured) == BS_OK) ==
+                           (counts.fate[BS_MSG_REFUSED] == 0U));
     send(&first, 0, at - 10000);
     (void)give(&first, 8);
     all_of(&first);

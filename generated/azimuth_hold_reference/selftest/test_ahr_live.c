@@ -541,8 +541,8 @@ static int messages(void)
     }
     /* [AHR-L-024] */
     failures += expect("what was measured last",
-                       (ahr_live_measured(&first,
-                                          &measured) == BS_OK) == (counts.fate[BS_MSG_REFUSED] == 0U));
+                       (ahr_live_measured(&first, &measured) == BS_OK) ==
+                           (counts.fate[BS_MSG_REFUSED] == 0U));
     send(&first, 0, at - 10000);
     (void)give(&first, 8);
     all_of(&first);
