@@ -30,7 +30,7 @@ import numpy as np
 from boresight.errors import BoresightError, did_you_mean
 from boresight.runtime.arguments import whole
 from boresight.runtime.array import Array
-from boresight.runtime.gpu.text import HEADERS
+from boresight.runtime.gpu import text
 from boresight.runtime.library import Library, load
 from boresight.runtime.manifest import folder_of, read_manifest
 from boresight.runtime.store import BLOCK, Store
@@ -127,6 +127,8 @@ def many(
             raise BoresightError(f"many: {name} is {value!r}; it must be a whole number from {low} to 2^63")
     if dask is not None and jobs != 1:
         raise BoresightError("many: jobs are processes here, and dask flies on a cluster; leave one of them out")
+    if experiment.fly is None and (experiment.in_c is None or experiment.given is None):
+        raise BoresightError(f"{experiment.name} has nothing that flies: give fly, or in_c with given")
     if device == "gpu":
         _on_a_gpu(experiment, jobs, here=dask is None)
     if directory == "":  # as a Path it would be the current folder
@@ -235,14 +237,15 @@ def _watched(experiment: Experiment, goal: Goal | None) -> tuple[str, ...]:
 
 def _identity(experiment: Experiment, manifest: Mapping[str, Any], seed: int) -> dict[str, Any]:
     """All that the final states depend on, as JSON gives it back."""
-    settings, fly = experiment.settings, experiment.fly
+    settings, flies = experiment.settings, experiment.fly or experiment.given
+    assert flies is not None  # `many` has looked
     try:
         # of a script only the function: its last lines are changed from call to call
-        code = inspect.getsource(fly if fly.__module__ == "__main__" else sys.modules[fly.__module__])
+        code = inspect.getsource(flies if flies.__module__ == "__main__" else sys.modules[flies.__module__])
     except (OSError, TypeError):  # typed at a prompt
         code = ""
     if experiment.in_c is not None:
-        beside = (*HEADERS, _source(experiment).parent)
+        beside = (*text.HEADERS, _source(experiment).parent)
         code += "".join(file.read_text() for place in beside for file in sorted(place.glob("*.[ch]")))
     contents = json.dumps(manifest["files"], sort_keys=True)
     identity = {
@@ -305,8 +308,8 @@ def _whole() -> Iterator[None]:
 
 def fly_piece(experiment: Experiment, where: str, seed: int, device: str, piece: range) -> Array:
     """Final states (len(piece), columns) of a few runs.  where: the folder of the model, or its hash on a cluster."""
-    if device == "gpu":
-        rows = _by_card(experiment, _library(where), seed, piece)
+    if device == "gpu" or experiment.fly is None:
+        rows = _in_c(experiment, _library(where), seed, piece, device)
     else:
         rows = np.asarray(experiment.fly(_library(where), experiment.settings, seed, piece), float)
     shape = len(piece), len(experiment.columns)
@@ -317,19 +320,25 @@ def fly_piece(experiment: Experiment, where: str, seed: int, device: str, piece:
     return rows
 
 
-def _by_card(experiment: Experiment, library: Library, seed: int, piece: range) -> Array:
-    from boresight.runtime.gpu.card import card
-
-    assert experiment.given is not None
-    kernel = card().kernel(library.folder, _source(experiment))
+def _in_c(experiment: Experiment, library: Library, seed: int, piece: range, device: str) -> Array:
+    assert experiment.given is not None and library.folder is not None
     given = np.ascontiguousarray(experiment.given(library, experiment.settings, seed, piece), float)
-    return card().fly(kernel, given, seed, piece, len(experiment.columns))[0]
+    flown = given, seed, piece, len(experiment.columns)
+    if device == "cpu":
+        rows, status = text.fly(text.host(library.folder, _source(experiment)), *flown)
+    else:
+        from boresight.runtime.gpu.card import card
+
+        rows, status = card().fly(card().kernel(library.folder, _source(experiment)), *flown)
+    rows[status != 0] = np.nan
+    return rows
 
 
 def _source(experiment: Experiment) -> Path:
     """The experiment in C, which lies beside its Python."""
-    file = inspect.getsourcefile(experiment.fly)
-    assert file is not None and experiment.in_c is not None
+    assert experiment.given is not None and experiment.in_c is not None
+    file = inspect.getsourcefile(experiment.given)
+    assert file is not None
     return Path(file).with_name(experiment.in_c)
 
 

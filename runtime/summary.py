@@ -29,11 +29,11 @@ class Experiment:
         Name or generated folder of the model, as of `load`.
     columns : mapping of str to str
         What `fly` returns: the unit of each column by its name.
-    fly : function
+    fly : function, optional
         fly(library, settings, seed, runs), with runs a range of numbers: final states (len(runs),
         columns), a row of NaN for a run that is lost.  A row may depend on the settings, the seed
         and its run's number, and on nothing else.  It is a function of a module, so that processes
-        find it.
+        find it.  Without it `in_c` flies, one run after the other.
     settings : dataclass or dict, optional
         What JSON can hold; it is kept beside the runs.
     expected : mapping of str to float, optional
@@ -41,8 +41,8 @@ class Experiment:
     percentiles : tuple of str, optional
         Columns of which percentiles are computed.
     in_c : str, optional
-        The same runs as C, bit for bit, for a GPU: a file beside the module of `fly` that defines
-        `boresight_run` of boresight/runtime/gpu/run.h.
+        The runs as C, for a GPU those of `fly` bit for bit: a file beside the module of `given`
+        that defines `boresight_run` of boresight/runtime/gpu/run.h.
     given : function, optional
         given(library, settings, seed, runs): the float64 numbers that this C reads, the same for
         all of these runs.
@@ -70,7 +70,7 @@ class Experiment:
     name: str
     model: str | Path
     columns: Mapping[str, str]
-    fly: Callable[[Library, Any, int, range], Array]
+    fly: Callable[[Library, Any, int, range], Array] | None = None
     settings: Any = field(default_factory=dict)
     expected: Mapping[str, float] = field(default_factory=dict)
     percentiles: tuple[str, ...] = ()

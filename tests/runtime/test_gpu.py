@@ -36,6 +36,11 @@ def test_a_run_in_c_has_the_bits_of_the_run_side_by_side(motion, monkeypatch):
     assert not status.any() and np.isfinite(rows).all()
 
 
+def test_an_experiment_in_c_alone_flies_on_the_host():
+    kind = sea.experiment(sea.Sea("slope", 5, SHORT))
+    assert many(replace(kind, fly=None), runs=9, seed=7).columns == many(kind, runs=9, seed=7).columns
+
+
 def test_a_run_that_ends_badly_has_its_status_and_the_others_go_on():
     model, runs = load(sea.MODEL), range(4)
     given = sea.numbers(model, sea.Sea("slope", 5, SHORT), 7, runs)
@@ -217,11 +222,12 @@ def test_what_no_gpu_can_do_is_one_line(stand_in, environment, says):
         ({"device": "tpu"}, "device is 'tpu'; it is cpu or gpu"),
         ({"device": "gpu", "jobs": 2}, "one process"),
         ({"device": "gpu", "in_c": None}, "sea is written in Python, which flies on the host; a GPU needs it in C"),
+        ({"fly": None, "in_c": None}, "sea has nothing that flies: give fly, or in_c with given"),
     ],
 )
 def test_what_cannot_fly_there_is_refused_before_anything_is_begun(given, says, tmp_path):
     kind = sea.experiment(sea.Sea("slope", 5))
-    kind = replace(kind, in_c=given.pop("in_c", kind.in_c))
+    kind = replace(kind, **{name: given.pop(name) for name in ("fly", "in_c") if name in given})
     with pytest.raises(BoresightError, match=says):
         many(kind, runs=4, directory=tmp_path / "out", **given)
     assert not list(tmp_path.iterdir())
