@@ -69,6 +69,11 @@ def named_or_recorded(model: Any, motion: str, seconds: float, step_hz: float, u
     """A motion by its name, or of the recording at this path.  Raises BoresightError on a model that no name fits."""
     if not model.measurements and "Phi" not in model.units:
         raise BoresightError(f"{model.name} has no Phi and no covariance; name a filter")
+    if model.manifest["kind"] == "total-state":
+        raise BoresightError(
+            f"{model.name} has a total state, which begins where no named motion says; give --motion FILE.py:NAME, "
+            "a function that returns P0, steps and x (docs/error-budget.md)"
+        )
     if Path(motion).suffix:
         return recorded(model, motion, seconds, step_hz, update_hz)
     return nominal(model, motion, seconds, step_hz, update_hz)
@@ -171,8 +176,7 @@ def flight(model: Any, along: Nominal, values: Mapping[str, Any]) -> tuple[dict[
     """The start by cause, and the steps, with these sizes.  Raises BoresightError on a model that measures nothing."""
     values = dict(values)
     sensors = values.pop("sensors", None)
-    names = [next(name for name in group if name in model.measurements)
-             for group in MATCHED if any(name in model.measurements for name in group)]  # fmt: skip
+    names = taken(model, values)
     spread = rest_of(model, values, sensors)
     constant = values.pop("constants", {})
     given = {name: constant_value(model, name, {**constant, **values}) for name in model.field
@@ -196,6 +200,18 @@ def flight(model: Any, along: Nominal, values: Mapping[str, Any]) -> tuple[dict[
             steps += [(name, variances[name], at(k + 1, sorted(reads[name]))) for name in names]
     start = begun(model, names, spread, variances, lambda name: at(0, sorted(reads[name])))
     return start, steps
+
+
+def taken(model: Any, values: Mapping[str, Any]) -> list[str]:
+    """The measurements that are flown: those that are known here, and of a model of one's own those with a size."""
+    known = [next((name for name in group if name in model.measurements), "") for group in MATCHED]
+    return [*filter(None, known), *(name for name in model.measurements if name in values and name not in SIZES)]
+
+
+def not_taken(model: Any, values: Mapping[str, Any]) -> str:
+    """Which measurements of one's own model have no size and are not flown, in a line; or nothing."""
+    left = [name for name in model.measurements if name not in SIZES and name not in taken(model, values)]
+    return f"not flown: {', '.join(left)}; give the sigma, as --set '{left[0]} 1'\n" if left else ""
 
 
 def rows_of(model: Any, name: str) -> int:

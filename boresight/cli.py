@@ -818,7 +818,7 @@ def budget(
         needed = found.need(wanted, float(nominal.amount(size, unit, need)[0]))
     title = f"{library.name}, {motion}, {found.times[-1]:g} s"
     document = found.document(at or ()) | {"motion": motion, "need": needed}
-    text = found.report(at or (), state or (), title)
+    text = found.report(at or (), state or (), title) + ("" if own else nominal.not_taken(library, given))
     if needed is not None:
         text += "\n" + found.need_report(needed)
     if against is not None:
@@ -1138,7 +1138,7 @@ def observe(
         require("replay")  # for the figure; said before the flight and not after it
         make(out)
     library = library_of(target, folder, grade)
-    found = {}
+    found, left = {}, ""
     with terminal.working() as working:
         for name in motion or ["still", "straight", "steady turn", "s turn"]:
             working(name)
@@ -1150,8 +1150,9 @@ def observe(
                 along = nominal.named_or_recorded(library, name, seconds, step_hz, update_hz)
                 sizes = nominal.settings(library, grade) | nominal.sizes(set_ or (), library)
                 (start, steps), x = nominal.flight(library, along, sizes), None
+                left = nominal.not_taken(library, sizes)
             found[name] = observability.observe(library, start, steps, x=x)
-    text = observability.report(found)
+    text = observability.report(found) + left
     document = {"model": library.name, "motions": {name: one.document() for name, one in found.items()}}
     if formulas:
         from boresight.analysis.symbolic import never_shown

@@ -1,6 +1,7 @@
 """What a motion shows of each state, beside sums of information and a Gramian that are computed otherwise."""
 
 import json
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -190,3 +191,13 @@ def test_a_start_without_variance_is_one_line(library):
     step = {"q_b2n_wxyz": [1, 0, 0, 0], "omega_in_n": np.zeros(3), "gyro_noise": np.zeros(3), "dt": 1.0}
     with pytest.raises(BoresightError, match="observe: no state has a variance at the start"):
         observability.observe(library, np.zeros((6, 6)), [step])
+
+
+def test_a_measurement_without_a_size_is_named_and_one_with_a_size_is_flown():
+    model = load("velocity-attitude")
+    own = SimpleNamespace(measurements={**model.measurements, "wheel": model.measurements["velocity"]})
+    sizes = nominal.settings(model)
+    assert nominal.not_taken(own, sizes) == "not flown: wheel; give the sigma, as --set 'wheel 1'\n"
+    assert nominal.taken(own, sizes) == ["velocity", "dcm"]
+    assert nominal.taken(own, sizes | {"wheel": 0.1}) == ["velocity", "dcm", "wheel"]
+    assert nominal.not_taken(own, sizes | {"wheel": 0.1}) == nominal.not_taken(model, sizes) == ""
