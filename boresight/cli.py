@@ -472,13 +472,21 @@ def verify(
     targets = targets or g.model_names()
     if folder is not None and len(targets) > 1:
         raise BoresightError("--generated names one folder; give one model with it")
+    for target in targets:
+        if target.endswith(".py"):
+            g.known(target, g.model_names())  # which names the models in it
     folders = {target: g.generated_folder(target, folder) if ":" in target else folder for target in targets}
     with terminal.progress() as progress:
         checks = v.verify_all(list(folders.items()), progress=progress)
     if as_json:
         print_json(v.to_json(checks))
     else:
-        terminal.page(*report.verified(checks))
+        # where C fails that was made of an earlier equation, this is why
+        failed = any(isinstance(check, v.UnitCheck) and not check.ok for check in checks)
+        old = [target for target, where in folders.items() if failed and not g.unchanged(target, where)]
+        *parts, verdict = report.verified(checks)
+        hints = (f"The C is not of {target} as it is now; 'boresight generate {target}' makes it." for target in old)
+        terminal.page(*parts, *hints, verdict)
     raise typer.Exit(v.status(checks, strict))
 
 

@@ -171,7 +171,9 @@ def verified(checks: Sequence["Check"]) -> Parts:
                 else:
                     where = f"; {check.entry}" if check.entry else ""
                     order = f"{check.order:.2f}" if check.order is not None else ""
-                    exact.add_row(check.unit, check.against + where, f"{check.difference:.1e}", order, ok)
+                    # of a rule without a size, as a sign in the words, there is no difference to show
+                    size = f"{check.difference:.1e}" if check.ok or check.difference else ""
+                    exact.add_row(check.unit, check.against + where, size, order, ok)
             else:
                 beyond = (
                     "" if check.coefficient is None
@@ -183,8 +185,8 @@ def verified(checks: Sequence["Check"]) -> Parts:
     parts.append(
         "The bits are compared with CasADi's C, error and bound with 50 digits; a difference from exact mechanics is a "
         "part of the largest of its row, each entry times the box of its state; its order is the power of dt with "
-        "which it falls.  Listed: nothing exact is known of it, for the reason that the model gives.  Stated: it has "
-        "no other side; compare it with its source."
+        "which it falls.  Listed: nothing exact is known of it, for the reason that the model gives.  Stated: "
+        "nothing else knows it, so that a wrong sign in it is not found here; compare it with its source, and fly it."
     )
     count = counted(checks)
     more = [f", {count[name]} {name}" for name in ("not checked", "listed") if count[name]]

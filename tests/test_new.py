@@ -47,6 +47,14 @@ def test_what_new_writes_is_generated_and_flown_as_it_is(tmp_path, monkeypatch, 
     assert "NEES" in capsys.readouterr().out
     assert (tmp_path / "my_first.png").stat().st_size > 10_000
 
+    model = tmp_path / "my_first.py"
+    model.write_text(model.read_text().replace("- damping * omega", "+ damping * omega"))
+    with pytest.raises(SystemExit) as ended:
+        cli.main(["verify", "my_first.py:MY_FIRST"])
+    assert ended.value.code == 1
+    said = " ".join(capsys.readouterr().out.split())
+    assert "The C is not of my_first.py:MY_FIRST as it is now; 'boresight generate my_first.py:MY_FIRST'" in said
+
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_kind_is_an_example_under_another_name(tmp_path, kind):
