@@ -201,7 +201,15 @@ def equations(
     elif number is None:
         terminal.page(*report.paper(paper, rows[paper], ledgers[paper]))
     else:
-        terminal.page(*report.equation(rows[paper][0], ledgers[paper]["conditions"]))
+        terminal.page(*report.equation(rows[paper][0], ledgers[paper]["conditions"], made_of(f"{paper} ({number})")))
+
+
+def made_of(equation: str) -> list[str]:
+    """The functions in C of the built-in models that name this equation."""
+    from boresight.runtime.manifest import folder_of, read_manifest
+
+    units = (unit for name in model_names() for unit in read_manifest(folder_of(name))["units"].values())
+    return [unit["c_name"] for unit in units if equation in unit["equations"]]
 
 
 @app.command()

@@ -119,8 +119,8 @@ def paper(name: str, entries: Sequence[dict[str, str]], kept: dict[str, Any]) ->
     ]
 
 
-def equation(entry: dict[str, str], conditions: Sequence[str]) -> Parts:
-    """The evidence on one equation."""
+def equation(entry: dict[str, str], conditions: Sequence[str], units: Sequence[str] = ()) -> Parts:
+    """The evidence on one equation.  units: the functions in C that are made of it."""
     kind = f"; kind {entry['kind']}" * bool(entry["kind"]) + f", origin {entry['origin']}" * bool(entry["origin"])
     parts: Parts = [
         f"{entry['paper']} {number_label(entry['number'])}: {entry['status']}{kind}",
@@ -134,7 +134,9 @@ def equation(entry: dict[str, str], conditions: Sequence[str]) -> Parts:
     parts += [text for condition in used for text in ("", "Computed at", indented(condition))]
     by_hand = [entry["decisions"]] if entry["decisions"] else []
     parts += ["", "Decided by hand", bullets([*by_hand, entry["depends"]])]
-    return parts + (["", "Note", indented(entry["note"])] if entry["note"] else [])
+    for title, text in (("Note", entry["note"]), ("In C", ", ".join(units))):
+        parts += ["", title, indented(text)] if text else []
+    return parts
 
 
 # ---------------------------------------------------------------- verify

@@ -119,6 +119,8 @@ def test_the_evidence_on_one_equation_has_its_numbers_and_the_conditions_once(ru
     assert flat.count(paper("kang-2025").point.text) == 1
     for text in ("erratum", "0.099879", "halving the errors", "no scan adds a term", "if the lever arm is small too"):
         assert text in flat
+    c = flat.rpartition("In C ")[2].split(", ")
+    assert "va_velocity_H" in c and "va_dcm_H" not in c
 
 
 def test_equations_of_all_papers_fit_on_one_screen(run):
