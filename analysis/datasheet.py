@@ -137,8 +137,9 @@ def datasheet(text: str, *, rate_hz: float | None = None, correlation_s: float |
     )
     if not rows:
         raise BoresightError(
-            f"{text!r}: a sigma of what?  Per sample: give the rate; in a bandwidth: add ', bandwidth 80 Hz'; "
-            "of a bias that wanders: give the correlation time"
+            f"{text!r}: a sigma of what?  Per sample: give the rate (--rate '100 Hz', rate_hz); in a bandwidth: add "
+            "', bandwidth 80 Hz'; of a bias that wanders: give the correlation time (--correlation '300 s', "
+            "correlation_s); of a bias at turn-on: it is its sigma at the start, and no noise"
         )
     lines = [f'{sensor} = "{value:g} {unit}"'] if what == "density" else []
     steady = si if what == "sigma" else si * np.sqrt((correlation_s or 0) / 2)

@@ -64,7 +64,8 @@ class Store:
         ours, theirs = identity[name], there.get(name)
         if isinstance(ours, dict) and isinstance(theirs, dict):
             inner = next(key for key in {**ours, **theirs} if ours.get(key) != theirs.get(key))
-            name, ours, theirs = f"{name}, {inner}", ours.get(inner), theirs.get(inner)
+            name = inner if name == "settings" else f"{name}, {inner}"
+            ours, theirs = ours.get(inner), theirs.get(inner)
         differs = f": {theirs!s:.40} there, {ours!s:.40} here"
         raise BoresightError(f"{folder} holds runs of another {name}{differs}; choose another folder")
 

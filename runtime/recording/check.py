@@ -157,7 +157,8 @@ def _check_time(where: str, time: Array, gap_level: Literal["warning", "error"])
         # As many tags are too near as are too far: they scatter, and nothing is missing.
         if np.sum(step < 0.5 * dt) > gap.sum() / 2 > 1:
             advice = '; the tags scatter: if the clock is regular, say so (clock = "regular")'
-        text = f"{gap.sum()} gaps after {tags.listed(time[:-1][gap])}, the longest {step.max():.4f} s"
+        gaps = "1 gap" if gap.sum() == 1 else f"{gap.sum()} gaps"
+        text = f"{gaps} after {tags.listed(time[:-1][gap])}, the longest {step.max():.4f} s"
         out.append(Finding(gap_level, where, text + (advice if gap_level == "error" else ""), "gap"))
     jitter = float(np.std(step[(step > 0) & ~gap]))
     text = f"{1 / dt:.6g} Hz, {time[0]:.3f} s to {time[-1]:.3f} s, jitter {jitter * 1e3:.3f} ms"

@@ -45,8 +45,8 @@ def bridged(imu: Inertial, limit: float) -> tuple[Inertial, list[str]]:
     rows = np.arange(len(time))
     filled = np.stack([np.interp(at, rows, column) for column in values.T], axis=-1)
     lines = [
-        f"imu: {len(found)} gaps of {m * dt * 1e3:.4g} ms bridged, the first after {found[0][0]:.3f} s; a straight "
-        f"line misses {max(gap[1] for gap in found) / DEG:.2g} deg and "
+        f"imu: {len(found)} gap{'s' * (len(found) > 1)} of {m * dt * 1e3:.4g} ms bridged, the first after "
+        f"{found[0][0]:.3f} s; a straight line misses {max(gap[1] for gap in found) / DEG:.2g} deg and "
         f"{max(gap[2] for gap in found) * 1e3:.2g} mm/s of it"
         for m, found in sorted(gaps.items())
     ]

@@ -181,6 +181,10 @@ def report(result: dict[str, Any], inertial: dict[str, Any] | None = None) -> st
         f"path {result['path_m']:.1f} m, ends {result['end_from_start_m']:.2f} m from the start; there is no reference "
         "track, so that is plausibility only"
     )
+    lines.append(
+        f"gravity of {result['latitude_deg']:g} deg of latitude, updates below {result['sway_factor']:g} times the "
+        "threshold; [stops] of the description says others"
+    )
     if result["gaps_s"]:
         lines.append(f"gaps or repeated time tags before {', '.join(f'{t:.2f} s' for t in result['gaps_s'])}")
     if inertial is not None:

@@ -349,7 +349,7 @@ def spoilt(frame, row, column, value):
         (spoilt(table(), 50, "t", 500.0), ["imu.time", "repeated at 0.5000 s"]),
         (spoilt(table(), 50, "wy", np.nan), ["imu.gyro", "row 50"]),
         (spoilt(table(), 50, "wy", np.inf), ["imu.gyro", "row 50"]),
-        (table().drop(index=range(80, 90)), ["imu.time", "1 gaps after 0.8000 s", "0.1100 s"]),
+        (table().drop(index=range(80, 90)), ["imu.time", "1 gap after 0.8000 s", "0.1100 s"]),
         (table().assign(wx="left"), ["imu.gyro", "'wx'", "not numeric"]),
         (table(1), ["imu.time", "at least 2"]),
         (table().assign(t=table().t / 1e6), ["imu.time", "unit of time"]),
@@ -389,7 +389,7 @@ def test_a_height_that_goes_against_the_vertical_velocity_is_an_error(describe, 
 
 def test_a_gap_of_the_master_is_a_warning_with_its_time(describe):
     recording = read(describe(master=master_table().drop(index=[7, 8])))
-    assert any("1 gaps after 0.6000 s" in text for text in levels(recording, "warning"))
+    assert any("1 gap after 0.6000 s" in text for text in levels(recording, "warning"))
 
 
 def test_a_missing_file_an_undescribed_one_and_a_broken_one(tmp_path):

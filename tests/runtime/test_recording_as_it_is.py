@@ -146,12 +146,12 @@ def test_a_bridge_that_is_no_time_is_one_line(describe, bridge):
 
 def test_one_missing_sample_is_bridged_only_where_it_is_stated(describe):
     path = describe(imu=without(IMU, [1000]))
-    refused(path, "1 gaps after 10.0000 s", 'bridge = "10 ms"', "--allow gap")
-    refused(path, "gaps", bridge="9 ms")
+    refused(path, "1 gap after 10.0000 s", 'bridge = "10 ms"', "--allow gap")
+    refused(path, "1 gap", bridge="9 ms")
     recording = read(path, bridge="10 ms")
     np.testing.assert_allclose(recording.imu.time, IMU["t"], atol=1e-12)
     assert np.flatnonzero(recording.imu.doubt.any(axis=1)).tolist() == [1000]
-    assert any("1 gaps of 10 ms bridged, the first after 10.000 s" in note for note in found(recording, "note"))
+    assert any("1 gap of 10 ms bridged, the first after 10.000 s" in note for note in found(recording, "note"))
 
 
 def test_a_sample_that_is_no_number_is_bridged_like_one_that_is_missing(describe):
@@ -248,7 +248,7 @@ def test_dates_of_any_unit_count_from_one_epoch(describe, unit):
     assert recording.notes[0].startswith("times count from 2024-05-01T10:00:00Z")
     assert any("0.010 s to 30.000 s" in note for note in found(recording, "note"))
     gap = without(imu, [1000])
-    refused(describe(imu=gap, ins=ins, toml=toml), "gaps after 10.0000 s")
+    refused(describe(imu=gap, ins=ins, toml=toml), "gap after 10.0000 s")
 
 
 def ticks(recording, folder):

@@ -179,7 +179,7 @@ def test_a_clock_that_was_set_once_goes_on_as_before(tmp_path, by, of):
 def test_a_pause_and_a_clock_that_was_set_on_by_seconds_are_named_both(tmp_path):
     w = written()
     w.columns["t"][FLOWN.columns["t"] > 25.0] += 2.0
-    text = named(w.write(tmp_path), "1 gaps after 25.0000 s", "cut the recording there", "if the clock was set")
+    text = named(w.write(tmp_path), "1 gap after 25.0000 s", "cut the recording there", "if the clock was set")
     w.replace((TIME, TIME.replace(" }", f", {re.search(r'steps = .*?]', text)[0]} }}")))
     is_what_was_flown(healthy(w.write(tmp_path)))
 

@@ -64,15 +64,15 @@ CASES = {
         [(TIME, TIME.replace(" }", ', steps = [{ after = "25 s", by = "-4 s" }] }'))],
     ),
     "the clock jumps on by years": (
-        tags("imu", HALF, 1e8), ["1 gaps after 25", "if the clock was set", "steps = [{"],
+        tags("imu", HALF, 1e8), ["1 gap after 25", "if the clock was set", "steps = [{"],
         [(TIME, TIME.replace(" }", ', steps = [{ after = "25 s", by = "1e8 s" }] }'))],
     ),
     "three epochs of the master a GPS week back": (
         tags("master", slice(90, 93), -604_800.0), ["master.time", "3 tags stand off", 'bad_rows = "drop"'],
         [('title = "a drive"', 'bad_rows = "drop"')],
     ),
-    "0.3 s are missing": (gap(20.0, 0.3), ["1 gaps", "from, to"], [('title = "a drive"', 'bridge = "0.31 s"')]),
-    "20 s are missing": (gap(20.0, 20.0), ["1 gaps", "20.02", "cut the"], [('title = "a drive"', "to = 20.0")]),
+    "0.3 s are missing": (gap(20.0, 0.3), ["1 gap ", "from, to"], [('title = "a drive"', 'bridge = "0.31 s"')]),
+    "20 s are missing": (gap(20.0, 20.0), ["1 gap ", "20.02", "cut the"], [('title = "a drive"', "to = 20.0")]),
     "the master is late by 200 ms": (fault("master_200_ms_late"), ["+0.21", "--delay-ms 21"], None),
     "g and deg/s in a message of SI": (gravity_and_degrees, ["g declared as m/s^2"],
         [('"m/s^2"', '"g"'), ('"rad/s"', '"deg/s"')]),

@@ -244,7 +244,7 @@ def test_a_process_that_is_killed_ends_it_in_one_line_and_the_next_call_goes_on(
     ("change", "says"),
     [
         ({"seed": 6}, "another seed: 5 there, 6 here"),
-        ({"scale": 3.0}, "another settings, scale: 2.0 there, 3.0 here"),
+        ({"scale": 3.0}, "another scale: 2.0 there, 3.0 here"),
         ({"model": "velocity-dcm"}, "another model"),
         ({"name": "other"}, "another experiment: walk there, other here"),
     ],
