@@ -153,7 +153,8 @@ def models(
     """The built-in models; with a name, its states and functions."""
     from boresight.runtime.manifest import folder_of, read_manifest
 
-    names = [one_of(name, model_names(), "model")] if name else model_names()
+    more = "'boresight show FILE.py:NAME' describes one of your own"
+    names = [one_of(name, model_names(), "model", more)] if name else model_names()
     manifests = [read_manifest(folder_of(name)) for name in names]
     if as_json:
         print_json(
@@ -1055,7 +1056,8 @@ def replay(
     master = data.master
     by_velocity = "velocity-attitude-lever" if lever_arm is None else "velocity-attitude"
     fits = "azimuth-hold" if master is None else "euler-matching" if master.v_n is None else by_velocity
-    name = one_of(model or fits, REPLAYED, "model to replay with")
+    more = "one of your own flies in Python: docs/how-to/my-log-my-model.md"
+    name = one_of(model or fits, REPLAYED, "model to replay with", more)
     if (name == "azimuth-hold") != (master is None):
         raise BoresightError(f"{recording} has {'no' if master is None else 'a'} master; replay it with --model {fits}")
     # of the description, where an option does not say otherwise

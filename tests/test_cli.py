@@ -338,6 +338,8 @@ def test_what_is_longer_than_the_terminal_is_paged_and_whole_in_a_pipe(run):
     ("words", "said"),
     [
         (("models", "eular"), "euler-matching"),
+        (("models", "examples/pendulum.py:PENDULUM"), "'boresight show FILE.py:NAME' describes one of your own"),
+        (("verify", "examples/pendulum.py"), "name a model in it, as examples/pendulum.py:NAME"),
         (("equations", "song-lee-2002"), "there are song-lee-2001"),
         (("equations", "kang-2025", "7"), "there are 1, 2"),
         (("show", "song-lee-2001", "29"), "29"),
