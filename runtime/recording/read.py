@@ -19,7 +19,7 @@ from boresight.runtime.calibration import Calibration
 from boresight.runtime.recording import rows, tags, times
 from boresight.runtime.recording.check import check
 from boresight.runtime.recording.mend import bridged, joined
-from boresight.runtime.recording.tables import Table, kind_of, layout, table
+from boresight.runtime.recording.tables import Table, kind_of, layout, layout_keys, table, written
 from boresight.runtime.recording.types import Inertial, Master, Recording
 from boresight.runtime.units import UNITS, quantity
 
@@ -255,7 +255,8 @@ def template(path: str | None = None) -> str:
     from boresight.runtime.recording import description
 
     found = find(path)
-    columns = table(found)
+    keys = layout_keys(found)[0]
+    columns = table(found, **keys)
     maps = [file for file in sorted(BUILT_IN.glob("*.toml")) if kind_of(found) in description.load(file).serves]
     described = (maps[0] if maps else BUILT_IN / "template.toml").read_text(encoding="utf-8")
     if (lines_of := described.find("[master.origin]")) >= 0 and not all(
@@ -265,8 +266,8 @@ def template(path: str | None = None) -> str:
             described[:lines_of] + "[master.origin]\nlatitude = 47.4                  # deg, where it was: yours\n"
         )
     held = [f"#   {name} {'x'.join(map(str, values.shape))}" for name, values in columns.items()]
-    lines = [line for line in described.splitlines() if not line.startswith(("serves", "file"))]
-    named = [f'file = "{found.name}"', ""]
+    lines = [line for line in described.splitlines() if not line.startswith(("serves", "file", *keys))]
+    named = [*written(keys), f'file = "{found.name}"', ""]
     at = next(i for i, line in enumerate(lines) if line.startswith("["))
     return "\n".join([*lines[:at], *named, *lines[at:], "", f"# What {found.name} holds:", *held, ""])
 

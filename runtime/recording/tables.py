@@ -5,9 +5,10 @@ Logs of many topics name a column "TOPIC/field": "sensor_combined/gyro_rad", "IM
 
 import codecs
 import io
+import json
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 from typing import Any
@@ -205,8 +206,24 @@ def _names(path: Path, delimiter: str, lines: int) -> list[str] | None:
 
 def layout(path: Path, delimiter: str, decimal: str, header: bool | int) -> str:
     """How a text stands, where it is not as it is described: what to write; "" where it is, and for other files."""
-    if READERS.get(kind_of(path), (None, None))[1] is not _text:
+    keys, lines, separator = layout_keys(path, delimiter, decimal, header)
+    if not keys:
         return ""
+    held = f" (columns {', '.join(_names(path, separator, lines) or [])[:300]})" if lines else ""
+    return f"the numbers begin in line {lines + 1}: {' and '.join(written(keys))} reads them{held}"
+
+
+def written(keys: Mapping[str, str | int]) -> list[str]:
+    """The keys as lines of a description."""
+    return [f"{key} = {json.dumps(value)}" for key, value in keys.items()]
+
+
+def layout_keys(
+    path: Path, delimiter: str = ",", decimal: str = ".", header: bool | int = True
+) -> tuple[dict[str, Any], int, str]:
+    """The keys that read a text and differ from those given, the lines of its header, and its delimiter."""
+    if READERS.get(kind_of(path), (None, None))[1] is not _text:
+        return {}, 0, delimiter
     for separator in (delimiter, ",", ";", "tab", "whitespace"):
         for point in (decimal, ".", ","):
             if point == separator:
@@ -217,13 +234,12 @@ def layout(path: Path, delimiter: str, decimal: str, header: bool | int) -> str:
             if not begins:
                 continue
             lines = begins[0]
-            asked = [f'delimiter = "{separator}"'] if separator != delimiter else []
-            asked += [f'decimal = "{point}"'] if point != decimal else []
+            keys: dict[str, Any] = {"delimiter": separator} if separator != delimiter else {}
+            keys |= {"decimal": point} if point != decimal else {}
             if lines != int(header) or (lines == 1 and header is True and _hidden(path)):
-                asked += [f"header = {lines if lines else 'false'}"]
-            held = f" (columns {', '.join(_names(path, separator, lines) or [])[:300]})" if lines else ""
-            return f"the numbers begin in line {lines + 1}: {' and '.join(asked)} reads them{held}" if asked else ""
-    return ""
+                keys["header"] = lines or False
+            return keys, lines, separator
+    return {}, 0, delimiter
 
 
 def _hidden(path: Path) -> bool:

@@ -6,6 +6,7 @@ the format's own description.  Only the ROS 1 bag is written by the library that
 
 import sqlite3
 import struct
+import tomllib
 import zipfile
 from importlib.util import find_spec
 from pathlib import Path
@@ -366,6 +367,15 @@ def test_an_ending_that_is_not_known_names_the_ones_that_are(tmp_path):
     (tmp_path / "a.ulog").write_bytes(b"")
     with pytest.raises(BoresightError, match=r"a \.ulog file is not read.*did you mean '\.ulg'.*\.bag"):
         table(tmp_path / "a.ulog")
+
+
+def test_a_template_has_the_layout_of_the_text_that_it_is_for(tmp_path, capsys):
+    path = tmp_path / "a.csv"
+    path.write_text("Zeit [ms];wx\n0;0,5\n10;0,25\n")
+    out, _ = said(capsys, "--template", path)
+    described = tomllib.loads(out.out)
+    assert (described["delimiter"], described["decimal"]) == (";", ",")
+    assert "#   Zeit [ms] 2\n#   wx 2\n" in out.out
 
 
 def test_a_template_names_the_file_and_what_it_holds(tmp_path, capsys):
