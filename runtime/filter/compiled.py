@@ -34,8 +34,7 @@ class Prepared:
         check_inputs(function, library, inputs, memory.nav, np.empty((*memory.runs, 0, 0)))
         missing = [name for name in described["fields"] if name not in inputs and name not in memory.nav]
         if missing:
-            asked = "predict" if function == "propagate" else function.removeprefix("measure_")  # as the caller has it
-            raise BoresightError(f"{asked} needs {', '.join(missing)}; pass it as a keyword")
+            raise BoresightError(f"{function} needs {', '.join(missing)}; pass it as a keyword")
         self.own = [name for name in memory.fields if name in inputs]
         self._read = [name for name in described["fields"] if name not in memory.fields]
         given, runs = library.arrange(function, {n: self.value(memory, n, inputs) for n in [*self._read, *self.own]})

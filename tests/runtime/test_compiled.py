@@ -179,7 +179,7 @@ def test_the_covariance_stays_symmetric_and_positive():
 
 def test_what_cannot_be_flown_is_named():
     loop = at_rest(CompiledFilter, (2,))
-    with pytest.raises(BoresightError, match="predict needs f_b, dt"):
+    with pytest.raises(BoresightError, match="propagate needs f_b, dt"):
         loop.predict(**NOISE)
     with pytest.raises(BoresightError, match="no measurement 'zpt'; it has azimuth, zaru, zupt"):
         loop.update("zpt", np.ones(3))
