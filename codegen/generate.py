@@ -8,6 +8,7 @@ import importlib.metadata
 import json
 import os
 import re
+import sys
 import tempfile
 from collections.abc import Collection
 from contextlib import AbstractContextManager, nullcontext
@@ -243,7 +244,14 @@ def named(target: "str | Model", model: Any = None) -> tuple[str, Any]:
         raise BoresightError(f"{target!r} is no model; give a built-in name, FILE.py:NAME or a Model")
     if target.name in target_names():
         raise BoresightError(f"{target.where}: model {target.name}: that is a model of Boresight; choose another name")
-    return f"{target.where.rpartition(':')[0]}:{target.name}", whole(target)
+    file = target.where.rpartition(":")[0]
+    bound = (key for module in list(sys.modules.values()) if same_file(getattr(module, "__file__", None), file)
+             for key, value in list(vars(module).items()) if value is target)  # fmt: skip
+    return f"{file}:{next(bound, target.name)}", whole(target)
+
+
+def same_file(one: str | None, other: str) -> bool:
+    return one is not None and Path(one).resolve() == Path(other).resolve()
 
 
 def generate(

@@ -13,7 +13,7 @@ from conftest import PENDULUM, ROOT
 
 from boresight import BoresightError
 from boresight.cli import main
-from boresight.codegen.generate import generate, load_model
+from boresight.codegen.generate import generate, load_model, named
 from boresight.codegen.stamp import made_from
 from boresight.runtime.filter import Filter
 from boresight.runtime.library import load
@@ -29,6 +29,13 @@ def test_bytes_do_not_depend_on_the_hash_seed(pendulum_folder, tmp_path):
     command = [sys.executable, "-m", "boresight.cli", "generate", PENDULUM, "-o", str(tmp_path / "77")]
     subprocess.run(command, cwd=ROOT, env=env, check=True, capture_output=True)
     assert contents(pendulum_folder) == contents(tmp_path / "77")
+
+
+def test_python_and_the_command_line_name_a_model_alike():
+    """By what it is bound to in its file, and not by its own name."""
+    from pendulum import PENDULUM as model
+
+    assert {named(one)[0].rpartition(":")[2] for one in (model, PENDULUM)} == {"PENDULUM"}
 
 
 def commanded(*words):
