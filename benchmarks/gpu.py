@@ -1,4 +1,4 @@
-"""Hashes and times of flights on a GPU, in some five minutes: python -m benchmarks.gpu
+"""Hashes and times of flights on a GPU, in some three minutes: python -m benchmarks.gpu
 
 A thread flies a run: the plain filter of azimuth-hold (a minute at 100 Hz, each second a propagation, a velocity of
 zero and a correction), and the sea experiment of `boresight many`.  The first 4096 runs are flown on the host as well,
