@@ -33,7 +33,6 @@ static void send(va_live *live, int64_t at, uint16_t measurement, double sigma, 
 
 int boresight_run(const double *given, uint64_t seed, uint64_t run, double *row)
 {
-    static const double none[ALL] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
     const common *const all = (const common *)given;
     const sea *const true_ = (const sea *)&given[sizeof(common) / sizeof(double)];
     const double *const master = &given[(sizeof(common) + sizeof(sea)) / sizeof(double)];
@@ -48,29 +47,13 @@ int boresight_run(const double *given, uint64_t seed, uint64_t run, double *row)
     bs_real sigma[VA_N_STATES];
     bs_real P[VA_N_STATES * VA_N_STATES];
     double weight[NODES];
-    double bias[ALL];
     double drawn[DRAWN * ALL];
     double v[3];
     double q[4];
-    double swing[3];
     for (int i = 0; i < (EVENTS + 2); ++i) {
         row[i] = 0.0;
     }
-    (void)sea_delay(all, true_, seed, run, weight);
-    boresight_normals(seed, &run, 1U, MASTER, 0U, ALL, bias, 0, 1, all->bias, none);
-    sea_report(all, master, weight, seed, run, 0U, v, q);
-    hull_turned(q, true_->swing, swing);
-    for (int i = 0; i < 3; ++i) {
-        carried.nav.v_n[i] = (bs_real)(v[i] + swing[i]);
-    }
-    convert(true_->position, carried.nav.lat_lon_height, 3);
-    convert(q, carried.nav.q_b2n_wxyz, 4);
-    convert(&bias[0], carried.nav.gyro_bias, 3);
-    convert(&bias[3], carried.nav.accel_bias, 3);
-    for (int i = 0; i < 4; ++i) {
-        carried.nav.q_b2m_wxyz[i] = (i == 0) ? BS_REAL(1.0) : BS_REAL(0.0);
-    }
-    carried.nav.tau = BS_REAL(0.0);
+    (void)sea_begin(all, true_, master, seed, run, weight, &carried.nav);
     convert(true_->P, P, VA_N_STATES * VA_N_STATES);
     for (int i = 0; i < VA_N_STATES; ++i) {
         sigma[i] = BS_REAL(1e-3);
@@ -86,18 +69,13 @@ int boresight_run(const double *given, uint64_t seed, uint64_t run, double *row)
         status = va_live_set_covariance(&live, P);
     }
     for (size_t k = 0U; (k < (updates * samples)) && (status == BS_OK); ++k) {
-        const size_t now = k % DRAWN;
-        if (now == 0U) {
-            const size_t left = (updates * samples) - k;
-            boresight_normals(seed, &run, 1U, SLAVE, ALL * k, ALL * ((left < DRAWN) ? left : DRAWN), drawn, 0, 1,
-                              all->walk, &ideal[ALL * k]);
-        }
+        const double *const sensed = sea_sample(all, ideal, seed, run, k, drawn);
         sample.at = (int64_t)(k + 1U) * EACH_US;
         sample.serial = (uint32_t)k + 1U;
         sample.dt = (bs_real)all->dt;
         for (size_t c = 0U; c < 3U; ++c) {
-            sample.dtheta_ib_b[c] = (bs_real)drawn[(ALL * now) + 5U - c];
-            sample.dv_b[c] = (bs_real)drawn[(ALL * now) + 2U - c];
+            sample.dtheta_ib_b[c] = (bs_real)sensed[5U - c];
+            sample.dv_b[c] = (bs_real)sensed[2U - c];
         }
         status = va_live_sample(&live, &sample);
         const size_t update = ((k + 1U) - LATE) / samples;

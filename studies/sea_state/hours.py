@@ -32,7 +32,7 @@ def given(number: int, seconds: int = 3600) -> Array:
 
 def flown(given: Array, runs: range) -> Array:
     """(len(runs), COLUMNS)."""
-    sources = *(FOLDER / "src" / f"va_{name}.c" for name in ("live", "digest", "identity")), text.RUNS, SOURCE
+    sources = *(FOLDER / "src" / f"va_{name}.c" for name in ("live", "digest")), text.RUNS, SOURCE
     rows, status = text.fly(text.library(FOLDER, *sources), given, SEED, runs, COLUMNS)
     if status.any():
         raise BoresightError(f"run {runs[int(np.flatnonzero(status)[0])]}: the loop refused a sample or a start")

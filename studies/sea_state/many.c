@@ -98,28 +98,8 @@ static void finish(const va_nav *nav, const bs_real P[VA_N_STATES * VA_N_STATES]
 /* The delay, the biases and the first report; the filter begins. */
 static bs_status begin(flight *f)
 {
-    static const double none[ALL] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
-    const common *const all = f->all;
-    double bias[ALL];
-    double v[3];
-    double q[4];
-    double swing[3];
     va_nav nav;
-    f->delay = sea_delay(all, f->true_, f->seed, f->run, f->weight);
-    boresight_normals(f->seed, &f->run, 1U, MASTER, 0U, ALL, bias, 0, 1, all->bias, none);
-    sea_report(all, f->master, f->weight, f->seed, f->run, 0U, v, q);
-    hull_turned(q, f->true_->swing, swing);
-    for (int i = 0; i < 3; ++i) {
-        nav.v_n[i] = (bs_real)(v[i] + swing[i]);
-    }
-    convert(f->true_->position, nav.lat_lon_height, 3);
-    convert(q, nav.q_b2n_wxyz, 4);
-    convert(&bias[0], nav.gyro_bias, 3);
-    convert(&bias[3], nav.accel_bias, 3);
-    for (int i = 0; i < 4; ++i) {
-        nav.q_b2m_wxyz[i] = (i == 0) ? BS_REAL(1.0) : BS_REAL(0.0);
-    }
-    nav.tau = BS_REAL(0.0);
+    f->delay = sea_begin(f->all, f->true_, f->master, f->seed, f->run, f->weight, &nav);
     convert(f->true_->P, f->P, VA_N_STATES * VA_N_STATES);
     return va_filter_init(&f->filter, &nav, f->P);
 }
@@ -133,15 +113,10 @@ static bs_status strap(flight *f, size_t update, size_t i)
     const size_t step = f->spacing;
     va_corrected_imu imu = { { 0 }, { 0 }, 0 };
     va_increments *const increments = &f->increments;
-    const double *const sample = &f->drawn[ALL * (k % DRAWN)];
+    const double *const sample = sea_sample(all, f->ideal, f->seed, f->run, k, f->drawn);
     for (int c = 0; c < 3; ++c) {
         increments->dtheta_before[c] = increments->dtheta_ib_b[c];
         increments->dv_before[c] = increments->dv_b[c];
-    }
-    if ((k % DRAWN) == 0U) {
-        const size_t left = (f->updates * f->samples) - k;
-        boresight_normals(f->seed, &f->run, 1U, SLAVE, ALL * k, ALL * ((left < DRAWN) ? left : DRAWN), f->drawn, 0, 1,
-                          all->walk, &f->ideal[ALL * k]);
     }
     for (int c = 0; c < 3; ++c) {
         increments->dtheta_ib_b[c] = (bs_real)sample[5 - c];

@@ -109,8 +109,7 @@ def shared(sea: Sea, seed: int, number: int) -> Shared:
     s = sea.scenario
     updates, samples = s.seconds * s.update_hz, s.navigation_hz // s.update_hz
     out = np.empty(sum(map(math.prod, OF_SEA.values())) + NODES * (updates + 1) * 7 + 6 * updates * samples)
-    given = (np.array(values, float) for values in (common(sea), scene(sea)))
-    at = [array.ctypes.data_as(ctypes.c_void_p) for array in (*given, out)]
+    at = [array.ctypes.data_as(ctypes.c_void_p) for array in (common(sea), scene(sea), out)]
     function = text.library(folder_of(MODEL), TRUTH).sea_truth
     status = function(*at[:2], ctypes.c_uint64(seed), ctypes.c_uint64(number), at[2])
     if status:

@@ -130,4 +130,43 @@ static inline void sea_report(const common *all, const double *master, const dou
     normal(turn);
     hull_product(turn, &pose[3], q);
 }
+
+/* The start of a slave, by its master's first report and with biases that are wrong: returns the delay. */
+static inline double sea_begin(const common *all, const sea *true_, const double *master, uint64_t seed, uint64_t run,
+                               double weight[NODES], va_nav *nav)
+{
+    static const double none[ALL] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+    const double delay = sea_delay(all, true_, seed, run, weight);
+    double bias[ALL];
+    double v[3];
+    double q[4];
+    double swing[3];
+    boresight_normals(seed, &run, 1U, MASTER, 0U, ALL, bias, 0, 1, all->bias, none);
+    sea_report(all, master, weight, seed, run, 0U, v, q);
+    hull_turned(q, true_->swing, swing);
+    for (int i = 0; i < 3; ++i) {
+        nav->v_n[i] = (bs_real)(v[i] + swing[i]);
+    }
+    convert(true_->position, nav->lat_lon_height, 3);
+    convert(q, nav->q_b2n_wxyz, 4);
+    convert(&bias[0], nav->gyro_bias, 3);
+    convert(&bias[3], nav->accel_bias, 3);
+    for (int i = 0; i < 4; ++i) {
+        nav->q_b2m_wxyz[i] = (i == 0) ? BS_REAL(1.0) : BS_REAL(0.0);
+    }
+    nav->tau = BS_REAL(0.0);
+    return delay;
+}
+
+/* Sample k, asked for one after the other, from its last component to the first; `drawn` keeps DRAWN of them. */
+static inline const double *sea_sample(const common *all, const double *ideal, uint64_t seed, uint64_t run, size_t k,
+                                       double drawn[DRAWN * ALL])
+{
+    if ((k % DRAWN) == 0U) {
+        const size_t left = ((size_t)all->updates * (size_t)all->samples) - k;
+        boresight_normals(seed, &run, 1U, SLAVE, ALL * k, ALL * ((left < DRAWN) ? left : DRAWN), drawn, 0, 1,
+                          all->walk, &ideal[ALL * k]);
+    }
+    return &drawn[ALL * (k % DRAWN)];
+}
 #endif

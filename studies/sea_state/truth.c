@@ -2,7 +2,7 @@
  * it, the master's poses, and the covariance with which a filter begins. */
 #include "sea.h"
 
-enum { WAVE = 0, SLOPE = 1, SEA = 2, COMPONENTS = 120, ROUNDS = 30 };
+enum { SEA = 2 /* of flight.MOTIONS, the random one */, COMPONENTS = 120, ROUNDS = 30 };
 static const double ENOUGH = 1e-14; /* rad, and the same part of the velocity: rounding */
 
 /* A scenario of `flight`, beyond `common`. */
