@@ -20,6 +20,7 @@ import mpmath as mp
 
 from boresight import BoresightError
 from boresight.derive.dimensions import Mismatch
+from boresight.derive.ledger import frames
 from boresight.derive.ledger.carried import check_maps
 from boresight.derive.ledger.decisions import decisions
 from boresight.derive.ledger.differences import differences
@@ -78,7 +79,9 @@ def ledger(paper: Paper, progress: Callable[[int, int, str], None] = lambda done
 def findings(paper: Paper) -> tuple[str, ...]:
     """What was computed about the paper's text and tables, beside its numbered equations."""
     with digits(DIGITS):
-        return paper.findings()
+        own = paper.findings()
+    lines = ((f"({number})" + f", line {at}," * (at != "0"), why) for number, at, why in frames.found(paper).misfits)
+    return (*own, *(f"The frames of {where} do not fit: {why}." for where, why in lines))
 
 
 def unheld(paper: Paper) -> tuple[str, ...]:
@@ -98,7 +101,12 @@ def unheld(paper: Paper) -> tuple[str, ...]:
         found.append(f"Without a derivation, judged by the witness alone: {', '.join(bare)}.")
     if counted.prose:
         found.append(f"Of {counted.steps} steps {counted.prose} are prose, which proves nothing.")
-    return (*found, "Frames are held where the witness gives a letter other numbers in another frame, by no rule.")
+    if unknown := frames.found(paper).unknown:
+        found.append(f"No frame is known of {', '.join(unknown)}: by no name, and by no line.")
+    taken = [f"in {where.replace('.', ', line ')} {text}" for where, text in paper.frames.items() if " for " in text]
+    if taken:
+        found.append(f"One frame is taken for another, as it stands: {'; '.join(taken)}.")
+    return tuple(found)
 
 
 @cache

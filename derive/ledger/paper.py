@@ -52,9 +52,11 @@ class Paper:
     evidence: what the ledger says of an equation beyond its status; findings: what was computed about the text beside.
     letters: those of the derivations that the paper does not print; letters_of: by number, the letters as that equation
     means them, where a spelling of the page is several; structure: what letters are by their nature, see
-    ledger/free.py.  units: of letters with several, or of their kinds; see ledger/dimensions.py.  conventions: the
-    paper's own axes and signs, a sentence each.  maps: to the models that make C from it; unflown: the equations of
-    which no function that flies computes a side, each with why.  folder: of a paper of one's own.
+    ledger/free.py. units: of letters with several, or of their kinds; see ledger/dimensions.py. computed: frames that
+    differ by an error from those that they stand for, beside primed ones. frames: of letters whose names show none,
+    or another, and of lines that take one for another; see ledger/frames.py. conventions: the paper's own axes and
+    signs, a sentence each. maps: to the models that make C from it; unflown: the equations of which no function that
+    flies computes a side, each with why. folder: of a paper of one's own.
     """
 
     name: str
@@ -70,6 +72,8 @@ class Paper:
     letters_of: Callable[[str], tuple[Quantity, ...]] | None = None
     structure: Mapping[str, Any] = field(default_factory=dict)
     units: Mapping[str, str] = field(default_factory=dict)
+    computed: Mapping[str, str] = field(default_factory=dict)
+    frames: Mapping[str, str] = field(default_factory=dict)
     conventions: tuple[str, ...] = ()
     maps: tuple["Map", ...] = ()
     unflown: Mapping[str, str] = field(default_factory=dict)

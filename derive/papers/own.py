@@ -29,7 +29,7 @@ from boresight.errors import did_you_mean
 
 TOML, PRINT = FILES
 KEYS = {
-    "": {"title", "authors", "conventions", "witness", "sizes", "letters", "equations"},
+    "": {"title", "authors", "conventions", "witness", "sizes", "computed", "letters", "equations"},
     "letters": {"latex", "value", "meaning", "unit", "frame", "shape"},
     "equations": {"note", "small", "planted"},
 }
@@ -147,6 +147,7 @@ class Folder:
             where = f":{place[1]}:{place[2]}" if place else ""
             raise BoresightError(f"{self.toml}{where}: {str(error).partition(' (at ')[0]}") from None
         self.units: dict[str, str] = {}  # by letter
+        self.frames: dict[str, str] = {}
         self.check_keys()
 
     def refuse(self, what: str, *keys: str, column: int | None = None) -> NoReturn:
@@ -179,6 +180,9 @@ class Folder:
         for sentence in self.typed(self.data.get("conventions", []), list, "a list of sentences", "conventions"):
             self.typed(sentence, str, "a list of sentences", "conventions")
         self.typed(self.data.get("sizes", {}), dict, "a table", "sizes")
+        self.typed(self.data.get("computed", {}), dict, "a table", "computed")
+        for name, frame in self.data.get("computed", {}).items():
+            self.typed(frame, str, "the frame that it stands for", "computed", name)
         for name, entry in self.data.get("letters", {}).items():
             if not name.strip():
                 self.refuse("a letter has no name", "letters")
@@ -265,6 +269,8 @@ class Folder:
                         f"{self.scenario.name}, or shape = 3 of what an equation defines", "letters", name)  # fmt: skip
         meaning = words + f", in {entry.get('frame')}" * ("frame" in entry)
         self.units[symbol] = unit
+        if frame := frame_of(entry, shape):
+            self.frames[symbol] = frame
         made = letter(name, entry["latex"], f"{unit} {shape}", meaning + f", {unit}" * (not several(unit)), shape)
         try:
             units = of_letter({symbol: unit} if several(unit) else {}, made) if several(unit) else unit_of(unit)
@@ -303,6 +309,8 @@ class Folder:
             name = dotted(quantity.symbol.name)
             if name in self.bound and name not in {one.symbol.name for one in declared}:
                 unit = self.units[name] = per_second(self.units[quantity.symbol.name])
+                if quantity.symbol.name in self.frames:
+                    self.frames[name] = self.frames[quantity.symbol.name]
                 for latex in dotted_latex(quantity.latex):
                     if plain(latex) not in alike:
                         meaning = f"rate of {quantity.symbol.name}" + f", {unit}" * (not several(unit))
@@ -457,11 +465,24 @@ class Folder:
             point=Stated(draw(owned.base, POINTS, self.sizes), f"a point with {text}" if errors else text),
             evidence=lambda number: "",
             findings=odd_units,
+            frames=self.frames,
+            computed=self.data.get("computed", {}),
             units={name: unit for name, unit in self.units.items() if several(unit)},
             conventions=tuple(self.data.get("conventions", ())),
             folder=str(self.folder),
         )
         return made
+
+
+def frame_of(entry: Mapping[str, Any], shape: tuple[int, ...]) -> str:
+    """As Paper.frames has it: as it is declared, or as the name of the value shows it, C_b2n or f_b."""
+    if "frame" in entry or shape not in ((3,), (3, 3), (4,)):
+        return str(entry.get("frame", ""))
+    value = str(entry.get("value", "")).removesuffix("_hat")
+    if turn := re.fullmatch(r"[Cq]_(\w)2(\w)", value):
+        return f"{turn[1]} to {turn[2]}"
+    one = re.fullmatch(r"\w+_([ben])", value)
+    return one[1] if one else ""
 
 
 BLOCK = re.compile(r"(?P<what>[0I])_(?P<rows>\d+)x(?P<columns>\d+)")

@@ -37,6 +37,7 @@ PAPER = Paper(
     ),
     letters=letters,
     structure=STRUCTURE,
+    frames={"S": "is b"},
     maps=MAPS,
     unflown=UNFLOWN,
 )

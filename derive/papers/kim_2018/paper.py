@@ -38,6 +38,11 @@ PAPER = Paper(
     ),
     letters=letters,
     structure=STRUCTURE,
+    computed={"c": "n", "p": "n"},
+    frames={
+        **dict.fromkeys(("Φ̌", "(18).φ", "(19).φ"), "from n to p"),
+        "(2).24": "e for i: where the position is known, so is the Earth's rate",
+    },
     units=UNITS,
     maps=MAPS,
     unflown=UNFLOWN,

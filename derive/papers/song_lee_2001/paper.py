@@ -32,6 +32,13 @@ PAPER = Paper(
     findings=findings,
     letters=letters,
     structure=STRUCTURE,
+    computed={"r": "b"},  # but for the misalignment
+    frames={
+        **dict.fromkeys(("ΔQ", "ΔQ(k)"), "n to n'"),  # which the print calls one of b to n
+        **dict.fromkeys(("∂C/∂φ", "∂C/∂θ", "∂C/∂ψ", "ΔC"), "b to n"),
+        "(11).4": "n for n', b for b': exp(-E) turns within n",
+        **dict.fromkeys(("(20).6", "(20).7"), "n for n': the rate of n is taken for that of n'"),
+    },
     maps=MAPS,
     unflown=UNFLOWN,
     conventions=(
