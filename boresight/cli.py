@@ -6,7 +6,7 @@ import os
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, NoReturn
 
 from boresight import __version__
 from boresight.errors import BoresightError
@@ -378,8 +378,8 @@ def diff(
     target: Annotated[
         str | None,
         typer.Argument(
-            metavar="MODEL | FILE.py:NAME",
-            help="All built-in models if left out.",
+            metavar="MODEL | FILE.py:NAME | FOLDER",
+            help="A model, or a folder with a paper of your own; all built-in models if left out.",
             show_default=False,
             autocompletion=completed(model_names),
         ),
@@ -402,7 +402,7 @@ def diff(
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Show what an edit changed in a model's equations.
+    """Show what an edit changed, in a model or a paper of your own.
 
     What the source states now is held against the equations.json that was committed with the generated C: entries of
     F, f, G, Q, z, h and H and of functions before and after, with the largest difference of their values over the box;
@@ -412,8 +412,11 @@ def diff(
     from boresight.codegen import difference as d
     from boresight.codegen.difference_page import differences_page
     from boresight.derive.pages.render import write as written
+    from boresight.derive.papers import is_folder
 
     one_of(form, FORMATS[:3], "format")
+    if target and is_folder(target):
+        paper_diff(target, against, as_json)
     flown = None
     if studied is not None:
         from boresight.side_by_side import both_flown, report
@@ -442,17 +445,33 @@ def diff(
     raise typer.Exit(0 if same else 1)
 
 
+def paper_diff(folder: str, against: str, as_json: bool) -> NoReturn:
+    from boresight import terminal
+    from boresight.codegen.revision import paper_as_of
+    from boresight.derive.papers.edits import changed, lines, statuses
+
+    with paper_as_of(Path(folder), against) as before:
+        old, new = statuses(before), statuses(Path(folder))
+    if as_json:
+        print_json(changed(old, new))
+    else:
+        terminal.page_text("\n".join([*lines(old, new)] or [f"{folder}: the same statuses"]) + "\n")
+    raise typer.Exit(0 if old == new else 1)
+
+
 @app.command()
 def watch(
     target: Annotated[
         str,
-        typer.Argument(metavar="MODEL | FILE.py:NAME", show_default=False, autocompletion=completed(model_names)),
+        typer.Argument(
+            metavar="MODEL | FILE.py:NAME | FOLDER", show_default=False, autocompletion=completed(model_names)
+        ),
     ],
 ) -> None:
-    """Look at a model after each save.
+    """Look at a model after each save, or at a paper of your own.
 
-    Prints what differs from the last good state and whether exact mechanics agrees, then generates.  An error in the
-    file is one line.  Ctrl-C ends it.
+    Prints what differs from the last good state and whether exact mechanics agrees, then generates; of a paper, which
+    statuses are others.  An error in the file is one line.  Ctrl-C ends it.
     """
     from boresight import terminal
     from boresight.codegen.watch import watch as look

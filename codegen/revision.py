@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from boresight import BoresightError
+from boresight.derive.papers.files import FILES
 
 
 def committed(path: Path, revision: str) -> str:
@@ -17,7 +18,7 @@ def committed(path: Path, revision: str) -> str:
     done = git(home, "show", f"{commit}:{inside.as_posix()}")
     if done.returncode:
         raise BoresightError(
-            f"{revision} has no {inside.as_posix()}: it is older than such files, or the model was not committed; "
+            f"{revision} has no {inside.as_posix()}: it is older than such files, or they were not committed; "
             "choose another revision with --against"
         )
     return done.stdout
@@ -52,6 +53,18 @@ def worktree(home: Path, revision: str) -> Iterator[Path]:
             yield folder
         finally:
             git(home, "worktree", "remove", "--force", str(folder))
+
+
+@contextmanager
+def paper_as_of(folder: Path, against: str) -> Iterator[Path]:
+    """The folder of a paper of one's own as a revision of git has it, or another folder."""
+    if Path(against).is_dir():
+        yield Path(against)
+        return
+    with tempfile.TemporaryDirectory(prefix="boresight-") as aside:
+        for name in FILES:
+            (Path(aside) / name).write_text(committed(folder / name, against), encoding="utf-8")
+        yield Path(aside)
 
 
 def git(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:

@@ -1,4 +1,5 @@
-"""A model's file watched: after each save its equations, its mechanics and its C, in a process that is warm.
+"""A model's file watched: after each save its equations, its mechanics and its C, in a process that is warm.  Of a
+paper of one's own, its statuses.
 
 The process that watches has SymPy, CasADi and what they need in memory, and nothing of Boresight that reads a model.
 For each save it forks: the copy imports the user's files anew, as nothing has seen them yet, and ends when it has said
@@ -29,13 +30,17 @@ def watch(target: str, say: Say) -> None:
     say: takes the lines for the user.  Raises BoresightError where there is no such file or model.
     """
     from boresight.codegen.generate import known, model_names, source_of
+    from boresight.derive.papers.files import FILES, holds_paper
 
-    if ":" not in target:
-        known(target, model_names())
-    source = source_of(target)
-    assert source is not None
+    files = {Path(target) / name for name in FILES} if holds_paper(target) else set()
+    if not files:
+        if ":" not in target:
+            known(target, model_names())
+        source = source_of(target)
+        assert source is not None
+        files = {source}
     warm()
-    files, good = {source}, ""
+    good: Any = ""
     writing = multiprocessing.get_context("fork").Lock()
     while True:
         seen = settled(files)
@@ -95,7 +100,7 @@ def settled(files: set[Path]) -> dict[Path, tuple[int, int]]:
 
 
 @contextmanager
-def looking(target: str, good: str, writing: Lock) -> Iterator[Connection]:
+def looking(target: str, good: Any, writing: Lock) -> Iterator[Connection]:
     """What a forked process says that looks at the model.
 
     It is ended with the context, but never while it puts files in their places.
@@ -116,8 +121,8 @@ def looking(target: str, good: str, writing: Lock) -> Iterator[Connection]:
         answers.close()
 
 
-def look(target: str, good: str, writing: Lock, sender: Connection) -> None:
-    """What the forked process does.  good: the equations as they last stood, or nothing."""
+def look(target: str, good: Any, writing: Lock, sender: Connection) -> None:
+    """What the forked process does.  good: the equations, or the statuses, as they last stood, or nothing."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C ends the one that watches, which ends this one
     sys.dont_write_bytecode = True  # what is compiled is known by the second in which its source was written
     opened: set[str] = set()
@@ -128,6 +133,12 @@ def look(target: str, good: str, writing: Lock, sender: Connection) -> None:
 
     start = time.monotonic()
     try:
+        from boresight.derive.papers.files import holds_paper
+
+        if holds_paper(target):
+            sender.send(("good", judged(Path(target), good or {}, line)))
+            line(f"  {time.monotonic() - start:.1f} s")
+            return
         try:
             from boresight.codegen.generate import load_model
 
@@ -143,6 +154,16 @@ def look(target: str, good: str, writing: Lock, sender: Connection) -> None:
         line(str(error))
     except Exception as error:
         line(f"{target}: {type(error).__name__}: {' '.join(str(error).split())}")
+
+
+def judged(folder: Path, good: dict[str, Any], line: Say) -> dict[str, Any]:
+    """Say which statuses of a paper are others than before, all at first; what they are now."""
+    from boresight.derive.papers.edits import lines, statuses
+
+    now = statuses(folder)
+    for text in [*lines(good, now)] or [f"{folder}: the same statuses"]:
+        line(text)
+    return now
 
 
 def watched(opened: Iterable[str]) -> set[Path]:

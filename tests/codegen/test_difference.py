@@ -2,6 +2,7 @@
 
 import json
 import re
+import shutil
 import subprocess
 from dataclasses import replace
 from types import ModuleType
@@ -309,6 +310,24 @@ def run(capsys, *words):
         main(["diff", *words])
     printed = capsys.readouterr()
     return left.value.code or 0, printed.out, printed.err
+
+
+def test_a_paper_is_held_against_what_is_committed(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    git(tmp_path, "init", "-q")
+    shutil.copytree(ROOT / "examples" / "papers" / "first", tmp_path / "mine")
+    git(tmp_path, "add", ".")
+    git(tmp_path, "commit", "-qm", "the paper")
+    assert run(capsys, "mine") == (0, "mine: the same statuses\n", "")
+    printed = tmp_path / "mine" / "printed.tex"
+    printed.write_text(printed.read_text().replace("[\\omega", "-[\\omega"))
+    status, out, _ = run(capsys, "mine")
+    assert status == 1 and out.startswith("(2) erratum sign -> first-order\n    before  ")
+    status, out, _ = run(capsys, "mine", "--json")
+    (change,) = json.loads(out)
+    assert status == 1 and (change["before"]["status"], change["now"]["status"]) == ("erratum sign", "first-order")
+    status, _, err = run(capsys, "mine", "--against", "nothing")
+    assert status == 1 and "no such revision" in err and err.count("\n") == 1
 
 
 def test_an_edit_is_held_against_what_is_committed(repository, capsys):

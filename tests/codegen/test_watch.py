@@ -1,6 +1,8 @@
 """`boresight watch`: what it says after each save, and what it leaves behind."""
 
 import multiprocessing
+import re
+import shutil
 import time
 from pathlib import Path
 
@@ -102,3 +104,28 @@ def test_what_may_change_is_watched_and_no_library(own):
     files = w.watched([str(own / "numbers.toml"), numpy.__file__, "/etc/hostname", str(own / "gone.py")])
     assert own / "numbers.toml" in files and ROOT / "codegen" / "generate.py" in files
     assert not [path for path in files if "site-packages" in path.parts or path.name in ("hostname", "gone.py")]
+
+
+def test_of_a_paper_each_save_says_which_statuses_are_others_and_an_error_is_one_line(tmp_path):
+    folder = tmp_path / "paper"
+    shutil.copytree(ROOT / "examples" / "papers" / "first", folder)
+    printed = folder / "printed.tex"
+    slip, right = printed.read_text(), printed.read_text().replace("[\\omega", "-[\\omega")
+    steps, said = iter([right, "\\begin{equation}", right]), []
+
+    def say(text):
+        said.append(text)
+        if re.search(r"^  [\d.]+ s$|^/.*tex:", text):
+            step = next(steps, None)
+            if step is None:
+                raise KeyboardInterrupt
+            printed.write_text(step)
+
+    with pytest.raises(KeyboardInterrupt):
+        w.watch(str(folder), say)
+    assert slip != right and said[0] == "(1) exact" and "(2) erratum sign" in said
+    mended = said.index("(2) erratum sign -> first-order")
+    assert said[mended + 1].startswith("    before  ") and said[mended + 2].startswith("    after   ")
+    broken = next(text for text in said if text.startswith("/"))
+    assert "printed.tex" in broken and "\n" not in broken
+    assert said[-2] == f"{folder}: the same statuses"
