@@ -552,7 +552,7 @@ def export(
     form: Annotated[
         str,
         typer.Option(
-            help="joseph or ud, of the covariance; by default joseph in double, ud in float.",
+            help="joseph or ud: the covariance in this form alone; by default both, double flies joseph, float ud.",
             autocompletion=completed(lambda: ["joseph", "ud"]),
         ),
     ] = "",

@@ -16,6 +16,7 @@ from boresight import BoresightError
 from boresight.codegen import proof, requirements
 from boresight.codegen.boxes import with_boxes
 from boresight.codegen.folder import Folder
+from boresight.codegen.form import chosen, self_test, with_form
 from boresight.codegen.functions.samples import generator
 from boresight.codegen.generate import generate, generated_folder, load_model, named, unchanged
 from boresight.codegen.only import with_only
@@ -59,13 +60,10 @@ NO_EVIDENCE = "none was made of this model"
 OTHER_BOXES = "boxes were chosen for this export, {}: its C is other than that of which evidence is kept"
 OTHER_EVIDENCE = "what is kept was found of other C, with another hash"
 MAKE = "'boresight evidence {}' makes what is missing, as far as the tools are there; with --quick in some 3 minutes."
-MAKE_FORM = (
-    "Of the filter in a form that is not that of its precision no evidence is kept; its self-test passed on the "
-    "machine that wrote this."
-)
 MAKE_PART = (
-    "This text is of the measurements that were chosen. 'boresight evidence FILE.py:NAME' makes it of a model of your "
-    "own that has these alone, in some 15 minutes, with --quick in 3."
+    "This text is of what was chosen to fly: its self-test passed on the machine that wrote it. 'boresight evidence "
+    "FILE.py:NAME' makes the rest of a model of your own that has these measurements alone, in some 15 minutes, with "
+    "--quick in 3."
 )
 MADE_HERE = "'python -m boresight.evidence {}' makes it, in a checkout of Boresight."
 SECONDS = 60  # of the example
@@ -116,8 +114,9 @@ def export(
         The measurements that fly; the others have no function, no self-test and no place in the
         filter.  Evidence stays of what is the same text.
     form : {"joseph", "ud"}, optional
-        Of the covariance, by default the symmetric Joseph form in double and UD factors in float;
-        in another one the folder keeps the evidence of what does not depend on it.
+        The form of the covariance that flies: of the other there is no function, no self-test and
+        no requirement.  Evidence stays of what is the same text.  By default both are there, and
+        double flies the symmetric Joseph form, float UD factors.
 
     Returns
     -------
@@ -161,11 +160,12 @@ def export(
             model = with_boxes(model, boxes)
             made = generate(target, Path(aside) / snake(model.name), model=model).folder
             if boxes:
-                return exported(made, out, precision, target, places, OTHER_BOXES.format(", ".join(boxes)), form=form)
+                unproven = OTHER_BOXES.format(", ".join(boxes))
+                return exported(made, out, precision, target, places, unproven, form=form, model=model)
             whole = generated_folder(target, Path(folder) if folder else None, model) if ":" in target else folder
             results = proof.place(Folder(Path(whole) if whole else folder_of(target)))
-            return exported(made, out, precision, target, places, results=results, form=form)
-    return exported(current_folder(target, folder, model), out, precision, target, places, form=form)
+            return exported(made, out, precision, target, places, results=results, form=form, model=model)
+    return exported(current_folder(target, folder, model), out, precision, target, places, form=form, model=model)
 
 
 def current_folder(target: str, folder: str | Path | None = None, model: Model | None = None) -> Path:
@@ -190,11 +190,12 @@ def exported(
     unproven: str = "",
     results: Path | None = None,
     form: str = "",
+    model: Model | None = None,
 ) -> Exported:
     """A generated folder, written to `out` in one precision, and in one form if it is chosen.
 
     target: as the user names the model.  unproven: why there can be no evidence of it, or nothing.  results: where
-    those of the whole model are kept, of which this is a part.
+    those of the whole model are kept, of which this is a part.  model: what `target` names, if it is loaded.
     """
     manifest = read_manifest(folder)
     files = {
@@ -205,22 +206,21 @@ def exported(
     names = {"name": manifest["model"], "snake": snake(manifest["model"]), "prefix": manifest["c_prefix"]}
     if form and not manifest.get("filter"):
         raise BoresightError(f"--form: {manifest['model']} has no filter, and so no covariance")
+    if form:
+        files |= self_test(model or load_model(target), form)
+        files = with_form(files, names["prefix"], form)
+    either = files  # in either precision, as evidence is made
     identity, digest = identity_files(files, names, bool(manifest.get("filter")), precision, form)
-    assert digest == manifest["hash"]  # whatever the precision
-    files |= identity
-    of = Folder(folder)
-    found = {} if unproven else proof.kept(of, results)
-    other_form = form not in ("", FORM_OF[precision])
-    if other_form:
-        found = of_every_form(of, found)
-    why = "" if found else unproven or (OTHER_EVIDENCE if (results or proof.place(of)).is_file() else NO_EVIDENCE)
-    if other_form:
-        make = MAKE_FORM
-    elif results:
-        make = MAKE_PART
-    else:
-        make = MAKE.format(target) if ":" in target else MADE_HERE.format(folder.name)
-    page = proof.page_view(of, found, why, make)
+    assert form or digest == manifest["hash"]  # whatever the precision
+    manifest |= {"hash": digest}
+    files = files | ({path: chosen(text, form == "ud") for path, text in identity.items()} if form else identity)
+    make = MAKE_PART if form or results else MAKE.format(target) if ":" in target else MADE_HERE.format(folder.name)
+    with tempfile.TemporaryDirectory() as aside:
+        of = written_aside(either, manifest, Path(aside) / folder.name) if form else Folder(folder)
+        results = results or proof.place(Folder(folder))
+        found = {} if unproven else proof.kept(of, results)
+        why = "" if found else unproven or (OTHER_EVIDENCE if results.is_file() else NO_EVIDENCE)
+        page = proof.page_view(of, found, why, make)
     run_here = page["lowest"]["golden"] < proof.Verdict.LISTED or "coverage" not in found
     if run_here:
         check_self_test(files, precision)
@@ -239,19 +239,17 @@ def exported(
     files |= {"sbom.json": as_json(bill_of_materials(manifest, view["package"]))}
     files |= {"trace.csv": requirements.as_csv(page["trace"])}
     files |= {"trace-back.csv": requirements.as_csv(requirements.back(demanded))}
-    listed = {path: hashlib.sha256(text.encode()).hexdigest() for path, text in files.items()}
     whole = {key: manifest[key] for key in ("model", "title", "c_prefix", "hash", "version")}
-    whole |= {"precision": precision, "form": view["form"], "files": listed}
+    whole |= {"precision": precision, "form": view["form"], "files": hashes(files)}
     whole |= {"measurements": list(manifest["measurements"])} if manifest.get("filter") else {}
     files["manifest.json"] = as_json(whole)
     return Exported(write(out, files), view["cost"])
 
 
-def of_every_form(folder: Folder, found: dict[str, Any]) -> dict[str, Any]:
-    """Of what is known of a folder that which hangs on no form of its covariance: its printed units by themselves."""
-    printed = {unit.name for unit in folder.units if unit.described is not None or unit.elementary}
-    left = {kind: of | {"units": {n: r for n, r in of["units"].items() if n in printed}} for kind, of in found.items()}
-    return {kind: of for kind, of in left.items() if of["units"] and kind not in proof.WHOLE}
+def written_aside(files: dict[str, str], manifest: dict[str, Any], out: Path) -> Folder:
+    """This text as a generated folder, to know what of the evidence is of the same."""
+    write_all(out, files | {"manifest.json": as_json(manifest | {"files": hashes(files)})})
+    return Folder(out)
 
 
 def arduino(files: dict[str, str], view: dict[str, Any]) -> dict[str, str]:
@@ -307,6 +305,10 @@ def write_all(folder: Path, files: dict[str, str]) -> None:
     for path, text in files.items():
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
         (folder / path).write_text(text)
+
+
+def hashes(files: dict[str, str]) -> dict[str, str]:
+    return {path: hashlib.sha256(text.encode()).hexdigest() for path, text in files.items()}
 
 
 def as_json(document: dict[str, Any]) -> str:

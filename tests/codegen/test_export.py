@@ -10,9 +10,11 @@ from building import exported_c
 from conftest import PENDULUM
 
 from boresight import BoresightError, cli
+from boresight.codegen import requirements
 from boresight.codegen.export import export
-from boresight.codegen.generate import generate
-from boresight.runtime.manifest import generated
+from boresight.codegen.form import self_test, with_form
+from boresight.codegen.generate import generate, load_model
+from boresight.runtime.manifest import generated, read_manifest
 
 FLAGS = "-O0 -Wconversion -Wdouble-promotion -Wshadow -Wmissing-prototypes -Werror"
 
@@ -177,6 +179,7 @@ def test_what_flies_is_exported_and_evidence_of_unchanged_text_stays(tmp_path):
     export("euler-matching", out, only=("euler",), form="ud")
     texts = {path.relative_to(out): path.read_text() for path in out.rglob("*.[ch]")}
     assert not [path for path, text in texts.items() if "euler_exact" in f"{path} {text}".lower()]
+    assert not [path for path, text in texts.items() if re.search("Joseph|joseph_", text)]
     found = json.loads((out / "evidence.json").read_text())
     units = set(found["evidence"]["golden"]["units"])
     assert {"em_F", "em_euler_H", "em_math"} <= units and not {"em_filter", "em_covariance", "em_live"} & units
@@ -189,6 +192,29 @@ def test_what_flies_is_exported_and_evidence_of_unchanged_text_stays(tmp_path):
     command = ["gcc", "-DBORESIGHT_UD=0", "-I", out / "include", "-c", tmp_path / "other.c", "-o", tmp_path / "other.o"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode and "exported with --form ud" in done.stderr
+
+
+@pytest.mark.parametrize(("model", "form"), [("velocity-dcm", "joseph"), ("velocity-attitude-sensors", "ud")])
+def test_of_one_form_each_requirement_is_kept_and_tried_and_no_function_is_left_over(model, form, tmp_path):
+    """In loops and over non-zeros; the numbers that are the other form's alone are gone."""
+    folder = generated() / model.replace("-", "_")
+    manifest = read_manifest(folder)
+    prefix = manifest["c_prefix"]
+    texts = {path: (folder / path).read_text() for path in manifest["files"] if path.startswith(("i", "src", "self"))}
+    made = with_form(texts | self_test(load_model(model), form), prefix, form)
+    demanded = requirements.requirements(made, manifest)
+    assert not requirements.gaps(demanded) and not requirements.unnumbered(made)
+    whole = requirements.requirements(texts, manifest)
+    over_nonzeros = {"C-031", "C-032"} if f"{prefix}_joseph_step" in texts[f"src/{prefix}_covariance.c"] else set()
+    gone = {"C-001"} if form == "joseph" else over_nonzeros
+    assert {number.split("-", 1)[1] for number in whole.keys() - demanded.keys()} == gone
+    for path, text in made.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text)
+    flags = ["-std=gnu11", "-O0", "-Wall", "-Wextra", "-Wpedantic", "-Werror", f"-DBORESIGHT_UD={int(form == 'ud')}"]
+    for rows in ([], ["-DBORESIGHT_ROWS"], ["-DBORESIGHT_BLOCKS", "-DBORESIGHT_FLOAT"]):
+        command = ["gcc", *flags, *rows, f"-I{tmp_path / 'include'}", "-o", tmp_path / "unit.o"]
+        subprocess.run([*command, "-c", tmp_path / f"src/{prefix}_covariance.c"], check=True)
 
 
 @pytest.mark.parametrize(
