@@ -222,7 +222,7 @@ COLUMNS = (
         how="each number NaN, infinite, beyond its box, each pointer null: refused, and nothing touched",
         made_of=tested,
         text=refused,
-        left=lambda of: list(of["not_taken"]),
+        left=lambda of: [*of["not_taken"], *of.get("no_value", ())],
         wrong=lambda of: list(of["wrong"]),
     ),
     Column(

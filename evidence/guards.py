@@ -1,12 +1,15 @@
 """Bad input: every number of every field NaN, infinite, or outside its box; every pointer null.
 
-The status must say so, no output may be touched, and every branch of the guards must have been taken.
+The status must say so, no output may be touched, and every branch of the guards must have been taken.  A point of the
+box may be refused as not finite only where the function has no value by its formulas in 50 digits, as when a step leads
+through a root of what is negative.
 """
 
 import ctypes
 import json
 import subprocess
-from collections.abc import Collection
+from collections.abc import Callable, Collection
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +17,8 @@ import numpy as np
 
 from boresight.codegen.folder import Folder, Source
 from boresight.codegen.functions.samples import generator
+from boresight.codegen.functions.units import units
+from boresight.codegen.generate import load_model
 from boresight.evidence.calls import Points, call, callable_units, layout, points_of
 from boresight.evidence.mutants import lines_of
 from boresight.evidence.targets import GCC, HARNESS, PRECISIONS, WARNINGS
@@ -22,6 +27,8 @@ from boresight.runtime.library import Unit
 from boresight.runtime.status import Status
 
 BEYOND = 1e-4  # how far outside its box a number is put, as a part of the end of the box or of its width
+TINY = 1e-60  # for zero, which in balls hides what it multiplies
+TRIED = 100  # points without an answer at which the formulas are evaluated
 POINTS = 4000  # random points, so that results outside their own box are met too
 PAINT = -1.2345678e30
 
@@ -51,10 +58,13 @@ def guards(folder: Folder, out: Path, names: Collection[str] | None = None) -> d
         compiled = {} if "component" in folder.manifest else callable_units(folder, image, precision)
         for unit in folder.chosen(names):
             library.reset()
-            tried, wrong = bad_inputs(unit, compiled[unit.name]) if unit.name in compiled else (0, [])
             entry = found.setdefault(unit.name, {"tried": 0, "wrong": [], "not_taken": []})
-            entry["tried"] += tried
-            entry["wrong"] += wrong
+            if unit.name in compiled:
+                tried, wrong, left = bad_inputs(unit, compiled[unit.name])
+                entry["tried"] += tried
+                entry["wrong"] += wrong
+                if left:
+                    entry["no_value"] = [*entry.get("no_value", ()), f"{precision}, {left}"]
             if unit.test.is_file():
                 getattr(library, unit.test_function)()
             library.dump()
@@ -64,16 +74,38 @@ def guards(folder: Folder, out: Path, names: Collection[str] | None = None) -> d
     return found
 
 
-def bad_inputs(unit: Source, compiled: Unit) -> tuple[int, list[str]]:
-    """How many bad inputs were tried, and what was wrong with the answers."""
+@cache
+def formulas(target: str) -> dict[str, Callable[..., list[Any]]]:
+    """By function of a model its formulas in 50 digits, of fields."""
+    return {unit.name: unit.reference for unit in units(load_model(target))}
+
+
+def with_value(unit: Source, good: Points, at: np.ndarray, real: Any) -> int:
+    """At how many of the first points that were refused as not finite the formulas have a value."""
+    assert unit.described is not None
+    of = formulas(unit.folder.target)[unit.described["name"]]
+    found = 0
+    for k in at[:TRIED]:
+        point = {name: values[k].astype(real).astype(float) for name, values in good.items()}
+        results = of({name: np.where(value == 0, TINY, value).tolist() for name, value in point.items()})
+        found += all(entry.is_finite() for result in results for entry in result.values())
+    return found
+
+
+def bad_inputs(unit: Source, compiled: Unit) -> tuple[int, list[str], str]:
+    """How many bad inputs were tried, what was wrong with the answers, and of how much of the box there is none."""
     rng = generator("guards", unit.name)
     good = points_of(unit, POINTS, 64, rng)
     outputs, status = call(compiled, good, PAINT)
-    known = {Status.OK, Status.OUT_OF_RANGE}
+    known = {Status.OK, Status.OUT_OF_RANGE, Status.NOT_FINITE}
     wrong = [f"status {code} inside the box" for code in sorted(set(status.tolist()) - known)]
+    refused = np.flatnonzero(status == Status.NOT_FINITE)
+    left = f"{len(refused)} of {POINTS} points of the box: there is no value, BS_NOT_FINITE" if len(refused) else ""
+    if len(refused) and (more := with_value(unit, good, refused, outputs[0].dtype)):
+        wrong.append(f"{more} points of the box that have a value are refused as not finite")
     answered = np.flatnonzero(status == Status.OK)
     if not len(answered):
-        return 0, [*wrong, "no point of the box has an answer"]
+        return 0, [*wrong, "no point of the box has an answer"], left
     base = {name: values[answered[:1]] for name, values in good.items()}
     cases: list[tuple[Points, Status, str]] = []
 
@@ -111,8 +143,8 @@ def bad_inputs(unit: Source, compiled: Unit) -> tuple[int, list[str]]:
                 wrong.append(f"{what}: status {status[k]}, not {expected}")
             if status[k] != Status.OK and not painted[k]:
                 wrong.append(f"{what}: an output was touched")
-    nulls, more = null_pointers(compiled, base)
-    return len(cases) + nulls, wrong + more
+    nulls, of_nulls = null_pointers(compiled, base)
+    return len(cases) + nulls, wrong + of_nulls, left
 
 
 def null_pointers(unit: Unit, base: Points) -> tuple[int, list[str]]:

@@ -1,11 +1,15 @@
 """Bad input is refused, whichever number it is in, and nothing is written."""
 
+import json
 import re
 import shutil
 
 import pytest
 from committed import LIVE, NAMES, committed, comparable, folder_of, spoilt
+from conftest import ROOT
 
+from boresight.codegen.folder import Folder
+from boresight.codegen.generate import generate
 from boresight.evidence.guards import guards
 
 
@@ -56,3 +60,17 @@ def lets_pass(tmp_path_factory):
 def test_a_guard_that_lets_something_pass_is_seen(path, right, wrong, unit, word, lets_pass):
     said = {name for name, of in lets_pass.items() if any(re.search(word, found) for found in of["wrong"])}
     assert unit in said and ("boresight.h" in path or said == {unit})
+
+
+def test_a_point_is_refused_as_not_finite_only_where_the_formulas_have_no_value(tmp_path):
+    """A tank runs dry within its step: 349 of 4000; where the C takes the root of what is 1 m lower, not only there."""
+    target = f"{ROOT / 'examples' / 'own_model.py'}:TANK"
+    generate(target, tmp_path / "tank")
+    of = guards(Folder(tmp_path / "tank", target), tmp_path / "right", {"tk_next"})["tk_next"]
+    assert not of["wrong"] and [re.match(r"\w+, \d+ of 4000", left)[0] for left in of["no_value"]]
+    kernel = tmp_path / "tank" / "src" / "tk_next_kernel.h"
+    kernel.write_text(kernel.read_text().replace("BS_SQRT(x[0])", "BS_SQRT(x[0] - BS_REAL(1.0))"))
+    folder = Folder(tmp_path / "tank", target)
+    folder.__dict__["manifest"] = json.loads((tmp_path / "tank" / "manifest.json").read_text())
+    wrong = guards(folder, tmp_path / "wrong", {"tk_next"})["tk_next"]["wrong"]
+    assert len(wrong) == 2 and all("points of the box that have a value are refused" in line for line in wrong)
