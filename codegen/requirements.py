@@ -28,7 +28,8 @@ RUNNER = ("selftest.c", "selftest.h", "cycles.c")  # which tries nothing by itse
 # What a model's numbers may leave no way to try by its own functions, why, and who tries it.
 UNTRIED = {
     "U-005": "no point of the self-test leads it to an end of its box; hostile calls do",
-    "F-024": "no measurement has an innovation that could be so large; mutants of the check are looked at",
+    "F-024": "no measurement has an innovation that could be so large, as of angles, which are at most pi, and of an R "
+    "of at least 1e-30; mutants of the check are looked at",
     "F-057": "hostile calls with spoilt memory",
 }
 SHARED = "BS-"  # of all models: a folder has of these what its C keeps or tries

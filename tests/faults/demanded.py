@@ -7,7 +7,8 @@
 Every statement that the trace says keeps the requirement is deleted in a copy of the generated C: a call, an assignment
 or a check with its block; a function loses its body, a value that is returned or begun with is BS_OK or 0.  Each test
 function then runs in a process of its own.  A line of the self-test is red where what it adds to the failures is not 0.
-It ends with 1 where no named line is red, or more than two tests are that the trace does not name.
+It ends with 1 where no named line is red, or more than two tests are that the trace does not name; but of an
+elementary function, which every unit may call.
 """
 
 import random
@@ -23,7 +24,7 @@ from boresight.runtime.manifest import generated
 
 SEED, COUNT, OTHERS = 35, 20, 2
 FLAGS = ("-std=c99", "-O1", "-w", "-ffp-contract=off")
-LONGEST = 120  # s, of one test: what never ends is red
+LONGEST = 20  # s, of one test: what never ends is red
 LOGGED = """#include <stdio.h>
 static inline int logged(int line, int red)
 {
@@ -163,7 +164,7 @@ def judge(tried, one):
     }
     crashed = [test for test in named if test in red and not red[test]]
     others = sorted(red.keys() - named)
-    held = bool(any(lines.values()) or crashed) and len(others) <= OTHERS
+    held = bool(any(lines.values()) or crashed) and (len(others) <= OTHERS or "-M-" in one.number)
     hit = [f"{test}:{','.join(map(str, found[:3]))}" for test, found in lines.items() if found]
     hit += [f"{test} ends at once" for test in crashed]
     deleted = "; ".join(f"{place.path}:{place.line}" for place in one.kept[:3]) + ("; ..." if len(one.kept) > 3 else "")

@@ -759,7 +759,7 @@ static int fly(void)
         set_noise(BS_REAL(1e-9));
         hand = flown;
         status = measure_zupt();
-        /* [AHR-F-021] [AHR-F-023] [AHR-F-024] [AHR-F-028] */
+        /* [AHR-F-021] [AHR-F-023] [AHR-F-028] */
         failures += same("zupt: far", status, hand_measure_zupt(&hand));
         /* [AHR-F-001] */
         failures += bs_good(status) ? same_said("zupt: far", 3) : 0;
@@ -845,7 +845,7 @@ static int fly(void)
         set_noise(BS_REAL(1e-9));
         hand = flown;
         status = measure_zaru();
-        /* [AHR-F-021] [AHR-F-023] [AHR-F-024] [AHR-F-028] */
+        /* [AHR-F-021] [AHR-F-023] [AHR-F-028] */
         failures += same("zaru: far", status, hand_measure_zaru(&hand, &given_corrected_imu));
         /* [AHR-F-001] */
         failures += bs_good(status) ? same_said("zaru: far", 3) : 0;
@@ -932,7 +932,7 @@ static int fly(void)
         set_noise(BS_REAL(1e-9));
         hand = flown;
         status = measure_azimuth();
-        /* [AHR-F-021] [AHR-F-023] [AHR-F-024] [AHR-F-028] */
+        /* [AHR-F-021] [AHR-F-023] [AHR-F-028] */
         failures += same("azimuth: far", status, hand_measure_azimuth(&hand));
         /* [AHR-F-001] */
         failures += bs_good(status) ? same_said("azimuth: far", 1) : 0;

@@ -759,7 +759,7 @@ static int fly(int k_point)
         set_noise(BS_REAL(1e-9));
         hand = flown;
         status = measure_euler();
-        /* [EM-F-021] [EM-F-023] [EM-F-024] [EM-F-028] */
+        /* [EM-F-021] [EM-F-023] [EM-F-028] */
         failures += same("euler: far", status, hand_measure_euler(&hand, &given_angles));
         /* [EM-F-001] */
         failures += bs_good(status) ? same_said("euler: far", 3) : 0;
@@ -872,7 +872,7 @@ static int fly(int k_point)
         set_noise(BS_REAL(1e-9));
         hand = flown;
         status = measure_euler_exact();
-        /* [EM-F-021] [EM-F-023] [EM-F-024] [EM-F-028] */
+        /* [EM-F-021] [EM-F-023] [EM-F-028] */
         failures += same("euler_exact: far", status,
                          hand_measure_euler_exact(&hand, &given_angles));
         /* [EM-F-001] */

@@ -941,7 +941,7 @@ static int fly(int k_point)
         set_noise(BS_REAL(1e-9));
         hand = flown;
         status = measure_velocity();
-        /* [VA-F-021] [VA-F-023] [VA-F-024] [VA-F-028] */
+        /* [VA-F-021] [VA-F-023] [VA-F-028] */
         failures += same("velocity: far", status,
                          hand_measure_velocity(&hand, &given_corrected_imu, &given_mounting,
                                                &given_master));
@@ -1030,7 +1030,7 @@ static int fly(int k_point)
         set_noise(BS_REAL(1e-9));
         hand = flown;
         status = measure_dcm();
-        /* [VA-F-021] [VA-F-023] [VA-F-024] [VA-F-028] */
+        /* [VA-F-021] [VA-F-023] [VA-F-028] */
         failures += same("dcm: far", status,
                          hand_measure_dcm(&hand, &given_corrected_imu, &given_master));
         /* [VA-F-001] */
@@ -1121,7 +1121,7 @@ static int fly(int k_point)
         set_noise(BS_REAL(1e-9));
         hand = flown;
         status = measure_quaternion();
-        /* [VA-F-021] [VA-F-023] [VA-F-024] [VA-F-028] */
+        /* [VA-F-021] [VA-F-023] [VA-F-028] */
         failures += same("quaternion: far", status,
                          hand_measure_quaternion(&hand, &given_corrected_imu, &given_master));
         /* [VA-F-001] */
@@ -1258,7 +1258,7 @@ static int fly(int k_point)
         set_noise(BS_REAL(1e-9));
         hand = flown;
         status = measure_euler();
-        /* [VA-F-021] [VA-F-023] [VA-F-024] [VA-F-028] */
+        /* [VA-F-021] [VA-F-023] [VA-F-028] */
         failures += same("euler: far", status,
                          hand_measure_euler(&hand, &given_corrected_imu, &given_master));
         /* [VA-F-001] */

@@ -828,7 +828,7 @@ static int fly(int k_point)
         set_noise(BS_REAL(1e-9));
         hand = flown;
         status = measure_velocity();
-        /* [VD-F-021] [VD-F-023] [VD-F-024] [VD-F-028] */
+        /* [VD-F-021] [VD-F-023] [VD-F-028] */
         failures += same("velocity: far", status, hand_measure_velocity(&hand, &given_master));
         /* [VD-F-001] */
         failures += bs_good(status) ? same_said("velocity: far", 3) : 0;
@@ -913,7 +913,7 @@ static int fly(int k_point)
         set_noise(BS_REAL(1e-9));
         hand = flown;
         status = measure_dcm();
-        /* [VD-F-021] [VD-F-023] [VD-F-024] [VD-F-028] */
+        /* [VD-F-021] [VD-F-023] [VD-F-028] */
         failures += same("dcm: far", status, hand_measure_dcm(&hand, &given_master));
         /* [VD-F-001] */
         failures += bs_good(status) ? same_said("dcm: far", 3) : 0;
@@ -1002,7 +1002,7 @@ static int fly(int k_point)
         set_noise(BS_REAL(1e-9));
         hand = flown;
         status = measure_dcm_exact();
-        /* [VD-F-021] [VD-F-023] [VD-F-024] [VD-F-028] */
+        /* [VD-F-021] [VD-F-023] [VD-F-028] */
         failures += same("dcm_exact: far", status, hand_measure_dcm_exact(&hand, &given_master));
         /* [VD-F-001] */
         failures += bs_good(status) ? same_said("dcm_exact: far", 3) : 0;
