@@ -19,6 +19,7 @@ from boresight.codegen.folder import Folder
 from boresight.codegen.form import chosen, self_test, with_form
 from boresight.codegen.functions.samples import generator
 from boresight.codegen.generate import generate, generated_folder, load_model, named, unchanged
+from boresight.codegen.loops import loops
 from boresight.codegen.only import with_only
 from boresight.codegen.text.files import identity_files, rendered
 from boresight.codegen.text.names import snake
@@ -225,6 +226,7 @@ def exported(
     if run_here:
         check_self_test(files, precision)
     demanded = requirements.requirements(files, manifest)
+    page["loops"] = loops(files)
     page["trace"] = requirements.rows(demanded, files, ran(files, found, precision, run_here))
     view = export_view(manifest, folder, files, precision, form or FORM_OF[precision], page)
     made = ["Makefile", "CMakeLists.txt", "README.md", "LICENSE", "package.pc.in", "EVIDENCE.html"]
@@ -319,6 +321,8 @@ def evidence(manifest: dict[str, Any], precision: str, page: dict[str, Any], fou
     """The evidence of exactly this C: the verdict, of each kind that and tools and units; or "none", and why."""
     head = {"model": manifest["model"], "hash": manifest["hash"], "precision": precision}
     head |= {"verdict": proof.VERDICTS[page["verdict"]], "make": page["make"], "not_made": dict(page["not_made"])}
+    head |= {"loops": {"bounded": {str(one): one.most for one in page["loops"] if one.most is not None}}}
+    head["loops"] |= {"not_held": [str(one) for one in page["loops"] if one.most is None]}
     return head | ({"evidence": found} if found else {"evidence": "none", "why": page["why"]})
 
 

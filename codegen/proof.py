@@ -363,6 +363,7 @@ def page_view(folder: Folder, found: dict[str, Result], why: str, make: str) -> 
         "not_made": not_made(verdicts),
         "cores": CORES,
         "entries": entries(stacks, results.get("golden", {})),
+        "classes": classes(results.get("golden", {})),
         "library": sorted({name for of in stacks for name in of["library"]}),
         "assumed": ASSUMED,
         "deviated": DEVIATED.items(),
@@ -408,6 +409,17 @@ def not_made(verdicts: dict[str, dict[str, Verdict]]) -> list[tuple[str, str]]:
         if names:
             found.append((column.title, "all" if len(names) == len(verdicts[column.kind]) else ", ".join(names)))
     return found
+
+
+def classes(golden: Result) -> list[dict[str, Any]]:
+    """Of each function the words that its dearest call loads and stores, its divisions and roots, by core; and a bound
+    in cycles on a Cortex-M4F, or nothing where none is held."""
+    return [
+        {"name": name, "numbers": [*(" / ".join(map(str, by.get(core, [])[:4])) for core in CORES), *by[CORES[0]][4:]]}
+        for of in golden.values()
+        for name, by in of.get("classes", {}).items()
+        if CORES[0] in by
+    ]
 
 
 def entries(stacks: list[Result], golden: Result) -> list[dict[str, Any]]:

@@ -36,7 +36,8 @@ def golden(folder: Folder, out: Path, names: Collection[str] | None = None) -> d
     """By unit: what its golden vectors did on each target, what it costs there, and the double it holds in float.
 
     `builds` has one entry a target and precision, `cortex-m4f float` and so on: failures of the shipped self-test,
-    whether all bits are those of this machine, by how many ulps they differ.
+    whether all bits are those of this machine, by how many ulps they differ.  `classes`, of the dearest call, has words
+    loaded and stored, divisions, square roots; and of a Cortex-M4F a bound in cycles.
     """
     found: dict[str, dict[str, Any]] = {
         unit.name: {
@@ -45,6 +46,7 @@ def golden(folder: Folder, out: Path, names: Collection[str] | None = None) -> d
             "builds": {},
             "doubles": [],
             "cost": {},
+            "classes": {},
             "text": {},
         }
         for unit in folder.chosen(names)
@@ -65,6 +67,9 @@ def golden(folder: Folder, out: Path, names: Collection[str] | None = None) -> d
                 for function, cost in costs.get(unit, {}).items():
                     plain = function.removesuffix("_f32")  # one name of both precisions
                     of["cost"].setdefault(plain, {})[name] = [cost.most, cost.stack]
+                    classes = [cost.loads, cost.stores, cost.divisions, cost.roots]
+                    classes += [] if core.double else [cost.cycles]  # Arm has published no table for a Cortex-M7
+                    of["classes"].setdefault(plain, {})[name] = classes
             if precision == "float":
                 for stem, words in doubles(made, found).items():
                     found[stem]["doubles"] += [f"{name}: {word}" for word in words]

@@ -1,7 +1,9 @@
 """An emulated core that runs one function at a time; on a Cortex-M with exact instruction counts and stack."""
 
-from collections.abc import Iterable
+from collections import Counter
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from operator import add
 from pathlib import Path
 from typing import Any
 
@@ -13,13 +15,15 @@ from boresight.evidence.targets import GROUPS, ROOM, RV32, Build, Run, recorded,
 STACK_TOP, STACK_SIZE = 0x2080_0000, 0x40_0000
 RETURN = 0x3000_0000  # where the function that was called goes back to
 PAINT, PAINTED = b"\xa5", 12 * 1024
+REFILL = 3  # cycles at most from a branch to where it leads, on a Cortex-M4
 ARM_FPU_ON, RISCV_FPU_ON = 0x00F0_0000, 0x6000
 
 
 @dataclass
 class Cost:
     """Of one public function over the calls that were watched: instructions with what it calls, bytes of stack below
-    the caller's; loads and stores of the call with the most instructions, where they are counted."""
+    the caller's; words loaded and stored, divisions and square roots of the call with the most instructions; and how
+    many cycles the dearest call takes at most on a Cortex-M4 without wait states, by that core's table."""
 
     calls: int = 0
     least: int = 0
@@ -27,11 +31,17 @@ class Cost:
     stack: int = 0
     loads: int = 0
     stores: int = 0
+    divisions: int = 0
+    roots: int = 0
+    cycles: int = 0
 
-    def add(self, instructions: int, stack: int, loads: int = 0, stores: int = 0) -> None:
+    def add(self, counts: Sequence[int], stack: int) -> None:
+        instructions, *classes, cycles = counts
         self.least = min(self.least, instructions) if self.calls else instructions
         if instructions > self.most:
-            self.most, self.loads, self.stores = instructions, loads, stores
+            self.most = instructions
+            self.loads, self.stores, self.divisions, self.roots = classes
+        self.cycles = max(self.cycles, cycles)
         self.stack = max(self.stack, stack)
         self.calls += 1
 
@@ -43,10 +53,8 @@ class Frame:
     name: str
     back: int
     pointer: int  # stack pointer when it was entered
-    instructions: int  # executed before it was entered
+    counts: tuple[int, ...]  # before it was entered
     lowest: int
-    loads: int
-    stores: int
 
 
 def accesses(first: int, second: int | None = None) -> tuple[bool, int]:
@@ -78,6 +86,27 @@ def accesses(first: int, second: int | None = None) -> tuple[bool, int]:
         many = first & 0x0120 != 0x0100
         return store, second & 0xFF if many else 1 + (second >> 8 & 1)
     return False, 0
+
+
+def kind(first: int, second: int = 0) -> str:
+    """What decides how long an instruction of Thumb takes beside the memory that it touches."""
+    if first & 0xFFD0 == 0xFB90 and second & 0xF0F0 == 0xF0F0:
+        return "division"
+    if first & 0xFFE0 == 0xEC40 and second & 0x0E00 == 0x0A00:
+        return "two registers"
+    if first & 0xFF00 != 0xEE00 or second & 0x0E10 != 0x0A00:
+        return ""
+    operation = first & 0x00B0
+    if operation == 0x0080:
+        return "quotient"
+    if operation == 0x00B0:
+        return "root" if first & 0xF == 1 and second & 0xC0 == 0xC0 else "floating"
+    return "accumulation" if operation in (0x0000, 0x0010, 0x0090, 0x00A0) else "floating"
+
+
+# Beyond one for each instruction and each word of memory, as Arm's table for the Cortex-M4 has it, and with it that
+# what waits for a floating-point result waits one cycle more.
+LONGER = {"": 0, "division": 11, "two registers": 1, "quotient": 14, "root": 14, "accumulation": 3, "floating": 1}
 
 
 @dataclass
@@ -132,9 +161,9 @@ class Machine:
         else:
             self.core.reg_write(arm.UC_ARM_REG_C1_C0_2, ARM_FPU_ON)
             self.core.reg_write(arm.UC_ARM_REG_FPEXC, 0x4000_0000)
-        self.lengths: dict[tuple[int, int], tuple[int, int, int]] = {}
+        self.lengths: dict[tuple[int, int], tuple[int, ...]] = {}
         self.frames: list[Frame] = []
-        self.executed = self.loads = self.stores = 0
+        self.counts: tuple[int, ...] = (0,) * 6
         if self.watched:
             self.entries = {self.symbols[name] & ~1: name for name in self.watched if name in self.symbols}
             self.core.hook_add(u.UC_HOOK_BLOCK, self._block)
@@ -149,22 +178,25 @@ class Machine:
         value = int(self.core.reg_read(self.r0))
         return value - 2**32 if value >= 2**31 else value
 
-    def counted(self, address: int, size: int) -> tuple[int, int, int]:
-        """How many instructions a block holds, those whose condition fails among them: the core fetches them too; and
-        the words that they load and store.
+    def counted(self, address: int, size: int) -> tuple[int, ...]:
+        """How many instructions a block holds, those whose condition fails among them: the core fetches them too; the
+        words that they load and store, divisions, roots, and cycles.
 
         Thumb's are two or four bytes long, as their first half says.
         """
         key = (address, size)
         if key not in self.lengths:
             halves = np.frombuffer(bytes(self.core.mem_read(address, size)), dtype="<u2").tolist()
-            at, count, words = 0, 0, [0, 0]
+            at, count, words, kinds = 0, 0, [0, 0], Counter[str]()
             while at < len(halves):
                 length = 2 if halves[at] >> 11 in (0b11101, 0b11110, 0b11111) else 1
                 store, touched = accesses(*halves[at : at + length])
                 words[store] += touched
+                kinds[kind(*halves[at : at + length])] += 1
                 at, count = at + length, count + 1
-            self.lengths[key] = count, words[0], words[1]
+            longer = sum(LONGER[name] * many for name, many in kinds.items())
+            divisions = kinds["division"] + kinds["quotient"]
+            self.lengths[key] = count, *words, divisions, kinds["root"], count + sum(words) + longer + REFILL
         return self.lengths[key]
 
     def _block(self, core: Any, address: int, size: int, _: Any) -> None:
@@ -177,9 +209,8 @@ class Machine:
             touched = PAINTED - (len(below) - len(below.lstrip(PAINT)))
             deepest = max(touched, done.pointer - done.lowest)
             if done.name not in self.answering or core.reg_read(self.r0) == 0:
-                self.costs.setdefault(done.name, Cost()).add(
-                    self.executed - done.instructions, deepest, self.loads - done.loads, self.stores - done.stores
-                )
+                spent = [now - before for now, before in zip(self.counts, done.counts, strict=True)]
+                self.costs.setdefault(done.name, Cost()).add(spent, deepest)
             if self.frames:
                 self.frames[-1].lowest = min(self.frames[-1].lowest, done.pointer - deepest)
         for frame in self.frames:
@@ -188,13 +219,9 @@ class Machine:
             back = core.reg_read(self.lr) & ~1
             # what an earlier call left below the stack pointer is not this one's
             core.mem_write(pointer - PAINTED, PAINT * PAINTED)
-            counts = self.executed, pointer, self.loads, self.stores
-            self.frames.append(Frame(self.entries[address], back, pointer, *counts))
+            self.frames.append(Frame(self.entries[address], back, pointer, self.counts, pointer))
         if self.frames:
-            count, loads, stores = self.counted(address, size)
-            self.executed += count
-            self.loads += loads
-            self.stores += stores
+            self.counts = tuple(map(add, self.counts, self.counted(address, size)))
 
     def read(self, name: str, dtype: type[np.generic], count: int) -> np.ndarray:
         size = count * np.dtype(dtype).itemsize

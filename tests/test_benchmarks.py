@@ -12,7 +12,7 @@ from benchmarks.peers import batch, compiled, formulas, report
 from benchmarks.peers.printers import PRINTERS
 from boresight.analysis import figures
 from boresight.derive.models.azimuth_hold import azimuth_hold
-from boresight.evidence.machine import accesses
+from boresight.evidence.machine import accesses, kind
 
 KERNELS = {name: getattr(np, name) for name in formulas.FUNCTIONS}
 
@@ -166,6 +166,31 @@ def test_the_readme_quotes_the_page():
 def test_loads_and_stores_are_read_from_the_instructions(halves, expected):
     """As objdump names them."""
     assert accesses(*halves) == expected
+
+
+@pytest.mark.parametrize(
+    ("halves", "expected"),
+    [
+        ((0xEE37, 0x7A87), "floating"),  # vadd.f32 s14, s15, s14
+        ((0xEE27, 0x7B06), "floating"),  # vmul.f64 d7, d7, d6
+        ((0xEEC7, 0x7A87), "quotient"),  # vdiv.f32 s15, s15, s14
+        ((0xEE86, 0x7B07), "quotient"),  # vdiv.f64 d7, d6, d7
+        ((0xEEF1, 0x7AE7), "root"),  # vsqrt.f32 s15, s15
+        ((0xEEB1, 0x7BC7), "root"),  # vsqrt.f64 d7, d7
+        ((0xEEF1, 0x7A67), "floating"),  # vneg.f32 s15, s15
+        ((0xEE47, 0x7A27), "accumulation"),  # vmla.f32 s15, s14, s15
+        ((0xEC51, 0x0B10), "two registers"),  # vmov r0, r1, d0
+        ((0xEE17, 0x3A90), ""),  # vmov r3, s15
+        ((0xFB93, 0xF3F2), "division"),  # sdiv r3, r3, r2
+        ((0xFBB3, 0xF3F2), "division"),  # udiv r3, r3, r2
+        ((0xFB02, 0xF303), ""),  # mul.w r3, r2, r3
+        ((0xED91, 0x1A01), ""),  # vldr s2, [r1, #4]
+        ((0x6808,), ""),  # ldr r0, [r1, #0]
+    ],
+)
+def test_divisions_and_roots_are_read_from_the_instructions(halves, expected):
+    """As objdump names them."""
+    assert kind(*halves) == expected
 
 
 def test_the_committed_figure_is_that_of_the_tables_of_its_page_and_a_tool_has_one_colour(tmp_path):
