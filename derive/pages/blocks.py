@@ -20,7 +20,7 @@ class Form:
 
 @dataclass(frozen=True)
 class Prose:
-    """code: names of files or of C, separated by ", "."""
+    """code: names of files or of C, separated by ", "; in other text what stands in backticks is one."""
 
     text: str
     label: str = ""
@@ -46,11 +46,17 @@ class Pair:
 
 @dataclass(frozen=True)
 class Table:
-    """Rows under a head; a cell is text, or letters and expressions.  prose: the column that may wrap."""
+    """Rows under a head; a cell is text, or letters and expressions.  prose: the column that may wrap.
+
+    typed: the columns whose text is names as one types them.  drawn: those of letters alone, which text leaves out: it
+    spells a letter as its name.
+    """
 
     head: tuple[str, ...]
     rows: tuple[tuple[str | tuple[Form, ...], ...], ...]
     prose: int | None = None
+    typed: tuple[int, ...] = ()
+    drawn: tuple[int, ...] = ()
 
 
 Block = Prose | Formulas | Pair | Table
@@ -59,6 +65,7 @@ Block = Prose | Formulas | Pair | Table
 NAME = re.compile(r"\[[^\]\s]+ x\]|(?:[^\W\d_]|∂)[\w'\u0300-\u036f]*(?:\([kn][-+\dα]*\)|\^[a-z]\b)?")
 
 
+TYPED = re.compile(r"`([^`]+)`")
 REFERENCE = re.compile(rf"(?<![\w)])\({NUMBER}\)|\[\d+\]")  # (8), and the note [1]
 
 

@@ -14,6 +14,7 @@ from boresight.derive.ledger.latex import LETTERS, SIGNS, latex_name, latex_rela
 from boresight.derive.pages.blocks import (
     NAME,
     REFERENCE,
+    TYPED,
     Block,
     Form,
     Formulas,
@@ -138,7 +139,13 @@ def _table(block: Table) -> str:
         r">{\raggedright\arraybackslash}p{.55\linewidth}" if i == block.prose else "l" for i in range(len(block.head))
     )
     rows = [" & ".join(rf"\textbf{{{tex(cell)}}}" for cell in block.head) + r" \\ \hline\endhead"]
-    rows += [" & ".join(map(_cell, row)) + r" \\" for row in block.rows]
+    rows += [
+        " & ".join(
+            _code(cell) if i in block.typed and isinstance(cell, str) else _cell(cell) for i, cell in enumerate(row)
+        )
+        + r" \\"
+        for row in block.rows
+    ]
     begin = rf"\begingroup\small\renewcommand{{\arraystretch}}{{1.1}}\begin{{longtable}}[l]{{{columns}}}"
     return "\n".join([begin, *rows, r"\end{longtable}\endgroup"])
 
@@ -151,9 +158,11 @@ def tex(text: str, anchors: Mapping[str, str] = MappingProxyType({})) -> str:
     """Plain text for LaTeX: names of letters become formulas, what names a section a link to it."""
     parts: list[str] = []
     end = 0
-    for found in re.finditer(rf"{NAME.pattern}|{REFERENCE.pattern}", text):
+    for found in re.finditer(rf"{TYPED.pattern}|{NAME.pattern}|{REFERENCE.pattern}", text):
         name = found.group()
-        if name in anchors:
+        if found[1]:
+            made = _code(found[1])
+        elif name in anchors:
             made = rf"\hyperref[{anchors[name]}]{{{name}}}"
         elif name[0] != "(" and is_name(name):
             made = f"${latex_name(name)}$"

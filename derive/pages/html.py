@@ -9,7 +9,7 @@ from markupsafe import Markup, escape
 
 from boresight.derive.ledger.equation import Quantity, Relation
 from boresight.derive.ledger.latex import latex_name
-from boresight.derive.pages.blocks import NAME, REFERENCE, Form, Formulas, Page, Pair, Prose, is_name
+from boresight.derive.pages.blocks import NAME, REFERENCE, TYPED, Form, Formulas, Page, Pair, Prose, is_name
 from boresight.derive.pages.mathml import mathml, mathml_relation
 
 
@@ -28,11 +28,12 @@ def _rendered(template: str, page: Page) -> str:
 
     def written(block: Prose) -> Markup:
         if block.code:
-            return Markup(", ").join(Markup("<code>{}</code>").format(name) for name in block.text.split(", "))
+            return typed(block.text)
         return prose(block.text, page.anchors, page.letters)
 
     environment.filters |= {
         "math": math,
+        "typed": typed,
         "prose": written,
         "cell": lambda value: prose(value, {}, page.letters) if isinstance(value, str) else letters(value),
         "short": lambda title: title.removeprefix(f"{page.title} "),
@@ -92,17 +93,24 @@ SIGNS = ("=", "+", "−", "<", "≤")
 APPLY, TIMES = "\u2061", "\u2062"
 
 
+def typed(names: str) -> Markup:
+    """Each as code, so that a line may end between them."""
+    return Markup(", ").join(map(Markup("<code>{}</code>").format, names.split(", ")))
+
+
 def letters(forms: tuple[Form, ...]) -> Markup:
     return Markup(", ").join(dict.fromkeys(map(math, forms)))
 
 
 def prose(text: str, anchors: Mapping[str, str], letters: tuple[Quantity, ...]) -> Markup:
-    """What names a section becomes a link to it, the name of a letter a formula."""
+    """What names a section becomes a link to it, the name of a letter a formula, what is typed code."""
     parts, end = [], 0
     symbols = {quantity.symbol.name: quantity.symbol for quantity in letters}
-    for found in re.finditer(rf"{NAME.pattern}|{REFERENCE.pattern}", text):
+    for found in re.finditer(rf"{TYPED.pattern}|{NAME.pattern}|{REFERENCE.pattern}", text):
         name = found.group()
-        if name in anchors:
+        if found[1]:
+            made = typed(found[1])
+        elif name in anchors:
             made = Markup('<a href="#{}">{}</a>').format(anchors[name], name)
         elif name[0] != "(" and is_name(name):
             known = symbols.get(name)

@@ -368,7 +368,7 @@ def model_page(model: Model, manifest: Mapping[str, Any] | None = None, target: 
     shown = Description(model, target)
     units = (manifest or {}).get("units", {})
     sections = [
-        *([Section("States", (_variables(model, model.states),), "states")] if model.n else []),
+        *([Section("States", tuple(_states(model)), "states")] if model.n else []),
         Section("Inputs", tuple(_inputs(model)), "inputs"),
         *(_dynamics(shown, units) if model.n else []),
         *(_measurement(shown, m, units) for m in model.measurements),
@@ -429,6 +429,7 @@ def _variables(model: Model, listed: Iterable[Variable]) -> Table:
             letters = ", ".join(axes) if v.size > 1 else ""
         rows.append(
             (
+                v.name,
                 (form(Symbol(v.name)),),
                 letters if alike else (),
                 units[0] if alike else "",
@@ -437,8 +438,11 @@ def _variables(model: Model, listed: Iterable[Variable]) -> Table:
             )
         )
         if not alike:
-            rows += [("", (form(called[s]),), u, box, "") for s, u, box in zip(v.symbols, units, boxes, strict=True)]
-    return Table(("name", "letters", "unit", "valid", "meaning"), tuple(rows), prose=4)
+            rows += [
+                ("", "", (form(called[s]),), u, box, "") for s, u, box in zip(v.symbols, units, boxes, strict=True)
+            ]
+    head = ("name", "letter", "components", "unit", "valid", "meaning")
+    return Table(head, tuple(rows), prose=5, typed=(0,), drawn=(1,))
 
 
 def _box(low: float, high: float) -> str:
@@ -449,7 +453,20 @@ def _box(low: float, high: float) -> str:
     return f"{low:.6g} to {high:.6g}"
 
 
+def _states(model: Model) -> Iterator[Block]:
+    yield _variables(model, model.states)
+    yield Prose(", ".join(s.name for s in model.x), "Components of x, as one types them", code=True)
+    macro = f"{model.c_prefix}_IX_".upper()
+    yield Prose(
+        f"In C the place of one is its name in capitals behind `{macro}`: `x[{macro}{model.x[0].name.upper()}]`."
+    )
+
+
 def _inputs(model: Model) -> Iterator[Block]:
+    if model.structs:
+        first = model.structs[0]
+        own = f"`{first.name}->{first.fields[0].name}` of `{model.c_prefix}_{first.name} *{first.name}`"
+        yield Prose(f"In Python an input is given by its name; in C it is a field of its struct, as {own}.")
     for struct in model.structs:
         yield Prose(struct.meaning, struct.name)
         yield _variables(model, struct.fields)
@@ -671,7 +688,7 @@ def _measurement(shown: Description, m: Measurement, units: Mapping[str, Any]) -
         blocks.append(Prose(f"z and h{of} are angles, and are wrapped to -pi to pi."))
     if first := m.first_order:
         small = f", once {first.small} is zero" if first.small else ""
-        blocks.append(Prose(f"H is the Jacobian of the exact h{f' of {first.of}' * bool(first.of)} at x = 0{small}."))
+        blocks.append(Prose(f"H is the Jacobian of the exact h{f' of `{first.of}`' * bool(first.of)} at x = 0{small}."))
     names = [f"{m.name}_{part}" for part in "zhH"]
     return Section(f"Measurement {m.name}", (*blocks, *_in_c(shown, units, *names), *_stands_on(m.equations)), m.name)
 
@@ -720,7 +737,7 @@ def _cycle(model: Model) -> Iterator[Block]:
     number = count(1)
     p = model.c_prefix
     if carried := moves("strapdown"):
-        yield Prose(f"{p}_strapdown carries {carried} over the step.", f"{next(number)}.")
+        yield Prose(f"`{p}_strapdown` carries {carried} over the step.", f"{next(number)}.")
     else:
         yield Prose(
             "The caller brings the inputs at this step; no function of the model carries them.", f"{next(number)}."
@@ -730,20 +747,22 @@ def _cycle(model: Model) -> Iterator[Block]:
         predicted = "x becomes Phi x and P becomes Phi P Phi^T + Q"
     wraps = ", ".join(s.name for v in model.states if v.wraps for s in v.symbols)
     wrapped = f" Then {wraps} is put in [-pi, pi), as after every update." if wraps else ""
-    yield Prose(f"Predict: {predicted} (in C {p}_filter_propagate).{wrapped}", f"{next(number)}.")
+    yield Prose(f"Predict: {predicted} (in C `{p}_filter_propagate`).{wrapped}", f"{next(number)}.")
     if not model.measurements:
         yield Prose(
             "The model has no measurement: it is the dynamics of a filter that one composes.", f"{next(number)}."
         )
         return
-    names = ", ".join(f"{p}_filter_measure_{m.name}" for m in model.measurements)
+    names = ", ".join(f"`{p}_filter_measure_{m.name}`" for m in model.measurements)
     yield Prose(
         "Update by each measurement at hand: nu = z - H x, or z - h(x); S = H P H^T + R; K = P H^T S^-1; x becomes "
         f"x + K nu and P becomes P - K S K^T (in C {names}).",
         f"{next(number)}.",
     )  # fmt: skip
     if fed := moves("feedback"):
-        yield Prose(f"{p}_feedback takes x out of {fed}, and x becomes zero ({p}_filter_correct).", f"{next(number)}.")
+        yield Prose(
+            f"`{p}_feedback` takes x out of {fed}, and x becomes zero (`{p}_filter_correct`).", f"{next(number)}."
+        )
     elif model.kind == "error-state":
         yield Prose("x is kept: the model has no feedback.", f"{next(number)}.")
     else:
@@ -758,7 +777,7 @@ def _functions(model: Model, units: Mapping[str, Any]) -> Iterator[Block]:
     for unit in units.values():
         results = ", ".join(r["name"] + "".join(f"[{n}]" for n in r["shape"] if n > 1) for r in unit["results"])
         rows.append((unit["c_name"], str(unit["operations"]), f"{', '.join(unit['fields'])} -> {results}"))
-    yield Table(("function", "operations", "reads -> gives"), tuple(rows), prose=2)
+    yield Table(("function", "operations", "reads -> gives"), tuple(rows), prose=2, typed=(0, 2))
 
 
 def _equations(model: Model) -> Iterator[Section]:
@@ -770,7 +789,7 @@ def _equations(model: Model) -> Iterator[Section]:
             cited.setdefault(text, []).append(name)
     rows = tuple((text, text.replace("(", "").replace(")", ""), ", ".join(cited[text])) for text in cited)
     if rows:
-        table = Table(("equation", "boresight show", "what stands on it"), rows, prose=2)
+        table = Table(("equation", "boresight show", "what stands on it"), rows, prose=2, typed=(1, 2))
         yield Section("What it stands on", (table,), "equations")
 
 

@@ -5,7 +5,7 @@ from itertools import zip_longest
 from textwrap import fill, indent, wrap
 
 from boresight.derive.ledger.text import columns, text_relation
-from boresight.derive.pages.blocks import Block, Form, Formulas, Page, Pair, Prose, Section, Table
+from boresight.derive.pages.blocks import TYPED, Block, Form, Formulas, Page, Pair, Prose, Section, Table
 
 INDENT = 4  # of a formula
 
@@ -38,7 +38,7 @@ def _block(block: Block) -> str:
 def _prose(block: Prose) -> str:
     label = block.label and (block.label if block.label[-1] in ".]" else f"{block.label}:") + " "
     hang = 2 + (label[:1].isdigit() or label[:1] == "[")
-    return fill(label + block.text, columns(), subsequent_indent=" " * hang, break_long_words=False)
+    return fill(label + TYPED.sub(r"\1", block.text), columns(), subsequent_indent=" " * hang, break_long_words=False)
 
 
 def _form(form: Form) -> str:
@@ -47,11 +47,13 @@ def _form(form: Form) -> str:
 
 def _table(block: Table) -> str:
     """Columns as wide as their longest cell, but for the one of prose, which wraps where the line would be too long."""
-    rows = [block.head, *(tuple(map(_cell, row)) for row in block.rows)]
+    places = [i for i in range(len(block.head)) if i not in block.drawn]
+    rows = [[_cell(row[i]) for i in places] for row in (block.head, *block.rows)]
     widths = [max(1, *map(len, column)) for column in zip(*rows, strict=True)]
     if block.prose is not None:
-        others = sum(widths) - widths[block.prose] + 2 * (len(widths) - 1)
-        widths[block.prose] = max(20, min(widths[block.prose], columns() - INDENT - others))
+        prose = places.index(block.prose)
+        others = sum(widths) - widths[prose] + 2 * (len(widths) - 1)
+        widths[prose] = max(20, min(widths[prose], columns() - INDENT - others))
     lines = [line for row in rows for line in _wrapped(row, widths)]
     return indent("\n".join(lines), " " * INDENT)
 

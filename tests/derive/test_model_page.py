@@ -229,6 +229,28 @@ def test_every_formula_of_a_page_is_shown_as_it_is(made, target, form):
     assert [one.where for one in shown.values() if not one.holds(form, rendered(one, form))] == []
 
 
+@pytest.mark.parametrize("format", ["html", "latex", "text"])
+def test_a_page_has_each_name_that_is_typed_as_the_headers_have_it(made, library, format):
+    """States, places in x, inputs and functions: as code where letters are set as such, and in that order."""
+    text = (
+        write(model_page(made("euler-matching")[0], library.manifest), format)
+        .replace(r"\allowbreak{}", "")
+        .replace(r"\_", "_")
+    )
+    mark = {"html": r"<code>([^<]+)</code>", "latex": r"\\texttt{\\small ([^}]+)}", "text": r"([\w\[\]>-]+)"}[format]
+    typed = re.findall(mark, text.replace("&gt;", ">"))
+    (header,) = (path.read_text() for path in library.folder.glob("include/euler_matching.h"))
+    states = re.findall(r"#define EM_IX_(\w+) \d+", header)
+    assert len(states) == 6
+    first = typed.index(states[0].lower())
+    assert typed[first : first + 6] == [state.lower() for state in states]
+    (macro,) = (name for name in typed if name.startswith("x["))
+    assert macro == f"x[EM_IX_{states[0]}]"
+    fields = re.findall(r"^    bs_real (\w+)[\[;]", header, re.MULTILINE)
+    functions = re.findall(r"^bs_status (em_\w+)(?<!_nz)\(", header, re.MULTILINE)
+    assert len(fields) == 11 and len(functions) == 13 and {*fields, *functions} <= set(typed)
+
+
 def test_a_notebook_shows_the_page_and_the_formulas_of_F(made):
     model, page = made(TANK)
     assert "<math" in notebook.html(model) and "Measurement reading" in notebook.html(model)
