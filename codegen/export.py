@@ -68,6 +68,7 @@ MAKE_PART = (
 )
 MADE_HERE = "'python -m boresight.evidence {}' makes it, in a checkout of Boresight."
 SECONDS = 60  # of the example
+OFF = 0.25
 GENTLE, WIDE = 1e-4, 1e-3  # of half a box: how far the example's inputs stray from its middle; one sigma at its start
 PLACE = re.compile(r"(?<![a-z])(lat|lon|latitude|longitude)(?![a-z])")
 EARTH_RADIUS = 6378137.0  # m, the equator's
@@ -461,8 +462,16 @@ def minute(manifest: dict[str, Any], library: Library, precision: str) -> dict[s
     """Inputs of the example, one set a second, and where the Python loop over the same units ends with them.
 
     The inputs are drawn near the middle of their boxes, noises near zero: they exercise the functions and describe no
-    motion.
+    motion.  A total state begins off the middle, so that it moves, and nearer to it where that leads out of its box.
     """
+    try:
+        return minute_from(OFF, manifest, library, precision)
+    except BoresightError:
+        return minute_from(OFF / 16, manifest, library, precision)
+
+
+def minute_from(off: float, manifest: dict[str, Any], library: Library, precision: str) -> dict[str, Any]:
+    """off: of half a box, where a total state begins."""
     rng, described = generator("export", manifest["model"]), manifest["filter"]
     real = np.float32 if precision == "float" else np.float64
     fields = {field["name"]: field for listed in manifest["structs"].values() for field in listed}
@@ -495,22 +504,25 @@ def minute(manifest: dict[str, Any], library: Library, precision: str) -> dict[s
 
     total = manifest["kind"] == "total-state"
     lows, highs = (np.array([v for block in manifest["blocks"] for v in block[end]]) for end in ("low", "high"))
-    x0 = ((3 * lows + 5 * highs) / 8).astype(real).astype(float) if total else None  # off the middle, to move
+    x0 = ((lows + highs + off * (highs - lows)) / 2).astype(real).astype(float) if total else None
     P0 = np.diag(((WIDE * (highs - lows) / 2) ** 2).astype(real).astype(float))
-    loop = Filter(library, flat(start), P0, x0)
-    R: dict[str, list[float]] = {}
+    # one state is flown as one of many runs: alone its (1,) would be taken for their axis
+    several = (1,) * (len(P0) == 1 and total)
+    begun = None if x0 is None else np.tile(x0, (*several, 1))
+    loop = Filter(library, flat(start), np.tile(P0, (*several, 1, 1)), begun)
+    R: dict[str, Any] = {}
+    brought: dict[str, list[Any]] = {name: [] for name, m in described["measurements"].items() if m["brings_z"]}
     for given in map(flat, seconds):
         loop.predict(**only(given, described["propagate"]["fields"]))
         for name, m in described["measurements"].items():
-            if m["brings_z"]:
-                continue
             inputs = only(given, m["fields"])
             if name not in R:
-                H, z = loop.call(f"{name}_H", **inputs), loop.call(f"{name}_z", **inputs)
-                # as large as what the filter is to explain by noise
-                variance = np.einsum("ij,jk,ik->i", H, P0, H) + np.max(z**2) + 1e-12
-                R[name] = variance.astype(real).astype(float).tolist()
-            loop.update(name, np.array(R[name]), **inputs)
+                variances = noise(loop, name, P0, inputs).astype(real).astype(float)
+                R[name] = np.diag(variances) if manifest["measurements"][name]["correlated"] else variances
+            if m["brings_z"]:
+                inputs["z"] = drawn(loop, name, R[name], inputs, rng).astype(real).astype(float)
+                brought[name].append(inputs["z"])
+            loop.update(name, R[name], **inputs)
         if described["correct"]:
             loop.feedback()
     return {
@@ -518,11 +530,26 @@ def minute(manifest: dict[str, Any], library: Library, precision: str) -> dict[s
         "seconds": seconds,
         "P0": P0,
         "x0": x0,
-        "R": R,
-        "x": loop.x,
-        "sigma": np.sqrt(np.diag(loop.P)),
+        "R": {name: value.ravel() for name, value in R.items()},
+        "z": brought,
+        "x": loop.x.ravel(),
+        "sigma": np.sqrt(np.diag(loop.P.reshape(P0.shape))),
         "literal": lambda values, braced=True: literal(values, text, braced),
     }
+
+
+def noise(loop: Filter, name: str, P0: Any, inputs: dict[str, Any]) -> Any:
+    """Variances of a measurement, as large as what the filter is to explain by noise."""
+    H = np.reshape(loop.call(f"{name}_H", **inputs), (-1, len(P0)))
+    far = np.max(loop.call(f"{name}_z", **inputs) ** 2) if hasattr(loop.model, f"{name}_z") else 0.0
+    return np.einsum("ij,jk,ik->i", H, P0, H) + far + 1e-12
+
+
+def drawn(loop: Filter, name: str, R: Any, inputs: dict[str, Any], rng: np.random.Generator) -> Any:
+    """The value of a measurement that the caller brings: what the filter expects, as far off as R says."""
+    m = R.shape[-1]
+    expected = -loop.update(name, R, rows=False, z=np.zeros(m), **inputs).nu.ravel()
+    return expected + np.sqrt(R.diagonal() if R.ndim > 1 else R) * rng.standard_normal(m)
 
 
 def only(given: dict[str, Any], fields: list[str]) -> dict[str, Any]:

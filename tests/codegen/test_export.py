@@ -7,7 +7,7 @@ import subprocess
 import numpy as np
 import pytest
 from building import exported_c
-from conftest import PENDULUM
+from conftest import ROOT
 
 from boresight import BoresightError, cli
 from boresight.codegen import requirements
@@ -83,10 +83,16 @@ def test_the_example_notices_a_wrong_filter(tmp_path):
     assert done.returncode != 0
 
 
-def test_a_model_of_ones_own_is_exported(pendulum_folder, tmp_path):
-    export(PENDULUM, tmp_path / "out", "float", pendulum_folder)
-    done = make(tmp_path / "out", "test")
-    assert done.returncode == 0, done.stdout + done.stderr
+def test_a_total_state_of_ones_own_is_exported_and_its_example_flies_every_measurement(radar_folder, tmp_path):
+    """Rows that wrap, errors that depend on each other, values that the caller brings; and the README names all."""
+    out = tmp_path / "out"
+    export(f"{ROOT / 'tests' / 'radar.py'}:RADAR", out, "float", radar_folder)
+    done = make(out, "test", "example")
+    assert done.returncode == 0 and "60 s flown" in done.stdout, done.stdout + done.stderr
+    named = [f"rd_filter_measure_{name}" for name in ("compass", "fix", "mounted", "radar", "smeared")]
+    assert re.findall(r"rd_filter_measure_\w+", (out / "example" / "main.c").read_text()) == named
+    listed = ", ".join(f"`{name}`" for name in named)
+    assert f"at every measurement {listed}; " in " ".join((out / "README.md").read_text().split())
 
 
 def test_exporting_twice_gives_the_same_bytes(tmp_path):
