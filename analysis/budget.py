@@ -453,6 +453,7 @@ class Linear:
             model=named(model) if model is not None else "matrices",
             states=states_of(model, n),
             units=tuple(units or [""] * n),
+            blocks=dict(blocks(model, n)),
             sources=tuple(sources[s] for s in there),
             times=times,
             variances=by[:, there],

@@ -31,6 +31,7 @@ GRID = np.array([0.0, 0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 0.85])  # of a source, tri
 class Budget:
     """What `budget` found.  T times, S sources, n states; SI and rad, as the model.
 
+    blocks: variable of the model -> its places among the states.
     variances: (T, S, n) of the true error by source.  whole: (T, n) of all together, propagated by itself.
     known, offsets: the known constants that the filter ignores, and what each makes, (T, O, n).  offset: (T, n), the
     mean of the error, of these and of inputs that are believed wrongly; estimated - true of a total state, and of an
@@ -43,6 +44,7 @@ class Budget:
     model: str
     states: tuple[str, ...]
     units: tuple[str, ...]
+    blocks: Mapping[str, Sequence[int]]
     sources: tuple[str, ...]
     times: Array
     variances: Array
@@ -69,15 +71,34 @@ class Budget:
 
     # ---- which part is asked for
 
-    def state(self, name: str) -> int:
-        """The place of a state; "heading" is the attitude's third.  Raises BoresightError with the list."""
-        if name in self.states:
-            return self.states.index(name)
+    def places(self, name: str) -> list[int]:
+        """Of a state, by its name or as the model's page writes its letter, or of all states of a block.
+
+        "heading" is the attitude's third.  Raises BoresightError with the list.
+        """
+        folded = [state.lower() for state in self.states]
+        if name.lower() in folded:  # phi_N is the letter of phi_n
+            return [folded.index(name.lower())]
+        if name in self.blocks:
+            return list(self.blocks[name])
         downs = [i for i, state in enumerate(self.states) if state in ("phi_d", "phi_u", "eps_d", "psi_u", "psi_d")]
         if name == "heading" and downs:
-            return downs[0]
-        raise BoresightError(f"{self.model} has no state {name!r}{did_you_mean(name, self.states)}; it has "
-                             f"{', '.join(self.states)}{', and heading' if downs else ''}")  # fmt: skip
+            return downs[:1]
+        listed = [
+            *self.states,
+            *(block for block in self.blocks if block not in self.states),
+            *["heading"][: len(downs)],
+        ]
+        raise BoresightError(f"{self.model} has no state {name!r}{did_you_mean(name, listed)}; it has "
+                             f"{', '.join(listed)}")  # fmt: skip
+
+    def state(self, name: str) -> int:
+        """The one place of a name.  Raises BoresightError with the list."""
+        places = self.places(name)
+        if len(places) > 1:
+            raise BoresightError(f"{name} is {len(places)} states: name one of "
+                                 f"{', '.join(self.states[i] for i in places)}")  # fmt: skip
+        return places[0]
 
     def at(self, time: float) -> int:
         """The last kept time that is not after this one."""
@@ -102,7 +123,7 @@ class Budget:
 
         A dash stands for nothing, or for what rounding leaves of it.
         """
-        places = [self.state(name) for name in states] or list(range(len(self.states)))
+        places = [i for name in states for i in self.places(name)] or list(range(len(self.states)))
         lines = [title or self.model, "One sigma of the true error by source, and its share of the variance."]
         for k in [self.at(time) for time in times] or [len(self.times) - 1]:
             for first in range(0, len(places), ACROSS):
@@ -306,7 +327,7 @@ class Budget:
         state, in its unit, as a line.
         """
         sheets = folder if isinstance(folder, Sheets) else Sheets(Path(folder))
-        places = [self.state(name) for name in states] or list(range(min(3, len(self.states))))
+        places = [i for name in states for i in self.places(name)] or list(range(min(3, len(self.states))))
         with np.errstate(invalid="ignore", divide="ignore"):
             share = np.nan_to_num(self.variances[:, :, places] / self.whole[:, None, places]).mean((0, 2))
         order = np.argsort(-share, kind="stable")[: len(COLOURS)]

@@ -208,9 +208,12 @@ def taken(model: Any, values: Mapping[str, Any]) -> list[str]:
     return [*filter(None, known), *(name for name in model.measurements if name in values and name not in SIZES)]
 
 
-def not_taken(model: Any, values: Mapping[str, Any]) -> str:
-    """Which measurements of one's own model have no size and are not flown, in a line; or nothing."""
-    left = [name for name in model.measurements if name not in SIZES and name not in taken(model, values)]
+def not_taken(model: Any, values: Mapping[str, Any]) -> list[str]:
+    """The measurements of one's own model that have no size and are not flown."""
+    return [name for name in model.measurements if name not in SIZES and name not in taken(model, values)]
+
+
+def not_taken_line(left: Sequence[str]) -> str:
     return f"not flown: {', '.join(left)}; give the sigma, as --set '{left[0]} 1'\n" if left else ""
 
 

@@ -833,7 +833,7 @@ def budget(
     how: dict[str, Any] = {
         name: nominal.sizes(words or (), library) for name, words in (("uncertain", uncertain), ("offsets", offset))
     } | {"considered": [*(consider or ()), *(nominal.CALIBRATION if grade and not estimate else ())], "omitted": omit}
-    own = ".py:" in motion
+    own, left = ".py:" in motion, []
     if own and (set_ or grade or any(".py:" not in word for word in believe or ())):
         raise BoresightError(f"sizes are what {motion} returns; change them there, and let --believe name a function")
     if own:
@@ -846,15 +846,16 @@ def budget(
         start, steps = nominal.flight(library, along, given)
         if believe:
             how["believed"] = nominal.flight(library, along, given | nominal.sizes(believe, library))
+        left = nominal.not_taken(library, given)
     found = split(library, start, steps, **how)
-    needed = None
+    state, needed = [found.states[i] for name in state or () for i in found.places(name)], None
     if need is not None:
         wanted, _, size = need.strip().partition(" ")
         unit = found.units[found.state(wanted)]
         needed = found.need(wanted, float(nominal.amount(size, unit, need)[0]))
     title = f"{library.name}, {motion}, {found.times[-1]:g} s"
-    document = found.document(at or ()) | {"motion": motion, "need": needed}
-    text = found.report(at or (), state or (), title) + ("" if own else nominal.not_taken(library, given))
+    document = found.document(at or ()) | {"motion": motion, "need": needed, "not_flown": left}
+    text = found.report(at or (), state, title) + nominal.not_taken_line(left)
     if needed is not None:
         text += "\n" + found.need_report(needed)
     if against is not None:
@@ -1175,7 +1176,7 @@ def observe(
         require("replay")  # for the figure; said before the flight and not after it
         make(out)
     library = library_of(target, folder, grade)
-    found, left = {}, ""
+    found, left = {}, []
     with terminal.working() as working:
         for name in motion or ["still", "straight", "steady turn", "s turn"]:
             working(name)
@@ -1189,8 +1190,9 @@ def observe(
                 (start, steps), x = nominal.flight(library, along, sizes), None
                 left = nominal.not_taken(library, sizes)
             found[name] = observability.observe(library, start, steps, x=x)
-    text = observability.report(found) + left
-    document = {"model": library.name, "motions": {name: one.document() for name, one in found.items()}}
+    text = observability.report(found) + nominal.not_taken_line(left)
+    shown = {name: one.document() for name, one in found.items()}
+    document = {"model": library.name, "motions": shown, "not_flown": left}
     if formulas:
         from boresight.analysis.symbolic import never_shown
         from boresight.codegen.generate import load_model

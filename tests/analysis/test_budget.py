@@ -7,6 +7,7 @@ import runpy
 import shlex
 import time
 from contextlib import chdir, contextmanager
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -467,6 +468,15 @@ def test_the_text_shows_each_source_in_the_unit_of_its_head(found):
     assert found.report([5.0], ["heading"]).count("at 5 s") == 1
 
 
+def test_a_state_goes_by_its_name_its_letter_and_its_block(found):
+    assert found.places("dmu") == [found.states.index(f"dmu_{axis}") for axis in "xyz"]
+    assert found.state("dmu_Z") == found.state("dmu_z") == found.states.index("dmu_z")
+    one = replace(found, blocks={"velocity": (3,)})  # of a model whose state `velocity` is written v
+    assert one.state("velocity") == 3
+    with pytest.raises(BoresightError, match=r"has no state 'v'; it has .*, velocity, heading$"):
+        one.state("v")
+
+
 def test_csv_and_json_hold_the_numbers_of_the_arrays(found):
     rows = list(csv.DictReader(found.csv([20.0]).splitlines()))
     own = {(row["source"], row["state"]): row for row in rows}
@@ -589,8 +599,8 @@ def test_the_command_prints_what_the_function_finds(run, tmp_path):
     assert kept["need"]["limit"] == pytest.approx(1e-6)
     status, out, _ = run(*SHORT, "--against", tmp_path / "new" / "budget.json", "--set", "gyro_noise 1 deg/sqrt(h)")
     assert status == 0 and "against" in out
-    status, out, _ = run(*SHORT, "--json", "--need", "phi_d 10 rad")
-    assert status == 0 and json.loads(out)["need"]["met"]
+    status, out, _ = run(*SHORT, "--json", "--need", "phi_D 10 rad")
+    assert status == 0 and json.loads(out)["need"]["met"] and json.loads(out)["not_flown"] == []
 
 
 def test_beliefs_constants_and_states_by_words(run):
@@ -651,7 +661,8 @@ def test_a_flight_of_ones_own_is_a_function(run, tmp_path):
         (("--set", "gyro_nose 1"), "nothing of the name 'gyro_nose' (did you mean 'gyro_noise'?)"),
         (("--set", "gyro_noise 1 m"), "give numbers and one of the units rad/sqrt(s), deg/sqrt(h)"),
         (("--set", "dmu 1, 2 deg"), "give one number or 3"),
-        (("--need", "headng 1 mrad"), "has no state 'headng'"),
+        (("--need", "headng 1 mrad"), "has no state 'headng' (did you mean 'heading'?); it has phi_n, phi_e"),
+        (("--need", "dmu 1 mrad"), "dmu is 3 states: name one of dmu_x, dmu_y, dmu_z"),
         (("--need", "heading 0 mrad"), "is none; give a size above zero"),
         (("--at", "70"), "there is no time 70 s"),
         (("--grade", "tactcal"), "no grade 'tactcal'"),

@@ -197,7 +197,8 @@ def test_a_measurement_without_a_size_is_named_and_one_with_a_size_is_flown():
     model = load("velocity-attitude")
     own = SimpleNamespace(measurements={**model.measurements, "wheel": model.measurements["velocity"]})
     sizes = nominal.settings(model)
-    assert nominal.not_taken(own, sizes) == "not flown: wheel; give the sigma, as --set 'wheel 1'\n"
+    assert nominal.not_taken(own, sizes) == ["wheel"]
+    assert nominal.not_taken_line(["wheel"]) == "not flown: wheel; give the sigma, as --set 'wheel 1'\n"
     assert nominal.taken(own, sizes) == ["velocity", "dcm"]
     assert nominal.taken(own, sizes | {"wheel": 0.1}) == ["velocity", "dcm", "wheel"]
-    assert nominal.not_taken(own, sizes | {"wheel": 0.1}) == nominal.not_taken(model, sizes) == ""
+    assert nominal.not_taken(own, sizes | {"wheel": 0.1}) == nominal.not_taken(model, sizes) == []
