@@ -44,7 +44,7 @@ TOOLS = {
 FAINT = {"color": GREY, "alpha": 0.3, "linewidth": 0}  # a band that is not of one line
 
 EDGE_IN = 0.16
-MANY = 1000  # points: in SVG a longer line is a picture, so that the file stays small
+MANY = 500  # points: in SVG a longer line is a picture, so that the file stays small
 
 
 @contextmanager

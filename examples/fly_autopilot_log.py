@@ -21,6 +21,8 @@ MODEL = f"{HERE}/autopilot.py:AUTOPILOT"
 LOG = HERE / "recordings" / "pad.ulg"
 STEP = 0.008  # s, of ekf2: its noises are per step
 GAUSS = 1e-4  # T
+LOOK = {"font.size": 9, "axes.titlesize": 9, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True,
+        "grid.color": "0.9", "legend.frameon": False, "svg.fonttype": "none", "svg.hashsalt": "log"}  # fmt: skip
 REST = (1e-3, 0.01)  # m/s, m: one sigma of a velocity of zero and of a place that is kept, as ekf2 has them at rest
 EARTH = 6371e3  # m
 JUDGED = {"attitude": (slice(0, 3), "deg"), "velocity": (slice(3, 6), "m/s"), "position": (slice(6, 9), "m")}
@@ -174,30 +176,32 @@ def report(of, since):
 
 
 def draw(of, path):
-    """One row a quantity, one column an axis; the truth is zero, and the band is one sigma."""
+    """One row a quantity, one column an axis; the truth is zero, and the bands are the largest sigma of each 0.2 s."""
     import matplotlib
 
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
 
-    figure, axes = plt.subplots(3, 3, figsize=(11, 8), sharex=True)
-    colours = ("#0b5fa5", "#d1600a")
-    for row, (quantity, (part, unit)) in enumerate(JUDGED.items()):
-        factor = np.degrees(1) if unit == "deg" else 1.0
-        for column, axis in enumerate(("north", "east", "down")):
-            at, k = axes[row, column], part.start + column
-            for colour, (name, (times, off, sigma)) in zip(colours, of.items(), strict=False):
-                at.plot(times, factor * off[:, k], color=colour, lw=1.0, label=name)
-                at.fill_between(times, -factor * sigma[:, k], factor * sigma[:, k], color=colour, alpha=0.12, lw=0)
-            largest = max(np.abs(off[times > times[0] + 2, k]).max() for times, off, _ in of.values()) * factor
-            at.set_ylim(-4 * largest, 4 * largest)
-            at.set_title(f"{quantity} {axis} [{unit}]", fontsize=9, loc="left")
-    axes[0, 0].legend(fontsize=8)
-    for at in axes[-1]:
-        at.set_xlabel("time of the log [s]")
-    figure.suptitle("Errors from the ground truth; bands: one sigma", fontsize=10)
-    figure.tight_layout()
-    figure.savefig(path, dpi=90)
+    with plt.rc_context(LOOK):
+        drawing, axes = plt.subplots(3, 3, figsize=(9, 6), sharex=True, layout="constrained")
+        for row, (quantity, (part, unit)) in enumerate(JUDGED.items()):
+            factor = np.degrees(1) if unit == "deg" else 1.0
+            for column, axis in enumerate(("north", "east", "down")):
+                at, k = axes[row, column], part.start + column
+                for colour, (name, (times, off, sigma)) in zip(("#0b5fa5", "#d1600a"), of.items(), strict=False):
+                    first = np.searchsorted(times, np.arange(times[0], times[-1], 0.2))
+                    band = factor * np.maximum.reduceat(sigma[:, k], first)
+                    # of many points a picture, so that an SVG stays small
+                    at.plot(times, factor * off[:, k], color=colour, lw=1.0, label=name, rasterized=len(times) > 1000)
+                    at.fill_between(times[first], -band, band, step="post", color=colour, alpha=0.12, lw=0)
+                largest = max(np.abs(off[times > times[0] + 2, k]).max() for times, off, _ in of.values()) * factor
+                at.set_ylim(-4 * largest, 4 * largest)
+                at.set_title(f"{quantity} {axis} [{unit}]", loc="left")
+        for at in axes[-1]:
+            at.set_xlabel("time of the log [s]")
+        drawing.suptitle("Errors from the ground truth; bands: one sigma")
+        drawing.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
+        drawing.savefig(path, dpi=150, metadata={"Date": None} if str(path).endswith(".svg") else None)
     return path
 
 
@@ -211,4 +215,4 @@ def flown(path, folder=None):
 if __name__ == "__main__":
     of = flown(sys.argv[1] if len(sys.argv) > 1 else LOG)
     print(report(of, since=2.0))
-    print(draw(of, "autopilot_log.png"))
+    print(draw(of, "autopilot_log.svg"))

@@ -253,9 +253,10 @@ def test_every_figure_is_a_page_with_its_code(tmp_path):
     assert "by hand" in (source.folder / "gallery" / "pipe.md").read_text()
 
 
-def test_figures_are_svg_but_those_whose_logs_are_not_kept_and_that_of_an_example():
-    there = {path.stem for path in (ROOT / "docs" / "figures").iterdir() if path.suffix != ".svg"}
-    assert there == {"noise", "noise_flight", "autopilot_log"}
+def test_figures_are_svg_and_small():
+    there = list((ROOT / "docs" / "figures").iterdir())
+    assert there and {path.suffix for path in there} == {".svg"}
+    assert not [path.name for path in there if path.stat().st_size > 650_000]
 
 
 def test_the_first_flight_is_that_of_the_readme_and_keeps_its_estimates():

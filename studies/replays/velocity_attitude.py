@@ -469,8 +469,10 @@ def noise_vector(given: Mapping[str, Any]) -> tuple[Array, Array]:
 def said_noise(noises: Array, free: Array, unsure: Array, passes: int) -> dict[str, Any]:
     """By name: unit, parts, value, whether it was chosen, and whether it is more than the least that is looked for.
 
-    low and high: 95 % of what was chosen, by one sigma of the logarithms, `unsure`.
+    low and high: 95 % of what was chosen, by one sigma of the logarithms, `unsure`; high is None where none is.
     """
+    with np.errstate(over="ignore"):
+        factor = np.exp(BAND * unsure)
     out: dict[str, Any] = {"passes": passes}
     for name, one in NOISES.items():
         mine = [i for i, part in enumerate(PARTS) if part is one]
@@ -478,8 +480,11 @@ def said_noise(noises: Array, free: Array, unsure: Array, passes: int) -> dict[s
             "unit": one.unit,
             "parts": list(one.parts),
             "value": (noises[mine] / UNITS[one.kind][one.unit]).tolist(),
-            "low": (noises[mine] * np.exp(-BAND * unsure[mine]) / UNITS[one.kind][one.unit]).tolist(),
-            "high": (noises[mine] * np.exp(BAND * unsure[mine]) / UNITS[one.kind][one.unit]).tolist(),
+            "low": (noises[mine] / factor[mine] / UNITS[one.kind][one.unit]).tolist(),
+            "high": [
+                float(noises[i] * factor[i] / UNITS[one.kind][one.unit]) if np.isfinite(factor[i]) else None
+                for i in mine
+            ],
             "chosen": bool(free[mine].any()),
             "seen": (noises[mine] > 1.05 * one.limits[0]).tolist(),
         }
@@ -720,11 +725,16 @@ def described(sensors: Sensors) -> str:
     return "; ".join(parts)
 
 
+def _interval(value: float, low: float, high: float | None, seen: bool) -> str:
+    if not seen:
+        return f"below {value:.1g}"
+    if high is None:
+        return f"{value:.3g} (the innovations do not tell)"
+    return f"{value:.3g} ({low:.3g} to {high:.3g})" if high > low else f"{value:.3g}"
+
+
 def _noise(name: str, one: Mapping[str, Any]) -> str:
-    shown = [
-        f"{v:.3g} ({low:.3g} to {high:.3g})" if seen and high > low else f"{v:.3g}" if seen else f"below {v:.1g}"
-        for v, low, high, seen in zip(one["value"], one["low"], one["high"], one["seen"], strict=True)
-    ]
+    shown = list(map(_interval, one["value"], one["low"], one["high"], one["seen"]))
     parts = "" if len(one["parts"]) == 1 else f"{' and '.join(one['parts'])}, "
     name, whence = name.replace("_", " "), "chosen" if one["chosen"] else "given"
     if whence == "given" and not any(one["seen"]):

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
-from boresight.analysis.figures import BLUE, GREY, ORANGE, Sheets
+from boresight.analysis.figures import BLUE, ORANGE, Sheets
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.detector import gaps
@@ -195,22 +195,21 @@ def report(result: dict[str, Any], inertial: dict[str, Any] | None = None) -> st
 def figures(result: dict[str, Any], sheets: Sheets) -> None:
     """Draw the track from above and the speed."""
     history = result["history"]
-    with sheets(f"zero_velocity_{result['recording']}", 11.0, 4.5, nrows=1, ncols=2) as (_, (above, beside)):
+    with sheets(f"zero_velocity_{result['recording']}", 11.0, 4.5, nrows=1, ncols=2) as (drawing, (above, beside)):
         track = history["track_m"]
-        above.plot(track[:, 0], track[:, 1], color=BLUE, lw=1)
+        above.plot(track[:, 0], track[:, 1], color=BLUE, lw=1, label="estimate")
         still = history["rest"]
         above.plot(track[still, 0], track[still, 1], ".", color=ORANGE, ms=4, label="declared at rest")
         above.set_aspect("equal", "datalim")
         above.set_xlabel("right of the first heading [m]")
         above.set_ylabel("ahead of it [m]")
-        above.legend(loc="best")
         t = history["time_s"]
         beside.plot(t, history["speed_m_s"], color=BLUE, lw=0.8)
         top = float(history["speed_m_s"].max())
-        beside.fill_between(t, 0, top, where=still, color=GREY, alpha=0.25, lw=0, label="declared at rest")
+        beside.fill_between(t, 0, top, where=still, color=ORANGE, alpha=0.2, lw=0)  # as the dots of the track
         beside.set_xlabel("time [s]")
         beside.set_ylabel("speed [m/s]")
-        beside.legend(loc="upper left")
+        drawing.legend(*above.get_legend_handles_labels(), loc="outside lower center", ncols=2)
 
 
 def flown(asked: Replay, progress: Progress) -> dict[str, Any]:

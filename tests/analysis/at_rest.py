@@ -9,8 +9,9 @@ from math import comb
 import numpy as np
 
 from boresight.analysis.allan import TERMS, fitted
+from boresight.runtime.recording import Inertial, Recording
 
-DEG_H = np.radians(1) / 3600
+DEG_H, G = np.radians(1) / 3600, 9.80665
 SI = np.array([np.radians(1 / 3600), np.radians(1) / 60, DEG_H, DEG_H / 60, DEG_H / 3600])
 # Gyros: arcsec, deg/sqrt(h), deg/h, deg/h/sqrt(h), deg/h/h.
 KINDS = {
@@ -19,6 +20,10 @@ KINDS = {
     "fibre": (0.4, 0.012, 0.1, 0.05, 0),
     "ring laser": (1.6, 0.003, 0.005, 0.006, 0),
 }
+
+ACCEL = np.array([0, 60e-6 * G, 30e-6 * G, 60e-6 * G / 60, 0])
+SAMPLES, DT = 36_000, 0.05
+GYRO_BIAS, FORCE = np.array([2e-4, -3e-4, 1e-4]), np.array([0.02, -0.05, -9.8])
 
 
 def flicker(samples, rng):
@@ -40,6 +45,15 @@ def rates(coefficients, samples, dt, rng):
     # the mean of a random walk over a sample: half of its step, and what it strays between its ends
     out += K * np.sqrt(dt) * (np.cumsum(steps) - steps / 2 + within / np.sqrt(12))
     return out + B * flicker(samples, rng) + R * dt * np.arange(samples)
+
+
+def log(seed=1, samples=SAMPLES, kind="industrial"):
+    """A healthy one, 30 min."""
+    rng = np.random.default_rng(seed)
+    truth = np.array(KINDS[kind]) * SI
+    gyro = np.stack([rates(truth, samples, DT, rng) for _ in range(3)], axis=-1) + GYRO_BIAS
+    accel = np.stack([rates(ACCEL, samples, DT, rng) for _ in range(3)], axis=-1) + FORCE
+    return Recording("log", Inertial("rates", "end", np.arange(1, samples + 1) * DT, gyro, accel))
 
 
 def held(kind, logs, samples, dt, seed):

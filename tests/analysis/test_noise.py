@@ -8,19 +8,16 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from at_rest import KINDS, SI, rates
+from at_rest import ACCEL, KINDS, SI, log
 
 from boresight import BoresightError, cli
 from boresight.analysis import figures, noise
-from boresight.runtime.recording import Inertial, Recording, read
+from boresight.runtime.recording import read
 from boresight.runtime.recording.read import read_at_rest
 from boresight.runtime.simulation import drive
 from boresight.runtime.units import quantity
 
 DEG, G = np.pi / 180, 9.80665
-ACCEL = np.array([0, 60e-6 * G, 30e-6 * G, 60e-6 * G / 60, 0])
-SAMPLES, DT = 36_000, 0.05
-GYRO_BIAS, FORCE = np.array([2e-4, -3e-4, 1e-4]), np.array([0.02, -0.05, -9.8])
 DESCRIPTION = """
 file = "log.npz"
 [imu]
@@ -32,15 +29,6 @@ gyro = {{ columns = "gyro", unit = "deg/s" }}
 accel = {{ columns = "accel", unit = "m/s^2" }}
 temperature = {{ columns = "warm", unit = "degC" }}
 """
-
-
-def log(seed=1, samples=SAMPLES, kind="industrial"):
-    """A healthy one, 30 min."""
-    rng = np.random.default_rng(seed)
-    truth = np.array(KINDS[kind]) * SI
-    gyro = np.stack([rates(truth, samples, DT, rng) for _ in range(3)], axis=-1) + GYRO_BIAS
-    accel = np.stack([rates(ACCEL, samples, DT, rng) for _ in range(3)], axis=-1) + FORCE
-    return Recording("log", Inertial("rates", "end", np.arange(1, samples + 1) * DT, gyro, accel))
 
 
 @pytest.fixture(scope="module")

@@ -1,6 +1,7 @@
 """Replay by velocity and attitude: a recording with analytic truth gives it back, the real one its delay."""
 
 import base64
+import json
 import re
 from dataclasses import replace
 from html import escape
@@ -356,6 +357,14 @@ def test_a_walk_of_zero_is_one_that_is_not_seen():
     noises, free = tr.noise_vector({"delay": 0.0, "gyro_walk": 0.0, "accel_walk": 0.0})
     said = tr.said_noise(noises, free, np.zeros(len(noises)), 0)
     assert not any(said[name]["chosen"] or any(said[name]["seen"]) for name in ("delay", "gyro_walk", "accel_walk"))
+
+
+def test_a_noise_that_the_innovations_do_not_tell_has_no_upper_end_and_json_takes_it():
+    noises, free = tr.noise_vector({})
+    said = tr.said_noise(noises, free, np.full(len(noises), 1e3), 1)
+    assert said["gyro"]["low"] == [0.0] and said["gyro"]["high"] == [None]
+    assert "(the innovations do not tell)" in tr._noise("gyro", said["gyro"])
+    json.dumps(said, allow_nan=False)
 
 
 def test_datasheet_units_are_read_by_name():
