@@ -22,7 +22,7 @@ run: announce $(VENV)/.installed
 
 announce:
 	@test -e $(VENV)/.installed || echo "make: installs 1 GB of packages into $(VENV) first, once"
-	@echo "make run: takes about 25 s of processor time; figures go to out/euler-table"
+	@echo "make run: takes about 22 s of processor time; figures go to out/euler-table"
 
 quick: $(VENV)/.tested
 	@$(BIN)/python tests/quick.py $(BASE)
