@@ -144,6 +144,19 @@ def test_each_function_of_a_header_stands_on_one_page_as_it_is_declared(folder, 
     assert not wrong and names == set(known.functions) and len(shown) == len(names) > 0
 
 
+def test_a_graph_has_each_equation_and_an_arc_to_each_that_it_stands_on():
+    html = "".join(f'<a href="#eq-{n}">({n})</a>' for n in ("1", "2", "9"))  # (9) is of no paper here
+    named = {"1": ("exact", ""), "2": ("erratum: sign", ""), "3": ("definition", html)}
+    of = [trace.Equation("p", n, f"({n})", status, "", text) for n, (status, text) in named.items()]
+    drawn = trace.graph(of, "p/")
+    assert re.findall(r'href="p/(\d).html" class="square (\S+)"', drawn) == [
+        ("1", "exact"), ("2", "erratum"), ("3", "definition")
+    ]  # fmt: skip
+    at = [float(x) for x in re.findall(r'<text x="([\d.]+)"', drawn)]
+    arcs = [(float(b), float(a)) for a, b in re.findall(r'd="M([\d.]+) .*? ([\d.]+) [\d.]+"', drawn)]
+    assert sorted(arcs) == [(at[0], at[2]), (at[1], at[2])]
+
+
 def test_a_prototype_that_is_not_the_headers_is_seen(tmp_path):
     (folder,) = (folder for folder in folders() if folder.name == "euler_matching")
     text = trace.prototypes(folder)["em_F"].text

@@ -456,10 +456,8 @@ def _box(low: float, high: float) -> str:
 def _states(model: Model) -> Iterator[Block]:
     yield _variables(model, model.states)
     yield Prose(", ".join(s.name for s in model.x), "Components of x, as one types them", code=True)
-    macro = f"{model.c_prefix}_IX_".upper()
-    yield Prose(
-        f"In C the place of one is its name in capitals behind `{macro}`: `x[{macro}{model.x[0].name.upper()}]`."
-    )
+    macro = f"{model.c_prefix}_IX_{model.x[0].name}".upper()
+    yield Prose(f"In C they are macros in capitals: the first is `x[{macro}]`.")
 
 
 def _inputs(model: Model) -> Iterator[Block]:
@@ -715,9 +713,9 @@ def _in_c(shown: Description, units: Mapping[str, Any], *names: str) -> list[Blo
     found = [units[name] for name in names if name in units]
     if not found:
         return []
-    functions = ", ".join(f"{unit['c_name']} ({unit['operations']} operations)" for unit in found)
+    functions = ", ".join(f"`{unit['c_name']}` ({unit['operations']} operations)" for unit in found)
     tests = ", ".join([*(f"selftest/test_{unit['file']}.c" for unit in found), f"boresight verify {shown.target}"])
-    return [Prose(functions, "In C", code=True), Prose(tests, "Held by", code=True)]
+    return [Prose(functions, "In C"), Prose(tests, "Held by", code=True)]
 
 
 def _stands_on(equations: Sequence[str]) -> list[Block]:
@@ -827,7 +825,8 @@ def _quantities(relation: Relation, shapes: Mapping[str, tuple[int, ...]]) -> It
     for side in relation.sides:
         for node in nodes([[side]]):
             if node.is_Symbol:
-                yield Quantity(node, letter_latex(node.name), "", "", shapes.get(node.name, ()))
+                latex = letter_latex(node.name).replace(r"\mathrm{eps}", r"\epsilon")
+                yield Quantity(node, latex, "", "", shapes.get(node.name, ()))
             elif isinstance(node, AppliedUndef) and node.func.__name__ in ("below", *map(str.lower, LETTERED)):
                 name = node.func.__name__
                 yield Quantity(Symbol(name), rf"\mathrm{{{name}}}", "", "", function=True)

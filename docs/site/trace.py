@@ -288,6 +288,26 @@ def equation_page(source: layout.Source, known: Trace, one: Equation) -> None:
     source.write(here, f"{text}\n\n{trail}\n## Print, derivation, evidence\n\n{raw(body)}")
 
 
+def graph(of: list[Equation], prefix: str) -> str:
+    """The equations in a row, each in the colour of its status, and an arc from each to every one it stands on."""
+    wide = 14 + 8 * max(len(e.title) for e in of)
+    place = {e.number: wide * (i + 0.5) for i, e in enumerate(of)}
+    arcs = [(place[e.number], place[n]) for e in of for n in e.uses if n in place]
+    top = 12 + max((abs(a - b) for a, b in arcs), default=0) / 4
+    drawn = [
+        f'<path d="M{max(a, b):g} {top:g}A{abs(a - b) / 2:g} {abs(a - b) / 4:g} 0 0 0 {min(a, b):g} {top:g}"/>'
+        for a, b in arcs
+    ]
+    nodes = [
+        f'<a href="{prefix}{e.number}.html" class="square {e.status.partition(":")[0]}">'
+        f'<rect x="{place[e.number] - wide / 2 + 2:g}" y="{top:g}" width="{wide - 4}" height="24" rx="4"/>'
+        f'<text x="{place[e.number]:g}" y="{top + 17:g}">{escape(e.title)}</text></a>'
+        for e in of
+    ]
+    size = f'width="{wide * len(of)}" height="{top + 28:g}"'
+    return f'<div class="wide"><svg class="graph" {size}>{"".join(drawn + nodes)}</svg></div>'
+
+
 def equations(source: layout.Source, known: Trace) -> None:
     """A page of each equation, one of each paper, and the table of all."""
     papers = {name: shown_paper(name) for name in ALL}
@@ -308,8 +328,13 @@ def equations(source: layout.Source, known: Trace) -> None:
         maps.append(f"<p><b>{name}</b></p><p>{squares}</p>")
         here = f"equations/{name}"
         around = known.linked(EQUATION.sub(rf'href="{name}/\1.html"', shown["front"] + shown["back"]), here)
-        source.write(here, "\n\n".join((f"# {name}", *shown["lead"], raw(f"<p>{squares}</p>"), raw(around))))
-    head = "# Equations\n\nEach printed equation, with the status that `boresight equations` computes of it.\n\n"
+        linked = raw(f"<p>{squares}</p><p>What each stands on, by arcs:</p>{graph(of, f'{name}/')}")
+        source.write(here, "\n\n".join((f"# {name}", *shown["lead"], linked, raw(around))))
+    colours = " ".join(map(chip, ("exact", "first-order", "definition", "erratum")))
+    head = (
+        "# Equations\n\nEach printed equation, with the status that `boresight equations` computes of it: "
+        f"{colours}. The page of a paper draws which stands on which.\n\n"
+    )
     listed = f"::::{{container}} filterable\n{table(('equation', 'status', 'in C'), rows)}::::\n\n"
     source.write("equations/index", head + raw("".join(maps)) + "\n" + listed + toctree(ALL))
 
