@@ -43,7 +43,7 @@ def constants(module: ModuleType) -> list[tuple[str, Constant]]:
 
 def number(one: Constant) -> str:
     """Its number, or what it is made of."""
-    return f"{float(one.value):.17g}" if one.value.is_Rational else f"`{one.value}`"
+    return repr(float(one.value)).removesuffix(".0") if one.value.is_Rational else f"`{one.value}`"
 
 
 def signature(name: str, function: Any) -> str:
