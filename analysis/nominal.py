@@ -178,6 +178,10 @@ def flight(model: Any, along: Nominal, values: Mapping[str, Any]) -> tuple[dict[
     sensors = values.pop("sensors", None)
     names = taken(model, values)
     spread = rest_of(model, values, sensors)
+    if not spread:
+        block = model.manifest["blocks"][0]
+        raise BoresightError(f"{model.name}: no state has a sigma at the start; give those that have one, as "
+                             f"--set '{block['name']} 1 {block['unit'].split(',')[0]}'")  # fmt: skip
     constant = values.pop("constants", {})
     given = {name: constant_value(model, name, {**constant, **values}) for name in model.field
              if name not in along.inputs and name not in ("x", "dt")}  # fmt: skip

@@ -98,6 +98,14 @@ def test_every_link_of_docs_leads_to_a_page_of_the_site(tmp_path):
                 assert there.with_suffix("").as_posix() in shown, f"{page}: {target}"
 
 
+def test_a_block_that_is_a_file_shows_its_name(tmp_path):
+    source = layout.Source(tmp_path / "source")
+    source.write("a", "# A\n\n```python swing.py\nx = 1\n```\n\n```python\ny = 2\n```\n")
+    assert (source.folder / "a.md").read_text() == (
+        "# A\n\n```{code-block} python\n:caption: swing.py\n\nx = 1\n```\n\n```python\ny = 2\n```\n"
+    )
+
+
 def test_a_link_to_nothing_is_refused(tmp_path):
     with pytest.raises(SystemExit, match=r"site: x links to nowhere.md, which is not there"):
         layout.Source(tmp_path / "source").included("[a](nowhere.md)", ROOT / "docs", "x")

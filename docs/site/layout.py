@@ -9,6 +9,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^)\s]+)\)")
 FENCED = re.compile(r"^( *```.*?^ *```$)", re.MULTILINE | re.DOTALL)
+FILE = re.compile(r"^```(\w+) ([\w.]+)$", re.MULTILINE)  # a block that is a file
 LANGUAGES = {".py": "python", ".c": "c", ".h": "c", ".toml": "toml", ".tex": "latex", ".sh": "bash", ".json": "json"}
 PICTURES = (".png", ".svg")
 LONG = 30_000  # characters: a longer file is shown without colours
@@ -75,10 +76,10 @@ class Source:
         self.files: set[Path] = set()  # of the checkout, which a page links to
 
     def write(self, name: str, text: str) -> None:
-        """A page, by its name."""
+        """A page, by its name; a block that is a file has its name above it."""
         path = self.folder / f"{name}.md"
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text, encoding="utf-8")
+        path.write_text(FILE.sub(r"```{code-block} \1\n:caption: \2\n", text), encoding="utf-8")
 
     def keep(self, path: Path) -> str:
         """A file of the checkout as it is; where it stands in the site."""
