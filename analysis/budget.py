@@ -232,7 +232,7 @@ class Linear:
                       *(f"{name} noise" for name in self.measured), ADDED]  # fmt: skip
         if len(set(self.slots)) < len(self.slots):
             twice = next(name for name in self.slots if self.slots.count(name) > 1)
-            raise BoresightError(f"budget: there are two sources {twice!r}; name a cause of the start otherwise")
+            raise BoresightError(f"budget: two sources are named {twice!r}; give the cause in P0 another name")
 
     def shares(self, of: Flown, N: int) -> Shares:
         made = Shares(N, self.n, self.slots)
@@ -342,7 +342,9 @@ class Linear:
                     columns[name] = columns.get(name, 0.0) + B @ D
             else:
                 if self.dropped is not None and np.diagonal(other.P)[self.dropped].any():
-                    raise BoresightError("budget: a step gives variance to a state that is omitted; leave one of them")
+                    raise BoresightError(
+                        "budget: a step gives variance to an omitted state; leave out the step, or omit no such state"
+                    )
                 added(other.P, other.anew)
                 P = below(without(P, other.anew) + other.P)
             begun = True
@@ -433,12 +435,12 @@ class Linear:
     def found(self, history: History, P: Array, true: Shares, design: Shares, columns: Mapping[str, Array]) -> Budget:
         n, model = self.n, self.truth.model
         if lacking := [name for name in (*self.spread, *self.known) if name not in columns]:
-            raise BoresightError(f"budget: no measurement reads {lacking[0]!r}, and none has this name; uncertain are "
-                                 "inputs of a measurement, or its rows")  # fmt: skip
+            raise BoresightError(f"budget: no measurement reads {lacking[0]!r}, and none has this name; uncertain "
+                                 "takes an input of a measurement, or its name")  # fmt: skip
         times, slots, unknown, believed, variances, mean, shifts = history.columns()
         sources = [*self.slots, *self.spread]
         if len(set(sources)) < len(sources):
-            raise BoresightError(f"budget: two sources are named {sources[-1]!r}; rename one of the start")
+            raise BoresightError(f"budget: two sources are named {sources[-1]!r}; give the cause in P0 another name")
         by = np.maximum(np.concatenate([slots[:, 1:], unknown], axis=1), 0.0)  # below it is rounding
         thought = np.concatenate([believed[:, 1:], np.zeros_like(unknown)], axis=1)
         order = sorted(range(len(sources)), key=lambda s: not sources[s].startswith("start "))

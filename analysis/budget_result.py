@@ -206,7 +206,7 @@ class Budget:
         """
         i = self.state(state)
         if not (np.isfinite(limit) and limit > 0):
-            raise BoresightError(f"a need of {limit:g} is none; give a size above zero")
+            raise BoresightError(f"a need of {limit:g} is not possible; give a size above zero")
         mean = self.offset[-1, i] ** 2
         room, whole = limit**2 - mean, self.whole[-1, i]
         out: dict[str, Any] = {"state": self.states[i], "limit": float(limit), "unit": self.units[i],

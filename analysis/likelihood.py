@@ -73,11 +73,15 @@ class Linearised:
         walked: dict[int, list[Row]] = {}
         sizes = [float(np.median(np.hstack(given[name]))) for name in driving]
         if any(np.any(table.given.get("considered", False)) for table in record._all().tables):
-            raise BoresightError("states were considered, and their gains are not those of a filter; correct them all")
+            raise BoresightError(
+                "the flight has considered states, for which noises cannot be found; fly it without them"
+            )
         for number, name in enumerate(measured, len(driving)):
             found, H, gains = record.innovation(name), record.jacobian(name), record.gain(name)
             if found.inflated is not None and found.inflated.any():
-                raise BoresightError(f"rows of {name} were taken with a larger R (inflate); leave them out by a gate")
+                raise BoresightError(
+                    f"rows of {name} were taken with a larger R (inflate); fly with a gate that rejects them"
+                )
             r = found.S * (1 - np.einsum("...mi,...im->...m", H, gains))
             sizes.append(float(np.sqrt(np.median(r[found.used]))) if found.used.any() else 0.0)
             for k, row in enumerate(record.rows(name)):
@@ -119,7 +123,7 @@ class Linearised:
             off = np.abs(each.sum(axis=-3) - whole).max(initial=0.0)
             if off > 1e-9 * np.abs(whole).max(initial=0.0):
                 raise BoresightError(
-                    f"Q of {model.name} is no sum of what {', '.join(driving)} add; it cannot be scaled"
+                    f"Q of {model.name} is not the sum of the parts of {', '.join(driving)}, so they cannot be scaled"
                 )
             kept = 1 - table.given.get("disabled", np.zeros((len(table.rows), self.n)))
             for k, row in enumerate(table.rows):

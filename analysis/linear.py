@@ -73,7 +73,7 @@ class Flown:
         self.n = len(next(iter(self.start.values())))
         self.steps = steps if isinstance(steps, Sequence) else list(steps)
         if not self.steps:
-            raise BoresightError("budget: there are no steps; give what is flown")
+            raise BoresightError("budget: there are no steps; give predictions and measurements")
         self.total = model is not None and (
             getattr(model, "manifest", {}).get("kind") == "total-state" or hasattr(model, "next")
         )
@@ -132,7 +132,7 @@ class Flown:
         """A function of the model, with those of the inputs that it reads."""
         unit = getattr(self.model, function, None)
         if unit is None:
-            raise BoresightError(f"budget: {named(self.model)} has no function {function!r}; bring matrices, or a "
+            raise BoresightError(f"budget: {named(self.model)} has no function {function!r}; give matrices, or a "
                                  "measurement of the model")  # fmt: skip
         given = {**inputs, "x": x, **instead}
         if missing := [name for name in unit.fields if name not in given]:
@@ -213,7 +213,7 @@ class Flown:
             check_covariance(f"budget: R of {name}", R, m)
             if not (np.diagonal(R)[rows] > 0).all():
                 raise BoresightError(
-                    f"budget: every variance in R of {name} must be above zero; leave a row out by rows"
+                    f"budget: every variance in R of {name} must be above zero; leave a row out by its mask, rows"
                 )
             some = np.ix_(rows, rows)
             by = {parameter: one[k][rows] for parameter, one in D.items()}
@@ -225,7 +225,7 @@ class Flown:
         block = np.diag(given) if name == "inflate" and given.ndim == 1 else given
         count = len(block)
         if not isinstance(first, int) or not 0 <= first <= self.n - count:
-            raise BoresightError(f"budget: {name} from state {first!r} on of {count}; there are {self.n} states")
+            raise BoresightError(f"budget: {name} of {count} states from state {first!r} on; there are {self.n} states")
         check_covariance(f"budget: {name}", shaped(name, block, (count, count)), count)
         P, anew = np.zeros((self.n, self.n)), np.zeros(self.n, bool)
         P[first : first + count, first : first + count] = block

@@ -71,7 +71,7 @@ def named_or_recorded(model: Any, motion: str, seconds: float, step_hz: float, u
         raise BoresightError(f"{model.name} has no Phi and no covariance; name a filter")
     if model.manifest["kind"] == "total-state":
         raise BoresightError(
-            f"{model.name} has a total state, which begins where no named motion says; give --motion FILE.py:NAME, "
+            f"{model.name} has a total state, and a named motion has no initial state; give --motion FILE.py:NAME, "
             "a function that returns P0, steps and x (docs/error-budget.md)"
         )
     if Path(motion).suffix:
@@ -124,7 +124,7 @@ def settings(model: Any, grade: str | None = None) -> dict[str, Any]:
     known = {*model.field, *model.measurements, *(name for name, _ in blocks(model, len(model.states)))}
     out = {name: value for name, value in SIZES.items() if name in known}
     if grade is not None and model.name != MODEL:
-        raise BoresightError(f"a grade is of {MODEL}; {model.name} carries no errors of sensors beyond biases")
+        raise BoresightError(f"a grade needs {MODEL}; {model.name} has no states for sensor errors but biases")
     if model.name == MODEL:
         out["sensors"] = sized(grade=grade)
     return out
@@ -143,7 +143,7 @@ def sizes(words: Sequence[str], model: Any) -> dict[str, Array]:
     for text in words:
         name, _, rest = text.strip().partition(" ")
         if name not in units:
-            raise BoresightError(f"{model.name} has nothing of the name {name!r}{did_you_mean(name, units)}; name a "
+            raise BoresightError(f"{model.name} has no quantity {name!r}{did_you_mean(name, units)}; name a "
                                  "noise or another input, a measurement or a block of states")  # fmt: skip
         value = amount(rest, units[name], text)
         if len(value) not in (1, counts[name]):

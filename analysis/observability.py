@@ -296,7 +296,7 @@ def followed(flown: Flown) -> Observed:
     P = sum(flown.start.values(), np.zeros((n, n)))
     P0, start = P, np.sqrt(np.diag(P))
     if not start.any():
-        raise BoresightError("observe: no state has a variance at the start; give P0 the sigmas that are to shrink")
+        raise BoresightError("observe: no state has a variance at the start; give P0 the initial sigmas")
     Psi, information = np.diag(start), np.zeros((n, n))
     times, sigmas, time, measured = [0.0], [start], 0.0, False
 
@@ -320,7 +320,7 @@ def followed(flown: Flown) -> Observed:
             information, measured = information + seen.T @ seen, True
         else:
             raise BoresightError(
-                "observe: a step is neither a prediction nor a measurement; leave out what is added to P on purpose"
+                "observe: a step is neither a prediction nor a measurement; leave out inflate, set_block and enable"
             )
     keep()
     names = states_of(flown.model, n)

@@ -180,7 +180,9 @@ def equations(
             autocompletion=completed(derived_names),
         ),
     ] = None,
-    number: Annotated[str | None, typer.Argument(metavar="NUMBER", help="Of one equation, for its evidence.")] = None,
+    number: Annotated[
+        str | None, typer.Argument(metavar="NUMBER", help="Number of one equation, to print its evidence.")
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """The computed status of each printed equation, with evidence."""
@@ -223,7 +225,9 @@ def show(
             autocompletion=completed(model_names, derived_names),
         ),
     ],
-    number: Annotated[str | None, typer.Argument(metavar="NUMBER", help="Of one equation; all if left out.")] = None,
+    number: Annotated[
+        str | None, typer.Argument(metavar="NUMBER", help="Number of one equation; all if left out.")
+    ] = None,
     form: Annotated[
         str,
         typer.Option(
@@ -236,15 +240,15 @@ def show(
     derived: Annotated[
         str,
         typer.Option(
-            help="rate or step: of an error state not what it gives by hand, but F, G and H, or Phi and Q over a step, "
-            "as they follow from its strapdown and feedback.",
+            help="For an error state: rate prints F, G and H, step prints Phi and Q of a step, as they follow from its "
+            "strapdown and feedback and not as the model gives them.",
             autocompletion=completed(lambda: DERIVED),
         ),
     ] = "",
 ) -> None:
     """Describe a model, or derive the equations of a paper by steps.
 
-    With MODEL NUMBER: that equation of a paper which the model is made from.
+    With MODEL NUMBER: the equation of a paper that the model uses.
     """
     from boresight import terminal
     from boresight.derive.papers import is_folder
@@ -266,9 +270,9 @@ def show(
     if derived:
         one_of(derived, DERIVED, "what is derived")
         if number is not None or name in derived_names() or own:
-            raise BoresightError("--derived is for the page of a model; leave it out, or name a model alone")
+            raise BoresightError("--derived needs a model and no NUMBER; leave it out, or name only a model")
     if form == "pdf" and out is None:
-        raise BoresightError("a pdf needs a file to go to; add -o FILE.pdf")
+        raise BoresightError("a pdf must be written to a file; add -o FILE.pdf")
     kind = "latex" if form == "pdf" else form
     if name in derived_names() or own:
         from boresight.kept_ledger import page
@@ -302,7 +306,7 @@ def model_equations(name: str, number: str, form: str) -> str:
     model = load_model(name)
     named = {*model.equations, *(e for part in (*model.measurements, *model.functions) for e in part.equations)}
     if not named:
-        raise BoresightError(f"{name} is made from no paper's equations; 'boresight models {name}' prints what it has")
+        raise BoresightError(f"{name} uses no equation of a paper; 'boresight models {name}' prints what it has")
     papers = [paper(name) for name in sorted({text.split(" ")[0] for text in named})]
     known = [(one, e) for one in papers for e in one.equations if f"{e.paper} ({e.number})" in named]
     chosen = [(one, e) for one, e in known if number == e.number]
@@ -328,19 +332,20 @@ def generate(
 ) -> None:
     """Make the generated C agree with its models; name what changed.
 
-    Exit status with --check: 0 no difference, 1 a difference, 3 other versions of SymPy or CasADi than those that the
-    committed files were made with, so that nothing can be said.
+    Exit status with --check: 0 no difference, 1 a difference, 3 if the committed files were made with other versions of
+    SymPy or CasADi, so that they cannot be compared.
     """
     from boresight import terminal
     from boresight.codegen import generate as g
 
     if not targets and not check and not g.is_checkout():
         raise BoresightError(
-            "the built-in models come generated; name one to write it to ./generated, or your own as FILE.py:NAME"
+            "the C of the built-in models is there already; name a model to write its C to ./generated, or your own "
+            "as FILE.py:NAME"
         )
     targets = targets or g.target_names()
     if out is not None and len(targets) > 1:
-        raise BoresightError("-o names one folder; give one model with it")
+        raise BoresightError("-o is the folder of one model; name only one model")
     status, unchanged, lines = 0, 0, []
     with terminal.progress() as progress:
         for done, target in enumerate(targets):
@@ -396,7 +401,7 @@ def diff(
         typer.Option(
             "--study",
             metavar="'NAME ...'",
-            help="Run this study, with its options, as the revision has it and as it is now.",
+            help="Run this study, with its options, in the revision and in the present source.",
             show_default=False,
         ),
     ] = None,
@@ -404,9 +409,9 @@ def diff(
 ) -> None:
     """Show what an edit changed, in a model or a paper of your own.
 
-    What the source states now is held against the equations.json that was committed with the generated C: entries of
-    F, f, G, Q, z, h and H and of functions before and after, with the largest difference of their values over the box;
-    states and inputs; operations and code size.  Exits 1 if something differs.
+    Compares the present source with the equations.json that was committed with the generated C.  Prints entries of F,
+    f, G, Q, z, h, H and functions before and after, with the largest difference of their values over the box; then
+    states and inputs, operations and code size.  Exits 1 if something differs.
     """
     from boresight import terminal
     from boresight.codegen import difference as d
@@ -468,10 +473,10 @@ def watch(
         ),
     ],
 ) -> None:
-    """Look at a model after each save, or at a paper of your own.
+    """Check a model after each save.
 
-    Prints what differs from the last good state and whether exact mechanics agrees, then generates; of a paper, which
-    statuses are others.  An error in the file is one line.  Ctrl-C ends it.
+    Prints what differs from the last correct state and whether exact mechanics agrees, then generates.  An error in the
+    file is reported in one line.  Ctrl-C ends it.
     """
     from boresight import terminal
     from boresight.codegen.watch import watch as look
@@ -484,14 +489,15 @@ def verify(
     targets: Targets = None,
     folder: Generated = None,
     strict: Annotated[
-        bool, typer.Option("--strict", help="Take what a model lists as held against nothing for not held.")
+        bool, typer.Option("--strict", help="Count what a model lists as unheld as not checked.")
     ] = False,
     as_json: AsJson = False,
 ) -> None:
-    """Prove the C, and hold the model against exact mechanics.
+    """Check the C, and compare the model with exact mechanics.
 
-    The C: CasADi's bits, within rounding of 50 digits.  What nothing exact is known of is not checked, unless the model
-    lists it with a reason.  Exit status: 0 all held, 1 something wrong, 3 nothing wrong but not all held.
+    The C must have CasADi's bits, and agree with 50 digits within rounding.  A function with which nothing exact can be
+    compared is 'not checked', unless the model lists it with a reason.  Exit status: 0 all passed, 1 something is
+    wrong, 3 nothing is wrong but not all was checked.
     """
     from boresight import report, terminal
     from boresight.codegen import generate as g
@@ -499,7 +505,7 @@ def verify(
 
     targets = targets or g.model_names()
     if folder is not None and len(targets) > 1:
-        raise BoresightError("--generated names one folder; give one model with it")
+        raise BoresightError("--generated is the folder of one model; name only one model")
     for target in targets:
         if target.endswith(".py"):
             g.known(target, g.model_names())  # which names the models in it
@@ -546,19 +552,19 @@ def export(
         typer.Option(
             "--for",
             metavar="PLACE,...",
-            help="What builds it beside make and CMake: arduino, platformio, idf, zephyr, px4.",
+            help="Add files for other build tools: arduino, platformio, idf, zephyr, px4.",
         ),
     ] = "",
     form: Annotated[
         str,
         typer.Option(
-            help="joseph or ud: the covariance in this form alone; by default both, double flies joseph, float ud.",
+            help="Form of the covariance: joseph or ud; by default joseph in double, ud in float.",
             autocompletion=completed(lambda: ["joseph", "ud"]),
         ),
     ] = "",
     only: Annotated[
         str,
-        typer.Option(metavar="MEASUREMENT,...", help="The measurements that fly; nothing of the others is written."),
+        typer.Option(metavar="MEASUREMENT,...", help="Export these measurements, and leave out the others."),
     ] = "",
     against: Annotated[
         Path | None,
@@ -570,9 +576,9 @@ def export(
     """Write a folder of C that needs nothing of Python.
 
     It holds the functions, the filter of a model that has one with an example, their self-test, a Makefile, a CMake
-    package and pkg-config; LICENSE, sbom.json, manifest.json with hashes; and what was found of exactly this C,
-    EVIDENCE.html to read and evidence.json; trace.csv and trace-back.csv, from each numbered requirement to its
-    equations, statements, tests and results, and back.
+    package and pkg-config; LICENSE, sbom.json, manifest.json with hashes; the evidence of exactly this C, as
+    EVIDENCE.html and evidence.json; trace.csv and trace-back.csv, from each numbered requirement to its equations,
+    statements, tests and results, and back.
     """
     from boresight.codegen.export import export as export_model
 
@@ -600,15 +606,16 @@ def evidence(
         typer.Argument(metavar="FILE.py:NAME", show_default=False, autocompletion=completed(model_names)),
     ],
     quick: Annotated[
-        bool, typer.Option("--quick", help="What takes some 3 minutes: no mutants, Eva, hostile calls, nor verify.")
+        bool,
+        typer.Option("--quick", help="Make only what takes some 3 minutes: no mutants, Eva, hostile calls or verify."),
     ] = False,
     folder: Annotated[Path | None, typer.Option("--generated", help="Its generated folder.")] = None,
 ) -> None:
     """Make the evidence of a model of your own, for its export.
 
-    By the tools that are here; each kind is kept with a hash of the C that it was found of, and what has not changed is
-    not made again: the self-test on emulated cores, its coverage with MC/DC, bad input, stack of each entry point,
-    rounding, MISRA, mutants, hostile calls and verify.
+    Uses the tools that are installed.  Each kind of evidence is kept with a hash of its C, and made again only if this
+    changes: the self-test on emulated cores, its coverage with MC/DC, bad input, stack of each entry point, rounding,
+    MISRA, mutants, hostile calls and verify.
     """
     require("evidence")
     from boresight.evidence.own import make_own
@@ -688,7 +695,7 @@ class Studies(typer.core.TyperGroup):
 
 
 def no_study() -> None:
-    """Run an experiment of a paper, or of its own.  Exits 1 where a study's own criterion is not met."""
+    """Run the experiment of a paper, or one of our own.  Exits 1 if a study's own criterion is not met."""
 
 
 app.add_typer(typer.Typer(cls=Studies, callback=no_study, no_args_is_help=True, rich_markup_mode=None), name="study")
@@ -764,7 +771,7 @@ Sizes = Annotated[
 ]
 MOTION = (
     'As "s turn" or "sea 4"; a recording; or a function of your own that is called with the model and returns P0 and '
-    "steps, of a total state x as well."
+    "steps, and x for a total state."
 )
 
 
@@ -786,27 +793,30 @@ def budget(
     set_: Sizes = None,
     believe: Annotated[
         list[str] | None,
-        typer.Option(help="What the filter believes instead, in the same words; or FILE.py:NAME, as of --motion."),
+        typer.Option(help="What the filter assumes instead, in the same words; or FILE.py:NAME, as with --motion."),
     ] = None,
     consider: Annotated[
         list[str] | None, typer.Option(help="States, or a block of them, that no measurement corrects.")
     ] = None,
     estimate: Annotated[
-        bool, typer.Option("--estimate", help="Of a grade: estimate scale factors and axes, which else are considered.")
+        bool,
+        typer.Option(
+            "--estimate", help="With --grade: estimate scale factors and axes, which otherwise are considered."
+        ),
     ] = False,
-    omit: Annotated[list[str] | None, typer.Option(help="States, or a block, that the filter does not carry.")] = None,
+    omit: Annotated[list[str] | None, typer.Option(help="States, or a block, that the filter does not have.")] = None,
     uncertain: Annotated[
         list[str] | None,
         typer.Option(help='One sigma of a constant that is not estimated, as "lever_b 1 cm" or "dcm 0.1 mrad".'),
     ] = None,
     offset: Annotated[
-        list[str] | None, typer.Option(help="The same of a constant whose size is known, and which the filter ignores.")
+        list[str] | None, typer.Option(help="The same for a constant with a known value, which the filter ignores.")
     ] = None,
     need: Annotated[
-        str | None, typer.Option(help='As "heading 0.3 mrad": which source must get better, and how much.')
+        str | None, typer.Option(help='As "heading 0.3 mrad": which source must be smaller, and by which factor.')
     ] = None,
     against: Annotated[
-        Path | None, typer.Option(help="Another design: a file of what --json printed of it.", show_default=False)
+        Path | None, typer.Option(help="Another design: a file with its --json output.", show_default=False)
     ] = None,
     at: Annotated[list[float] | None, typer.Option(help="A time to print, s; the end if none.")] = None,
     state: Annotated[list[str] | None, typer.Option(help="A state to print and to draw; all if none.")] = None,
@@ -817,9 +827,9 @@ def budget(
 ) -> None:
     """Split a filter's error by source, along a nominal motion.
 
-    To first order, without a random number: the true sigma of each state that each noise, each part of the start and
-    each constant makes, beside the sigma that the filter believes.  With -o also budget.csv, budget.json and a figure.
-    Exits 1 where a --need is not met.
+    Prints, to first order and without random numbers, the true sigma of each state by each noise, each part of the
+    start and each constant, and the filter's own sigma.  With -o also writes budget.csv, budget.json and a figure.
+    Exits 1 if a --need is not met.
     """
     from boresight import terminal
     from boresight.analysis import nominal
@@ -835,7 +845,9 @@ def budget(
     } | {"considered": [*(consider or ()), *(nominal.CALIBRATION if grade and not estimate else ())], "omitted": omit}
     own, left = ".py:" in motion, []
     if own and (set_ or grade or any(".py:" not in word for word in believe or ())):
-        raise BoresightError(f"sizes are what {motion} returns; change them there, and let --believe name a function")
+        raise BoresightError(
+            f"{motion} returns the sizes; change them there, and give --believe a function FILE.py:NAME"
+        )
     if own:
         start, steps, how["x"] = own_flight(motion, library)
         if believe:
@@ -914,35 +926,37 @@ def other_design(path: Path) -> Any:
 def many(
     out: Annotated[
         str | None,  # a Path of nothing would be the current folder
-        typer.Option("-o", "--out", metavar="<path>", help="Folder that keeps every run; a second call goes on there."),
+        typer.Option("-o", "--out", metavar="<path>", help="Folder that keeps every run; a second call continues it."),
     ] = None,
-    runs: Annotated[int, typer.Option(help="How many at most.")] = 10_000,
-    seed: Annotated[int, typer.Option(help="Of the random numbers; a run's depend on seed and run alone.")] = 0,
-    motion: Annotated[str, typer.Option(help="wave, slope or sea, as of 'study sea-state'.")] = "sea",
+    runs: Annotated[int, typer.Option(help="Largest number of runs.")] = 10_000,
+    seed: Annotated[
+        int, typer.Option(help="Seed of the random numbers; those of a run depend only on seed and run.")
+    ] = 0,
+    motion: Annotated[str, typer.Option(help="wave, slope or sea, as in 'study sea-state'.")] = "sea",
     grade: Annotated[int, typer.Option(help="Sea state, 1 to 6.")] = 4,
     within: Annotated[
         float | None,
         typer.Option(
-            help="End when 95 % of the heading errors are known to lie below a limit so many mil to either side.",
+            help="End when the 95 % limit of the heading error is known to plus or minus this many mil.",
             show_default=False,
         ),
     ] = None,
     jobs: Annotated[int, typer.Option(help="Processes.")] = 1,
     dask: Annotated[
-        str | None, typer.Option(help="Address of a Dask scheduler, whose workers then fly.", show_default=False)
+        str | None, typer.Option(help="Address of a Dask scheduler, whose workers do the runs.", show_default=False)
     ] = None,
     device: Annotated[
-        str, typer.Option(help="cpu, or gpu: one thread of an NVIDIA GPU for each run, the same SHA-256.")
+        str, typer.Option(help="cpu, or gpu: one thread of an NVIDIA GPU for each run, with the same SHA-256.")
     ] = "cpu",
     chunk: Annotated[
-        int | None, typer.Option(help="Runs of one call, or of one launch of a GPU.", show_default=False)
+        int | None, typer.Option(help="Runs per call, or per launch of a GPU.", show_default=False)
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Fly a transfer alignment at sea as often as asked for.
+    """Fly a transfer alignment at sea in very many runs.
 
-    Prints percentiles of the heading error and whether the filter is consistent.  The result depends on motion, grade
-    and seed alone, whatever flies it, and has a SHA-256.  Ctrl-C loses nothing that is flown, if there is a folder.
+    Prints percentiles of the heading error and whether the filter is consistent.  The result depends only on the number
+    of runs, motion, grade and seed, and its SHA-256 is printed.  With a folder, no finished run is lost by Ctrl-C.
     Exits 1 if --within was not reached.
     """
     from boresight import terminal
@@ -979,7 +993,7 @@ def replay(
         typer.Option("--example", help="Take the recording that comes with Boresight, which is simulated."),
     ] = False,
     template: Annotated[
-        bool, typer.Option("--template", help="Print a description of it, to be filled in, and end.")
+        bool, typer.Option("--template", help="Print a description of the recording, to be filled in, and end.")
     ] = False,
     model: Annotated[
         str | None,
@@ -989,17 +1003,17 @@ def replay(
             autocompletion=completed(lambda: REPLAYED),
         ),
     ] = None,
-    check: Annotated[bool, typer.Option("--check", help="Look at the recording and fly nothing.")] = False,
+    check: Annotated[bool, typer.Option("--check", help="Check the recording, and fly nothing.")] = False,
     begin: Annotated[
         str | None, typer.Option("--from", help='Begin here: "12.5 s" as --check shows it, or a date.')
     ] = None,
     end: Annotated[str | None, typer.Option("--to", help="End here.")] = None,
-    bridge: Annotated[str | None, typer.Option(help='Fill up to so much missing, as "20 ms".')] = None,
+    bridge: Annotated[str | None, typer.Option(help='Fill gaps up to this length, as "20 ms".')] = None,
     regular_clock: Annotated[
         bool, typer.Option("--regular-clock", help="The slave's samples are regular; only their tags scatter.")
     ] = False,
     allow: Annotated[
-        list[str] | None, typer.Option(help="An error of --check that is meant so, by its name; may be repeated.")
+        list[str] | None, typer.Option(help="Allow an error of --check, by its name; may be repeated.")
     ] = None,
     delay_ms: Annotated[
         float, typer.Option(help="How old the master's data is; velocity-attitude begins there and estimates it.")
@@ -1010,8 +1024,8 @@ def replay(
     ] = "euler_exact",
     gyro_noise: Annotated[str | None, typer.Option(help='As "0.15 deg/sqrt(h)".')] = None,
     accel_noise: Annotated[str | None, typer.Option(help='As "150 ug/sqrt(Hz)" or "0.1 m/s/sqrt(h)".')] = None,
-    gyro_bias: Annotated[str | None, typer.Option(help='One sigma before, as "720 deg/h".')] = None,
-    accel_bias: Annotated[str | None, typer.Option(help='One sigma before, as "50 mg".')] = None,
+    gyro_bias: Annotated[str | None, typer.Option(help='Initial sigma, as "720 deg/h".')] = None,
+    accel_bias: Annotated[str | None, typer.Option(help='Initial sigma, as "50 mg".')] = None,
     velocity_noise: Annotated[str | None, typer.Option(help='Master: level and vertical, as "2, 4 mm/s".')] = None,
     attitude_noise: Annotated[str | None, typer.Option(help='Master: level and heading, as "0.1, 0.3 deg".')] = None,
     delay_noise: Annotated[str | None, typer.Option(help='Random walk of the delay, as "0.03 ms/sqrt(s)".')] = None,
@@ -1019,12 +1033,12 @@ def replay(
         list[str] | None,
         typer.Option(
             "--with",
-            help='What the filter carries beside, as "scale 1000 ppm", "axes 1 mrad" or "bending 2 mrad 0.1 Hz".',
+            help='Errors that the filter also models, as "scale 1000 ppm", "axes 1 mrad" or "bending 2 mrad 0.1 Hz".',
         ),
     ] = None,
     grade: Grade = None,
     estimate: Annotated[
-        bool, typer.Option("--estimate", help="Estimate scale factors and axes, which else are considered.")
+        bool, typer.Option("--estimate", help="Estimate scale factors and axes, which otherwise are considered.")
     ] = False,
     gyro_instability: Annotated[
         str | None, typer.Option(help='Of the gyro biases, as "3 deg/h"; if not given, chosen as a random walk.')
@@ -1035,7 +1049,7 @@ def replay(
         str | None, typer.Option(help='From master to slave: front, right, down, as "-8, -2, 12 cm".')
     ] = None,
     smooth: Annotated[
-        bool, typer.Option("--smooth", help="velocity-attitude: estimate each instant from all messages, too.")
+        bool, typer.Option("--smooth", help="velocity-attitude: also estimate each instant from all messages.")
     ] = False,
     out: Out = None,
     svg: Svg = False,
@@ -1061,7 +1075,7 @@ def replay(
 
     if example:
         if recording is not None:
-            raise BoresightError(f"--example is a recording; leave out {recording}, or --example")
+            raise BoresightError(f"--example is a recording already; leave out {recording}, or --example")
         recording = str(EXAMPLE)
     if template:
         sys.stdout.write(description(recording))
@@ -1155,18 +1169,22 @@ def observe(
     grade: Grade = None,
     set_: Sizes = None,
     formulas: Annotated[
-        bool, typer.Option("--formulas", help="Also what straight lines and steady turns never show, by SymPy; slow.")
+        bool,
+        typer.Option(
+            "--formulas",
+            help="Also print what is never observable on straight lines and in steady turns, by SymPy; slow.",
+        ),
     ] = False,
     folder: Generated = None,
     out: Out = None,
     svg: Svg = False,
     as_json: AsJson = False,
 ) -> None:
-    """Show which motion informs which state, and how soon.
+    """Show which motion makes which state observable, and how soon.
 
-    Sigma of each state at the end over sigma at the start, by the covariance along the true motion, motions beside each
-    other (still, straight, steady turn and s turn if none is named); the direction in which most is left, in words.
-    With -o also observe.json and a figure.
+    Prints the sigma of each state at the end divided by that at the start, by the covariance along the true motion,
+    with a column for each motion (still, straight, steady turn and s turn if none is named), and the direction with the
+    largest remaining sigma, in words.  With -o also writes observe.json and a figure.
     """
     from boresight import terminal
     from boresight.analysis import nominal, observability
@@ -1182,7 +1200,7 @@ def observe(
             working(name)
             if ".py:" in name:
                 if set_ or grade:
-                    raise BoresightError(f"sizes are what {name} returns; change them there")
+                    raise BoresightError(f"{name} returns the sizes; change them there")
                 start, steps, x = own_flight(name, library)
             else:
                 along = nominal.named_or_recorded(library, name, seconds, step_hz, update_hz)
@@ -1224,7 +1242,7 @@ def noise(
         str | None,
         typer.Option(
             metavar="MODEL | FILE.py:NAME",
-            help="Whose flight LOG is: the noises that make its innovations most likely.",
+            help="The model of the flight in LOG, whose noises are then found.",
             show_default=False,
             autocompletion=completed(model_names),
         ),
@@ -1235,19 +1253,19 @@ def noise(
         typer.Option(help='In place of a log, a line of a datasheet, as "ARW 0.15 deg/rt-hr".', show_default=False),
     ] = None,
     rate: Annotated[
-        str | None, typer.Option(help='With --datasheet: for sigmas per sample, as "100 Hz".', show_default=False)
+        str | None, typer.Option(help='With --datasheet: rate of a sigma per sample, as "100 Hz".', show_default=False)
     ] = None,
     correlation: Annotated[
-        str | None, typer.Option(help='With --datasheet: of a bias that wanders, as "300 s".', show_default=False)
+        str | None, typer.Option(help='With --datasheet: correlation time of a bias, as "300 s".', show_default=False)
     ] = None,
     begin: Annotated[str | None, typer.Option("--from", help='Begin here, as "60 s", or a date.')] = None,
     end: Annotated[str | None, typer.Option("--to", help="End here.")] = None,
-    bridge: Annotated[str | None, typer.Option(help='Fill up to so much missing, as "20 ms".')] = None,
+    bridge: Annotated[str | None, typer.Option(help='Fill gaps up to this length, as "20 ms".')] = None,
     regular_clock: Annotated[
         bool, typer.Option("--regular-clock", help="The samples are regular; only their tags scatter.")
     ] = False,
     allow: Annotated[
-        list[str] | None, typer.Option(help="An error of the check that is meant so, by its name; may be repeated.")
+        list[str] | None, typer.Option(help="Allow an error of the check, by its name; may be repeated.")
     ] = None,
     out: Out = None,
     svg: Svg = False,
@@ -1255,20 +1273,19 @@ def noise(
 ) -> None:
     """Find a unit's noises from a log at rest, or those of a flight.
 
-    Allan deviation with its intervals; quantisation, random walk, instability, rate random walk and ramp, where each
-    was read, and the lines to paste into a recording's description.  Exits 1 if the log is not static, clipped,
-    quantised, driven by temperature or otherwise no log of noise.  With --datasheet: what a line of a datasheet is to a
-    filter.  With --model: of a flight of any model that `Record` wrote to a folder, by the likelihood of its
-    innovations, each with its interval; -o draws their Allan deviation over the white one that the model predicts.
+    Prints quantisation, random walk, instability, rate random walk and ramp, each with its interval and the averaging
+    time at which it was read, and the lines to paste into a recording's description.  Exits 1 if the log is not static,
+    or is clipped, quantised, driven by temperature or otherwise no log of noise.  With --datasheet: converts a line of
+    a datasheet to what a filter needs.  With --model: finds the noises of a flight that `Record` wrote to a folder, for
+    any model, by the likelihood of its innovations; -o draws the Allan deviation of the innovations, with that of the
+    white noise that the model predicts.
     """
     from boresight.analysis import noise as n
     from boresight.runtime.units import quantity
 
     if model is not None:
         if log is None or datasheet or begin or end or bridge or regular_clock or allow:
-            raise BoresightError(
-                "--model takes the folder of a Record, and of the other options -o, --svg and --json alone"
-            )
+            raise BoresightError("--model needs the folder of a Record, and allows only -o, --svg and --json")
         noise_of_flight(log, model, folder, out, svg, as_json)
         return
     if (log is None) == (datasheet is None):

@@ -70,7 +70,7 @@ class Seeded:
     """What every scenario of random runs has."""
 
     runs: int = option(20, "Monte Carlo runs of each case.")
-    seed: int = option(0, "Of the random numbers; a run's depend on seed and run alone.")
+    seed: int = option(0, "Seed of the random numbers; those of a run depend only on seed and run.")
 
 
 @dataclass(frozen=True)

@@ -346,7 +346,7 @@ def test_what_is_longer_than_the_terminal_is_paged_and_whole_in_a_pipe(run):
         (("show", "song-lee-2001", "29"), "29"),
         (("show", "nothing"), "there are song-lee-2001"),
         (("show", "stationary-detector"), "without a model"),
-        (("show", "examples/pendulum.py:PENDULUM", "3"), "made from no paper's equations"),
+        (("show", "examples/pendulum.py:PENDULUM", "3"), "uses no equation of a paper"),
         (("show", "euler-table"), "velocity-dcm; 'boresight study euler-table' runs the study of that name"),
         (("show", "my-filter"), "velocity-dcm; your own is FILE.py:NAME, or the folder of a paper"),
         (("show", "nothing.py:X"), "nothing.py is not found"),

@@ -54,7 +54,7 @@ def check(recording: Recording) -> list[Finding]:
     if unknown:
         close = did_you_mean(unknown[0], NAMES)
         raise BoresightError(
-            f"{recording.name}: allow: {unknown[0]!r} is no judgement of the check{close}; there are {', '.join(NAMES)}"
+            f"{recording.name}: allow: {unknown[0]!r} is not the name of an error{close}; there are {', '.join(NAMES)}"
         )
     out = [Finding("warning", "recording", line) for line in recording.left_out]
     out += [Finding("note", "recording", note) for note in recording.notes]

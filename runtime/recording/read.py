@@ -504,7 +504,9 @@ def _imu(described: "Description", at: _Source, since: int, notes: list[str], le
     for name, column in (("gyro", part.gyro), ("accel", part.accel)):
         if column.time is not None:
             if part.kind == "increments":
-                raise BoresightError(f"{at.path}: imu.{name}.time: increments cannot be moved to other tags; use rates")
+                raise BoresightError(
+                    f"{at.path}: imu.{name}.time: increments cannot be interpolated to other tags; use rates"
+                )
             own, values[name] = _tagged(at, f"imu.{name}", column, part, since, values[name], slice(None), left_out)
             near = _near(own, time)
             values[name] = np.stack([np.interp(time, own, axis) for axis in values[name].T], axis=-1)
@@ -539,7 +541,7 @@ def _clock(at: _Source, section: str, part: "Timed", count: int, since: int, not
 def _own_intervals(at: _Source, part: Any, time: Array, values: dict[str, Array], notes: list[str]) -> dict[str, Array]:
     """Increments as rates, by what each of them covers."""
     if part.kind != "increments":
-        raise BoresightError(f"{at.path}: imu.interval is of increments, and these are rates; leave it out")
+        raise BoresightError(f"{at.path}: imu.interval applies to increments, and these are rates; leave it out")
     factor = at.factor("imu.interval", part.interval.unit, "time")
     name = part.interval.columns
     own = np.ravel(at.numbers("imu.interval", name if isinstance(name, str) else name[0]).astype(float)) * factor
@@ -836,7 +838,9 @@ def _calibrated(described: "Description", at: _Source, imu: Inertial, notes: lis
                 matrix = value
             elif name == "scale":
                 if (value == -1).any():
-                    raise BoresightError(f"{at.path}: calibration.{sensor}_scale: a factor of -1 takes all away")
+                    raise BoresightError(
+                        f"{at.path}: calibration.{sensor}_scale: a scale factor of -1 would make every sample zero"
+                    )
                 matrix = matrix @ np.diag(1 / (1 + value))
             else:
                 bias = value

@@ -39,7 +39,7 @@ def table(
     if kind not in READERS:
         known = ", ".join(READERS)
         raise BoresightError(
-            f"{path}: a {kind or 'nameless'} file is not read{did_you_mean(kind, READERS)}; use {known}"
+            f"{path}: a {kind or 'nameless'} file cannot be read{did_you_mean(kind, READERS)}; use {known}"
         )
     extra, reader = READERS[kind]
     if extra is not None:
@@ -184,7 +184,7 @@ def _names(path: Path, delimiter: str, lines: int) -> list[str] | None:
     A line of one cell is a title and names nothing.
     """
     if lines < 0:
-        raise BoresightError(f"{path}: header is {lines}; give how many lines it has")
+        raise BoresightError(f"{path}: header is {lines}; give its number of lines")
     rows = [row for row in _cells(path, delimiter)[:lines] if sum(bool(cell) for cell in row) > 1]
     if not rows:
         return None
@@ -200,7 +200,9 @@ def _names(path: Path, delimiter: str, lines: int) -> list[str] | None:
     names = [" ".join(part) or str(column) for column, part in enumerate(parts)]
     twice = [name for name, count in Counter(names).items() if count > 1]
     if twice:
-        raise BoresightError(f"{path}: {len(rows)} lines of header name {twice[0]!r} twice; say how many lines it has")
+        raise BoresightError(
+            f"{path}: {len(rows)} lines of header name {twice[0]!r} twice; give the number of header lines"
+        )
     return names
 
 
@@ -368,7 +370,7 @@ def _dataflash(path: Path) -> Table:
             if all(isinstance(value, int | float) for value in values):
                 out[f"{topic}/{field}"] = np.array(values)
     if not out:
-        raise BoresightError(f"{path}: no messages of ArduPilot are in it")
+        raise BoresightError(f"{path}: it has no ArduPilot messages")
     return out
 
 

@@ -28,7 +28,7 @@ from boresight.studies.study import Seeded, option
 class Scenario(Seeded):
     """Everything that is chosen, for alignment and hold.  All errors are one sigma, drawn for each run."""
 
-    seconds: int = option(3600, "At rest.")
+    seconds: int = option(3600, "Length of the hold at rest.")
     # Table 1 of the paper.
     gyro_bias_deg_h: float = 1.0
     gyro_scale_ppm: float = 150.0

@@ -95,7 +95,7 @@ def alignment_complete(P: Array, nis: Array, rows: Array, criterion: Completion)
 
     nis, rows = np.asarray(nis, float), np.asarray(rows)
     if not (np.isfinite(nis).all() and (nis >= 0).all()):
-        raise BoresightError("alignment_complete: nis must be finite and not negative; give those of updates taken")
+        raise BoresightError("alignment_complete: nis must be finite and not negative; give that of taken updates")
     sigma = np.sqrt(np.einsum("...ii->...i", P)[..., 3:6])
     known = (sigma <= [criterion.level_sigma, criterion.level_sigma, criterion.azimuth_sigma]).all(-1)
     count = rows.sum(axis=0)

@@ -50,7 +50,7 @@ class Scenario(Seeded):
     """The one motion, the one filter and the one criterion of all 147 cells."""
 
     seconds: float = option(120.0, "Length of a run.")
-    switch: tuple[str, ...] = option((), "A departure from the declared scenario; repeat it.")
+    switch: tuple[str, ...] = option((), "A change of the declared scenario; may be repeated.")
     # The paper's: "sinusoidal motion of 2 to 3 degrees", 1 deg/h, 1 arcmin, 3 degrees, 1 s.
     motion_amplitude_deg: tuple[float, float, float] = (2.5, 2.5, 2.5)
     gyro_bias_deg_h: float = 1.0  # constant in a run, N(0, this) on each axis; sets the filter's Q too

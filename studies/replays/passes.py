@@ -198,7 +198,7 @@ class Pass:
         for name in SENSED:
             epoch.strapdown[name] = getattr(self.steps, name)[first:last]
         if epoch():
-            raise BoresightError("the strapdown leaves its range: a rate or the navigation is beyond it")
+            raise BoresightError("the strapdown refused a sample: a rate or the navigation is outside its box")
 
     def take(self, k: int) -> None:
         """A message: attitude first, whose residual depends on x, and that of the velocity does not."""

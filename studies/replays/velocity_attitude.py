@@ -301,7 +301,7 @@ def run(
     whole = track["used"][late].all(-1)
     if whole.sum() < 3:
         reported = ", ".join(f"{name} {count}" for name, count in refused(track["verdict"][late]).items())
-        raise BoresightError(f"{recording.name}: hardly a message of its second half was used; refused: {reported}")
+        raise BoresightError(f"{recording.name}: hardly any message of its second half was used; refused: {reported}")
     scatter = np.std(np.diff(track["nu"][late][whole], axis=0), axis=0) / np.sqrt(2)
     near = np.array([*noises[:2], scatter[:2].max(), scatter[2], scatter[3:5].max(), scatter[5], *noises[6:]])
     noises = np.where(free, np.clip(near, low, high), noises)

@@ -88,7 +88,9 @@ def run(
     first = begin + int(np.argmin(np.append(rest[begin:], False)))
     start = slice(0, first)
     if first * dt < 2.0:
-        raise BoresightError(f"{recording.name}: it must begin with two seconds of rest, to level and to see the bias")
+        raise BoresightError(
+            f"{recording.name}: it must begin with two seconds of rest, for the level and the gyro bias"
+        )
 
     lat = np.radians(latitude_deg)
     place = np.array([0.0, lat, 0.0])

@@ -42,7 +42,7 @@ class Scenario(Seeded):
     """One experiment.  What is random is one sigma, drawn for each run and constant in it."""
 
     seconds: int = option(60, "Length of a run.")
-    bench_runs: int = option(10, "Runs on the bench; 0 leaves it out, and the two ways to handle a delay.")
+    bench_runs: int = option(10, "Runs on the bench; 0 leaves out the bench and the comparison of two compensations.")
     motions: tuple[str, ...] = tuple(MOTIONS)
     # The paper's: Tables 1 and 2, and its text.
     height_m: tuple[float, ...] = HEIGHT_M

@@ -58,8 +58,8 @@ def experiment(sea: Sea) -> Experiment:
     s = at_sea.checked(sea.scenario)
     if s.covariance_hz != s.update_hz or s.seconds <= at_sea.SETTLED_S or s.bending_mrad or s.gyro_misalignment_mrad:
         raise BoresightError(
-            f"many: the covariance goes with the updates, for more than {at_sea.SETTLED_S} s, over a hull that does "
-            "not bend, with gyros at right angles"
+            f"many: covariance_hz must be update_hz, seconds above {at_sea.SETTLED_S}, and bending_mrad and "
+            "gyro_misalignment_mrad zero"
         )
     states = load(MODEL).states
     units = [*["rad"] * 3, *["m/s"] * 3, *["rad/s"] * 3, *["m/s^2"] * 3, *["rad"] * 3, "s"]
@@ -114,9 +114,9 @@ def shared(sea: Sea, seed: int, number: int) -> Shared:
     status = function(*at[:2], ctypes.c_uint64(seed), ctypes.c_uint64(number), at[2])
     if status:
         raise BoresightError(
-            f"many: no increments of sensors make this motion in sea state {sea.grade} ({Status(status).name})"
+            f"many: no sensor increments make this motion in sea state {sea.grade} ({Status(status).name})"
             if status > 0
-            else f"many: no increments of sensors make this motion in sea state {sea.grade}; sample it more often"
+            else f"many: no sensor increments make this motion in sea state {sea.grade}; sample it more often"
         )
     return Shared(out, updates)
 
@@ -220,7 +220,7 @@ def common(sea: Sea) -> Array:
     s, known = sea.scenario, at_sea.constants(sea.scenario)
     lever, dt, span = known["lever_b"], 1 / s.navigation_hz, round(SPAN_S * s.navigation_hz)
     if span > MOST_SPAN:
-        raise BoresightError(f"many: in C a rate is that of {MOST_SPAN} samples at most; here of {span}")
+        raise BoresightError(f"many: a rate of change over {span} samples; the C takes at most {MOST_SPAN}")
     R = at_sea.matching_variances(s)
     swung = swing_variance(known["gyro_noise"][0], span * dt, lever)
     parts = [

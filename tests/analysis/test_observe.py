@@ -158,7 +158,7 @@ def test_what_cannot_be_followed_is_one_line():
     step = {"phi": np.eye(2), "q": np.zeros((2, 2)), "dt": 0.5}
     with pytest.raises(BoresightError, match="observe: there are no steps"):
         observability.observe(Given("a", "b"), np.eye(2), [])
-    with pytest.raises(BoresightError, match="leave out what is added to P on purpose"):
+    with pytest.raises(BoresightError, match="leave out inflate, set_block and enable"):
         observability.observe(Given("a", "b"), np.eye(2), [step, ("inflate", 0, [1.0])])
     with pytest.raises(BoresightError, match="negative"):
         observability.observe(Given("a", "b"), -np.eye(2), [step])

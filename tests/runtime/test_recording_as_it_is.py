@@ -353,7 +353,7 @@ def test_a_bias_that_no_model_takes_says_what_it_is_and_what_to_do(describe):
         ("gyro_bias = { unit = 'deg/s' }", ["calibration.gyro_bias", "columns or values"]),
         ("gyro_scale = { values = [1, 2, 3], unit = 'pmm' }", ["did you mean 'ppm'"]),
         ("gyro_matrix = { values = [[1, 0], [0, 1]], unit = '1' }", ["3 rows of 3 numbers"]),
-        ("gyro_scale = { values = [-1, 0, 0], unit = '1' }", ["calibration.gyro_scale", "-1", "takes all away"]),
+        ("gyro_scale = { values = [-1, 0, 0], unit = '1' }", ["calibration.gyro_scale", "-1", "every sample zero"]),
         ("gyro_bias = { values = [nan, 0, 0], unit = 'deg/s' }", ["calibration.gyro_bias", "not finite"]),
     ],
 )
@@ -546,7 +546,7 @@ def test_each_judgement_is_overruled_by_its_name(describe):
                       read(describe((TOP, f'{TOP}\nallow = ["turns"]'), imu=turned, ins=ins))):  # fmt: skip
         assert any("(allowed: turns)" in line for line in found(recording, "warning"))
         assert found(recording, "error") == []
-    refused(describe(), "allow: 'turn' is no judgement", "did you mean 'turns'", allow=["turn"])
+    refused(describe(), "allow: 'turn' is not the name of an error", "did you mean 'turns'", allow=["turn"])
     # nothing can be computed with these, whatever one allows
     backwards = {**IMU, "t": IMU["t"][::-1]}
     with pytest.raises(BoresightError, match="go backwards") as error:

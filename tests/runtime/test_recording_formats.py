@@ -365,7 +365,7 @@ def test_a_file_that_is_none_of_its_kind_is_one_line(tmp_path, ending):
 
 def test_an_ending_that_is_not_known_names_the_ones_that_are(tmp_path):
     (tmp_path / "a.ulog").write_bytes(b"")
-    with pytest.raises(BoresightError, match=r"a \.ulog file is not read.*did you mean '\.ulg'.*\.bag"):
+    with pytest.raises(BoresightError, match=r"a \.ulog file cannot be read.*did you mean '\.ulg'.*\.bag"):
         table(tmp_path / "a.ulog")
 
 
