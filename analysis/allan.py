@@ -203,7 +203,7 @@ def fitted(rates: Array, dt: float) -> Fit:
     samples, lengths = len(rates), averages(len(rates))
     if len(lengths) < LEAST:
         raise BoresightError(
-            f"{samples} samples are too few for an Allan deviation; it needs {FEWEST * 2 ** (LEAST - 1)}"
+            f"{samples} samples are too few for an Allan deviation; {FEWEST * 2 ** (LEAST - 1)} are not"
         )
     if not np.ptp(rates) > 0:
         raise BoresightError("all samples are the same number: its steps are too coarse, or nothing is measured")

@@ -111,8 +111,8 @@ class Record:
     def __init__(self, loop: Filter, path: str | Path | None = None):
         if not isinstance(loop, Filter):
             raise BoresightError(
-                f"a {type(loop).__name__} cannot be recorded: it gives P, but neither transition matrices nor "
-                "corrections; fly the same messages by Filter, CompiledFilter or Epoch, or boresight replay"
+                f"a {type(loop).__name__} cannot be recorded: it gives P, but neither its transitions nor what each "
+                "correction took out; fly the same messages by Filter, CompiledFilter or Epoch, or boresight replay"
             )
         if loop.recorder is not None:
             raise BoresightError("this filter is recorded already; end that record by stop()")
@@ -327,9 +327,7 @@ class Record:
         loop = self.loop
         assert loop is not None
         if len(loop.nav) != len(self._layout[1]):
-            raise BoresightError(
-                "nav has other fields than at the start of its record; set all fields before, or call stop()"
-            )
+            raise BoresightError("nav has other fields than when its record began; give them all before, or stop()")
         if isinstance(loop, CompiledFilter):
             if loop.memory.lent.isdisjoint(("x", "P")):
                 return

@@ -114,7 +114,7 @@ def test_every_block_of_the_page_runs(page, tmp_path, monkeypatch):
     text = page.read_text()
     if page.stem == "fly-many-runs":
         monkeypatch.setattr("boresight.runtime.runs.BLOCK", 64)
-        assert f"This is asked after {BLOCK} runs" in text
+        assert f"This is tested after {BLOCK} runs" in text
         for shown, flown in FEWER.items():
             assert text.count(shown) == 1, shown
             text = text.replace(shown, flown)

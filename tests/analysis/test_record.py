@@ -217,7 +217,7 @@ def test_a_recorded_filter_is_refused_twice_and_goes_on_when_it_is_stopped(radar
     assert record.names.tolist() == ["begin"] and loop.recorder is None and "predict" not in vars(loop)
     with pytest.raises(BoresightError, match="no measurement 'radar' was recorded"):
         record.innovation("radar")
-    with pytest.raises(BoresightError, match="a Live cannot be recorded: it gives P, but neither transition matrices"):
+    with pytest.raises(BoresightError, match="a Live cannot be recorded: it gives P, but neither its transitions"):
         Record(Live("velocity-attitude"))
 
 
