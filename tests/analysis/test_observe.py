@@ -148,7 +148,7 @@ def test_a_total_state_goes_on_by_its_own_equation(folder_of):
             loop.predict(**step)
         loop.update("encoder", 4e-4, z=loop.x[:1])  # as expected: the estimate stays on the nominal motion
     assert np.allclose(found.P, loop.P, rtol=1e-9, atol=1e-15) and found.times[-1] == pytest.approx(2.0)
-    with pytest.raises(BoresightError, match="pendulum: no state has a sigma at the start; .* --set 'angle 1 rad'"):
+    with pytest.raises(BoresightError, match=r"pendulum: no state has a sigma at the start; .* --set 'angle 1 rad'"):
         nominal.flight(model, SimpleNamespace(inputs={}), nominal.settings(model))
     with pytest.raises(BoresightError, match="observe: pendulum has a total state"):
         observability.observe(model, np.eye(2), [step, seen])
