@@ -139,12 +139,16 @@ def sizes(words: Sequence[str], model: Any) -> dict[str, Array]:
     counts = {name: field["size"] for name, field in model.field.items()}
     counts |= {name: len(described["rows"]) for name, described in model.measurements.items()}
     counts |= {name: len(places) for name, places in parts.items()}
+    letters = {block["components"][0]: block["name"] for block in model.manifest["blocks"] if block["size"] == 1}
+    inputs = ", ".join(name for name in model.field if name not in ("x", "dt"))
     out = {}
     for text in words:
         name, _, rest = text.strip().partition(" ")
+        name = name if name in units else letters.get(name, name)
         if name not in units:
-            raise BoresightError(f"{model.name} has no quantity {name!r}{did_you_mean(name, units)}; name a "
-                                 "noise or another input, a measurement or a block of states")  # fmt: skip
+            listed = f"states {', '.join(parts)}; measurements {', '.join(model.measurements)}; inputs {inputs}"
+            raise BoresightError(f"{model.name} has nothing of the name {name!r}{did_you_mean(name, units)}; it has "
+                                 f"{listed}")  # fmt: skip
         value = amount(rest, units[name], text)
         if len(value) not in (1, counts[name]):
             raise BoresightError(f"{text!r}: give one number or {counts[name]}")

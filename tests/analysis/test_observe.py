@@ -148,6 +148,12 @@ def test_a_total_state_goes_on_by_its_own_equation(folder_of):
             loop.predict(**step)
         loop.update("encoder", 4e-4, z=loop.x[:1])  # as expected: the estimate stays on the nominal motion
     assert np.allclose(found.P, loop.P, rtol=1e-9, atol=1e-15) and found.times[-1] == pytest.approx(2.0)
+    assert nominal.sizes(["theta 0.1", "rate 2 rad/s"], model) == {
+        "angle": 0.1,
+        "rate": 2.0,
+    }  # by its letter, by its name
+    with pytest.raises(BoresightError, match="it has states angle, rate; measurements encoder; inputs rod, torque"):
+        nominal.sizes(["phi 1"], model)
     with pytest.raises(BoresightError, match=r"pendulum: no state has a sigma at the start; .* --set 'angle 1 rad'"):
         nominal.flight(model, SimpleNamespace(inputs={}), nominal.settings(model))
     with pytest.raises(BoresightError, match="observe: pendulum has a total state"):
