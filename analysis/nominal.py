@@ -147,7 +147,7 @@ def sizes(words: Sequence[str], model: Any) -> dict[str, Array]:
         name = name if name in units else letters.get(name, name)
         if name not in units:
             listed = f"states {', '.join(parts)}; measurements {', '.join(model.measurements)}; inputs {inputs}"
-            raise BoresightError(f"{model.name} has nothing of the name {name!r}{did_you_mean(name, units)}; it has "
+            raise BoresightError(f"{model.name} has no input or other name {name!r}{did_you_mean(name, units)}; it has "
                                  f"{listed}")  # fmt: skip
         value = amount(rest, units[name], text)
         if len(value) not in (1, counts[name]):

@@ -473,10 +473,10 @@ def watch(
         ),
     ],
 ) -> None:
-    """Check a model after each save.
+    """Check a model, or a paper of your own, after each save.
 
-    Prints what differs from the last correct state and whether exact mechanics agrees, then generates.  An error in the
-    file is reported in one line.  Ctrl-C ends it.
+    Prints what differs from the last correct state and whether exact mechanics agrees, then generates; of a paper,
+    which statuses have changed.  An error in the file is reported in one line.  Ctrl-C ends it.
     """
     from boresight import terminal
     from boresight.codegen.watch import watch as look
@@ -558,7 +558,7 @@ def export(
     form: Annotated[
         str,
         typer.Option(
-            help="Form of the covariance: joseph or ud; by default joseph in double, ud in float.",
+            help="joseph or ud: only this form of the covariance; by default both, double flies joseph, float ud.",
             autocompletion=completed(lambda: ["joseph", "ud"]),
         ),
     ] = "",

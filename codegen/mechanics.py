@@ -637,7 +637,7 @@ class Seen:
             self.left = lambda here, x: z(here)[0] - z(corrected(here, x))[0]
             still = [v.name for v in corrected.still if symbols_in(m.z) & set(v.symbols)]
             if still:
-                self.hint = f"; {', '.join(still)} stood still, as a measured value does: else state h and FirstOrder()"
+                self.hint = f"; {', '.join(still)} kept constant, as a measured value is; if it is none, give h and FirstOrder()"
         self.tied = [(inputs[name], compiled(sp.Matrix(e))) for name, e in self.law.tied] if self.law else []
         small = inputs[self.law.small] if self.law and self.law.small else None
         if small and any(zero != 0 for zero in nearest_zero(small)):
@@ -746,7 +746,7 @@ def check_residual(model: Model, m: Measurement) -> MechanicsCheck | None:
     if verdict.entry:
         still = [v.name for v in corrected.still if symbols_in(m.z) & set(v.symbols)]
         verdict.entry = f"z before and after feedback: {verdict.entry}" + (
-            f"; {', '.join(still)} stood still, unless Mechanics.step states how it follows" if still else ""
+            f"; {', '.join(still)} kept constant; Mechanics.step can state how it changes" if still else ""
         )
     return verdict.check(model, f"{m.name}_z", "h and feedback")
 

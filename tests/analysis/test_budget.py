@@ -658,10 +658,11 @@ def test_a_flight_of_ones_own_is_a_function(run, tmp_path):
     ("words", "line"),
     [
         (("--motion", "s-trun"), "no motion 's-trun'"),
-        (("--set", "gyro_nose 1"), "no quantity 'gyro_nose' (did you mean 'gyro_noise'?)"),
+        (("--set", "gyro_nose 1"), "has no input or other name 'gyro_nose' (did you mean 'gyro_noise'?)"),
         (("--set", "gyro_noise 1 m"), "give numbers and one of the units rad/sqrt(s), deg/sqrt(h)"),
         (("--set", "dmu 1, 2 deg"), "give one number or 3"),
-        (("--need", "headng 1 mrad"), "has no state 'headng'"),
+        (("--need", "headng 1 mrad"), "has no state 'headng' (did you mean 'heading'?); it has phi_n, phi_e"),
+        (("--need", "dmu 1 mrad"), "dmu is 3 states: name one of dmu_x, dmu_y, dmu_z"),
         (("--need", "heading 0 mrad"), "is not possible; give a size above zero"),
         (("--at", "70"), "there is no time 70 s"),
         (("--grade", "tactcal"), "no grade 'tactcal'"),
