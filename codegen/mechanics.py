@@ -637,7 +637,8 @@ class Seen:
             self.left = lambda here, x: z(here)[0] - z(corrected(here, x))[0]
             still = [v.name for v in corrected.still if symbols_in(m.z) & set(v.symbols)]
             if still:
-                self.hint = f"; {', '.join(still)} kept constant, as a measured value is; if it is none, give h and FirstOrder()"
+                names = ", ".join(still)
+                self.hint = f"; {names} kept constant, as a measured value is; if it is none, give h and FirstOrder()"
         self.tied = [(inputs[name], compiled(sp.Matrix(e))) for name, e in self.law.tied] if self.law else []
         small = inputs[self.law.small] if self.law and self.law.small else None
         if small and any(zero != 0 for zero in nearest_zero(small)):
