@@ -151,9 +151,26 @@ def described_type(hint: Any) -> str:
 
 
 def check_variable(item: "Variable") -> None:
-    """Raise BoresightError unless it has a box for each symbol, and a norm that a point of the box can have."""
+    """Raise BoresightError unless it has a box for each symbol, a norm that a point of the box can have, and the frame
+    of its name."""
     check_box(item)
     check_norm(item)
+    check_frame(item)
+
+
+# The end of a name that says a frame, and what the frame of the other kind is called.  `_e` may be an axis, east.
+ENDS = {"_n": ("the navigation frame", ("body",)), "_b": ("the body", ("NED", "ENU"))}
+
+
+def check_frame(item: "Variable") -> None:
+    for end, (words, others) in ENDS.items():
+        if item.name.endswith(end) and any(item.frame.endswith(other) for other in others):
+            fail(item, f"its name ends in {end}, of {words}, but frame is {item.frame!r}; change one of them")
+    turn = re.match(r"[Cq]_([nb])2([nb])(?:_|$)", item.name)
+    if turn and " to " in item.frame:
+        sides = ("b" if "body" in side else "n" for side in item.frame.split(" to "))
+        if tuple(sides) != turn.groups():
+            fail(item, f"its name takes {turn[1]} to {turn[2]}, but frame is {item.frame!r}; change one of them")
 
 
 def check_box(item: "Variable") -> None:

@@ -57,6 +57,7 @@ class Mistake:
     target: str = ":MODEL"
 
 
+WHOLE = 'variable("rod", "length damping", "m, 1/s", "length and damping of the pendulum", (0.1, 0.0), (10.0, 1.0)'
 F_LINE = "f=Matrix([omega, -g / length * sin(theta) - damping * omega])"
 MODEL = "MODEL = Model("
 ENCODER = "measurements=(Measurement("
@@ -94,6 +95,22 @@ MISTAKES = [
     mistake("f of 3", F_LINE, "f=Matrix([omega, 1, 2])", MODEL, "f has shape (3, 1), not (2, 1)", "theta, omega"),
     mistake(
         "no noise of effect", "G=Matrix([0, 1])", "G=Matrix([0, 0])", MODEL, "noise jitter has no effect", "column 0"
+    ),
+    mistake(
+        "frame that the name denies",
+        WHOLE,
+        WHOLE.replace('"rod"', '"rod_b"') + ', frame="NED"',
+        "rod =",
+        "its name ends in _b",
+        "frame is 'NED'",
+    ),
+    mistake(
+        "turn the other way",
+        WHOLE,
+        WHOLE.replace('"rod"', '"q_b2n"') + ', frame="NED to body"',
+        "rod =",
+        "its name takes b to n",
+        "change one of them",
     ),
     Mistake(
         "no noise at all",
