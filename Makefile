@@ -59,6 +59,7 @@ bench: $(BENCH)/.installed
 	$(BENCH)/bin/python -m benchmarks.growth
 	-$(BENCH)/bin/python -m benchmarks.instructions
 	-$(BENCH)/bin/python -m benchmarks.gpu
+	$(BENCH)/bin/python -m benchmarks.runs --page docs/how-to/fly-many-runs.md
 
 # The same numbers by Boresight, by peers and in 50 digits; results and docs/cross-checks.md.  Never in CI.
 cross-checks: $(BENCH)/.installed

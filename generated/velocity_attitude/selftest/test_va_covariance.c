@@ -279,6 +279,42 @@ static int compare_x(const char *what,
     return failures;
 }
 
+
+static double phi(int i, int j)
+{
+    return (i < MOVING) ? (double)Phi[(i * VA_ROW) + j] : ((i == j) ? 1.0 : 0.0);
+}
+
+/* What was predicted with a Q that couples all states, which noise of the filter's own never does;
+ * by sums of products. */
+/* [VA-C-030] */
+static int coupled(const char *what, int k, int roundings)
+{
+    int failures = 0;
+    for (int i = 0; i < N; ++i) {
+        double row[N];
+        for (int j = 0; j < N; ++j) {
+            row[j] = 0.0;
+            for (int l = 0; l < N; ++l) {
+                row[j] += phi(i, l) * (double)given.P[(l * N) + j];
+            }
+        }
+        for (int j = 0; j <= i; ++j) {
+            const double of_i = (double)predicted_size[k][i] +
+                (double)BS_SQRT(given.P[i * (N + 1)]);
+            const double of_j = (double)predicted_size[k][j] +
+                (double)BS_SQRT(given.P[j * (N + 1)]);
+            double sum = (double)given.P[(i * N) + j];
+            for (int l = 0; l < N; ++l) {
+                sum += row[l] * phi(j, l);
+            }
+            failures += near(what, k, (double)dense[(i * N) + j], sum,
+                             (ROUNDOFF * (double)roundings) * of_i * of_j);
+        }
+    }
+    return failures;
+}
+
 /* [VA-C-030] */
 static int predict(int k)
 {
@@ -288,6 +324,11 @@ static int predict(int k)
     va_predict_state(Phi, x);
     /* [VA-C-010] [VA-C-012] */
     failures = compare_x("x predicted", k, predicted_x[k], predicted_size_x[k], OF_STATE);
+    for (int j = 0; j < N; ++j) {
+        for (int i = 0; i <= j; ++i) {
+            before[((j * (j + 1)) / 2) + i] = given.P[(i * N) + j];
+        }
+    }
     /* [VA-C-020] */
     failures += expect("joseph refuses a covariance", k,
                        va_joseph_init(given.P, packed, work) == BS_OK);
@@ -295,6 +336,10 @@ static int predict(int k)
     va_joseph_dense(after, dense);
     /* [VA-C-030] [VA-C-010] [VA-C-011] [VA-C-060] */
     failures += compare_P("joseph predicted", k, predicted_P[k], predicted_size[k], OF_JOSEPH);
+    va_joseph_predict(packed, Phi, before, after, work);
+    va_joseph_dense(after, dense);
+    /* [VA-C-030] */
+    failures += coupled("joseph predicted with another Q", k, OF_JOSEPH);
     /* [VA-C-020] */
     failures += expect("ud refuses a covariance", k, va_ud_init(given.P, packed, work) == BS_OK);
     va_ud_predict(packed, Phi, Q, after, work);
@@ -306,6 +351,13 @@ static int predict(int k)
         failures += expect("negative variance predicted", k,
                            after[(j * (j + 3)) / 2] >= BS_REAL(0.0));
     }
+    va_ud_predict(packed, Phi, Q, Q, work);
+    /* [VA-C-030] */
+    failures += expect("ud predicted in the place of Q", k, memcmp(Q, after, sizeof(Q)) == 0);
+    va_ud_predict(packed, Phi, before, after, work);
+    va_ud_dense(after, dense);
+    /* [VA-C-030] */
+    failures += coupled("ud predicted with another Q", k, OF_UD);
     return failures;
 }
 
@@ -601,6 +653,12 @@ static int limits(void)
         row.used = 1;
         /* [BS-G-002] */
         failures += expect("at the gate", 0, (take(packed, x, &row) == BS_OK) && (row.used == 1));
+        /* an R that is raised beyond all numbers */
+        row.z = (bs_real)((sizeof(bs_real) == sizeof(float)) ? 1e25 : 1e200);
+        row.gate = BS_REAL(-1.0);
+        /* [VA-C-041] [BS-G-007] */
+        failures += expect("an R beyond all numbers", 0, take(packed, x, &row) == BS_NOT_POSITIVE);
+        row.z = BS_REAL(2.0);
     }
     return failures;
 }

@@ -314,6 +314,9 @@ static int predict(int k)
         failures += expect("negative variance predicted", k,
                            after[(j * (j + 3)) / 2] >= BS_REAL(0.0));
     }
+    vas_ud_predict(packed, Phi, Q, Q, work);
+    /* [VAS-C-030] */
+    failures += expect("ud predicted in the place of Q", k, memcmp(Q, after, sizeof(Q)) == 0);
     return failures;
 }
 
@@ -610,6 +613,12 @@ static int limits(void)
         row.used = 1;
         /* [BS-G-002] */
         failures += expect("at the gate", 0, (take(packed, x, &row) == BS_OK) && (row.used == 1));
+        /* an R that is raised beyond all numbers */
+        row.z = (bs_real)((sizeof(bs_real) == sizeof(float)) ? 1e25 : 1e200);
+        row.gate = BS_REAL(-1.0);
+        /* [VAS-C-041] [BS-G-007] */
+        failures += expect("an R beyond all numbers", 0, take(packed, x, &row) == BS_NOT_POSITIVE);
+        row.z = BS_REAL(2.0);
     }
     return failures;
 }

@@ -1849,6 +1849,16 @@ static int kept(void)
         given_nav = good;
     }
     {
+        vd_nav good = given_nav;
+        for (int i = 0; i < 4; ++i) {
+            given_nav.q_b2n_wxyz[i] = BS_REAL(0.0);
+        }
+        policy = BS_CLAMP;
+        /* [VD-F-052] */
+        failures += refuses("set_nav: a vector without length", set_nav, BS_OUT_OF_RANGE);
+        given_nav = good;
+    }
+    {
         static const bs_real low[3] = { BS_REAL(-0.5), BS_REAL(-0.5), BS_REAL(-0.5) };
         static const bs_real high[3] = { BS_REAL(0.5), BS_REAL(0.5), BS_REAL(0.5) };
         for (int i = 0; i < 3; ++i) {
@@ -2089,6 +2099,17 @@ static int blocks_of_P(void)
         flown = before;
     }
     block[0] = BS_REAL(0.0);
+    for (int i = 0; i < N; ++i) { /* an x that is beyond its ceiling, and finite */
+        first_state = i;
+        flown.x[i] = BS_REAL(2.0) * BS_SQRT(ceiling[i]);
+        /* [VD-F-028] [VD-F-021] */
+        failures += refuses("inflate: x", inflate, BS_OUT_OF_RANGE) +
+            refuses("disable: x", disable, BS_OUT_OF_RANGE);
+        /* [VD-F-028] [VD-F-021] */
+        failures += refuses("set_block: x", set_block, BS_OUT_OF_RANGE) +
+            refuses("enable: x", enable, BS_OUT_OF_RANGE);
+        flown.x[i] = BS_REAL(0.0);
+    }
     for (int k = 0; k < 5; ++k) {
         static const int most = 2147483647;
         first_state = (k == 0) ? -1 : (k == 1) ? N : (k == 2) ? most : 0;
