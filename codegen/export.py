@@ -66,6 +66,11 @@ MAKE_PART = (
     "FILE.py:NAME' makes the rest of a model of your own that has these measurements alone, in some 15 minutes, with "
     "--quick in 3."
 )
+MAKE_FORM = (
+    "This text has one form of the covariance: its self-test passed on the machine that wrote it, and what is kept is "
+    "of text that is the same. No command makes the rest of one form alone; without --form both are exported, with all "
+    "that is kept of them."
+)
 MADE_HERE = "'python -m boresight.evidence {}' makes it, in a checkout of Boresight."
 SECONDS = 60  # of the example
 OFF = 0.25
@@ -216,7 +221,8 @@ def exported(
     assert form or digest == manifest["hash"]  # whatever the precision
     manifest |= {"hash": digest}
     files = files | ({path: chosen(text, form == "ud") for path, text in identity.items()} if form else identity)
-    make = MAKE_PART if form or results else MAKE.format(target) if ":" in target else MADE_HERE.format(folder.name)
+    make = MAKE_PART if results else MAKE.format(target) if ":" in target else MADE_HERE.format(folder.name)
+    make = MAKE_FORM if form else make
     with tempfile.TemporaryDirectory() as aside:
         of = written_aside(either, manifest, Path(aside) / folder.name) if form else Folder(folder)
         results = results or proof.place(Folder(folder))
