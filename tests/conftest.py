@@ -1,6 +1,7 @@
 """What several tests need: folders of their own to generate and compile in, and the model's functions."""
 
 import functools
+import gc
 import hashlib
 import os
 import re
@@ -18,6 +19,7 @@ import numpy as np
 import pytest
 from xdist.scheduler import LoadFileScheduling
 
+gc.set_threshold(50_000, 20, 100)  # expressions live as long as a file of tests: to look through them costs a twelfth
 pytest_plugins = ("tools",)
 ROOT = Path(__file__).parent.parent
 LEDGERS = ("tests/test_cli.py", "tests/test_kept_ledger.py", "tests/test_notebook.py")  # beside tests/derive
