@@ -108,6 +108,7 @@ def _evaluate(expression, point: Point) -> Value:
         return power(arguments[0], expression.exp)
     if isinstance(expression, StrictLessThan):
         return _bounded(*arguments)
+    arguments = [_scalar(argument) for argument in arguments]
     if any(isinstance(argument, Matrix) for argument in arguments):
         raise ValueError(f"{expression.func.__name__} of shape {_shape(arguments[0])}")
     return _ELEMENTARY[expression.func](*arguments)
@@ -214,12 +215,17 @@ def multiplied(a, b):
     if _shape(a) == _shape(b) == (4, 1):
         return hamilton(a, b)
     if isinstance(a, Matrix) and isinstance(b, Matrix) and a.cols != b.rows:
-        raise ValueError(f"a product of shapes {_shape(a)} and {_shape(b)}")
+        a, b = _scalar(a), _scalar(b)  # (x^T y) z
+        if isinstance(a, Matrix) and isinstance(b, Matrix):
+            raise ValueError(f"a product of shapes {_shape(a)} and {_shape(b)}")
     return a * b
 
 
 def power(base, exponent):
     if not exponent.is_Integer:
+        base = _scalar(base)
+        if isinstance(base, Matrix):
+            raise ValueError(f"a root of shape {_shape(base)}")
         return arb(base) ** arb(fmpq(int(exponent.p), int(exponent.q)))
     # Multiplied out: FLINT's own power of a ball at zero knows nothing.
     result = reduce(multiplied, [base] * abs(int(exponent)))

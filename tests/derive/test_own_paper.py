@@ -394,6 +394,16 @@ def test_the_reference_of_the_witnesses_is_made_of_the_scenarios_here():
     assert path.read_text() == witnesses.page(), f"run python -m boresight.derive.pages.witnesses > {path}"
 
 
+def test_a_product_that_is_a_number_is_one_in_a_root_and_before_a_vector(folder):
+    toml, printed = folder / "paper.toml", folder / "printed.tex"
+    toml.write_text(toml.read_text().replace("[letters]", """[letters]\n"v" = { latex = 'v', value = "v_n" }"""))
+    lines = (r"\sqrt{v^T v} v = \|v\| v \tag{5}", r"(v^T v) v = v v^T v \tag{6}")
+    with printed.open("a") as file:
+        file.writelines(rf"\begin{{equation}} {line} \end{{equation}}" + "\n" for line in lines)
+    found = {entry.number: entry.status for entry in ledger(own(Path("mine")))}
+    assert found["5"] == found["6"] == "exact"
+
+
 # ---- What is wrong in a file -----------------------------------------------------------------------------------------
 
 VALUE = '"theta_local"'
@@ -426,6 +436,12 @@ WRONG = [  # file, what stands there, what is written in its place, line and col
     ("paper.toml", 'value = "omega_hat"', "shape = 3", "16:1", "ω of (2) has no value: write value"),
     ("paper.toml", r"latex = '\omega'", r"latex = '\delta\theta'", "16:1", "θ and ω are both written"),
     ("paper.toml", 'frame = "b"', 'farme = "b"', "15:56", "no key 'farme' here (did you mean 'frame'?)"),
+    (
+        "paper.toml",
+        "[letters]",
+        '[computed]\nc = "c"\n[letters]',
+        "15:1",
+    ),
     ("paper.toml", '[equations."2"]', '[equations."3"]', "21:1", "printed.tex has no equation '3'; it has 1, 2"),
     ("paper.toml", "planted =", 'small = ["step2"]\nplanted =', "22:1", "motion has no error 'step2' (did you mean"),
     ("paper.toml", "[letters]", "[sizes]\nattitude = -1\n[letters]", "15:1", "attitude must be a size"),
