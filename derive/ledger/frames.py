@@ -1,9 +1,9 @@
 """Whether the terms of a paper's equations stand in frames that fit.
 
-A letter's frames are those of its name: C_b^n takes b to n, f^b stands in b, omega_{ie}^n is the rate of e against i in
-n.  A letter without any, as phi, has those that the paper's lines give it; one that gets two is named.  A sum wants
-one frame, a product the frame at its left that its right factor has, and rates of one sum must meet: i to e and e to n
-is i to n.
+A letter's frames are those that `Paper.frames` gives it, by a declaration or by its value, or those of its name: C_b^n
+takes b to n, f^b stands in b, omega_{ie}^n is the rate of e against i in n.  A letter without any, as phi, has those
+that the paper's lines give it; one that gets two is named.  A sum wants one frame, a product the frame at its left
+that its right factor has, and rates of one sum must meet: i to e and e to n is i to n.
 
 A computed frame, as c or n', differs by an error from the one that it stands for (`Paper.computed`).  A term may be in
 either if what that changes is of higher order than the line's claim, or nothing at the witness.  Beside the turn from
@@ -40,6 +40,12 @@ DERIVATIVE = re.compile(r"\\d?dot|dt\}")
 LEADS = re.compile(rf"\b(?:from|of) ({FRAME}) to ({FRAME}),")
 CROSSED = re.compile(r"\[(\S+) x\]")
 MEANT = re.compile(rf", in ({FRAME})(?:,|$| axes)")
+COMPUTED = re.compile(r"\\(?:hat|tilde|bar|check|overline)\b")
+ACCENTED = re.compile(rf"{COMPUTED.pattern}|{DERIVATIVE.pattern}")
+ACCENTS = re.compile(r"\\(?:hat|dot|ddot|bar|overline|check|tilde|mathbf|boldsymbol|bm|mathrm|mathsf|mathit|vec)"
+                     r"\{((?:[^{}]|\{[^{}]*\})*)\}")  # fmt: skip
+RAISED_FIRST = re.compile(r"(\^(?:\{[^{}]*\}|\w))(_(?:\{[^{}]*\}|\w))")
+NONE, SAME = "none", "same"  # of what is in no frame, as Euler angles; of an identity
 
 
 @dataclass(frozen=True)
@@ -105,11 +111,12 @@ class Frames:
         found = (TURN.search(plain(letter.latex)) for letter in letters)
         names = {name for match in found if match for name in match.groups()[:2]}
         of_letters = {text for name, text in self.paper.frames.items() if " for " not in text}
-        declared = {part for text in of_letters for part in re.split(r"^(?:from|is) | to ", text) if part}
-        return names | declared
+        declared = {part for text in of_letters for part in re.split(r"^from | to ", text) if part}
+        return names | declared - {NONE, SAME}
 
     def alias(self, name: str) -> str:
-        return self.paper.frames.get(name, name).removeprefix("is ")
+        """A frame that is called by two letters has a row `frame l` of what it is."""
+        return self.paper.frames.get(f"frame {name}", name)
 
     def axis(self, name: str, letter: Quantity | None = None) -> Axis:
         """letter: whose axis it is."""
@@ -125,8 +132,8 @@ class Frames:
         """(from, to) -> the letter of the true turn; from a frame to itself none."""
         found = dict.fromkeys(((name, name) for name in self.names), "")
         for letter in (letter for one in self.paper.equations for letter in one.alphabet):
-            match = TURN.fullmatch(letter.latex)
-            if match and letter.shape == (3, 3) and not match[3]:
+            match = TURN.fullmatch(plain(letter.latex))
+            if match and not ACCENTED.search(letter.latex) and letter.shape == (3, 3) and not match[3]:
                 found[match[1], match[2]] = letter.symbol.name
         return found
 
@@ -172,16 +179,20 @@ class Frames:
             return self.turn(letter, *turn.groups())
         return ANY if letter.shape == (4,) else self.matrix(letter)
 
-    def declared(self, letter: Quantity, given: str) -> Framed:
-        """`n` of a vector, `b to n` of a turn, `from n to c` of a small one."""
+    def declared(self, letter: Quantity, given: str) -> Framed | None:
+        """`n` of a vector, `b to n` of a turn, `from n to c` of a small one; NONE and SAME."""
+        if given in (NONE, SAME):
+            return ANY if given == NONE else IDENTITY
         start, _, end = given.removeprefix("from ").partition(" to ")
         rows = self.axis(start, letter)
         if given.startswith("from "):
             small = Axis(rows.of)
             return Framed(small, small if len(letter.shape) == 2 else ONE, leads=(rows, self.axis(end)))
         if end:
-            return Framed(self.axis(end, letter), rows, turn=r"\dot" not in letter.latex)
-        return Framed(rows, rows if letter.shape == (3, 3) else ONE)
+            return self.turn(letter, start, end, "")
+        shown = self.vector(letter) if letter.shape in ((3,), (3, 3)) else None
+        rate = shown.rate if shown and shown.rows == rows else None
+        return Framed(rows, ONE if letter.shape == (3,) else rows, rate)
 
     def turn(self, letter: Quantity, start: str, end: str, transposed: str) -> Framed:
         rows, columns = self.axis(end, letter), self.axis(start, letter)
@@ -222,7 +233,7 @@ class Frames:
         if (rate := RATE.search(latex)) and rate[3] in self.names:
             parts = [(str(self.axis(rate[2]).of), 1), (str(self.axis(rate[1]).of), -1)]
             errors = [(f"δ{frame}", times) for frame, times in parts]
-            whole = errors if r"\delta" in latex else parts + errors * (r"\hat" in letter.latex)
+            whole = errors if r"\delta" in latex else parts + errors * bool(COMPUTED.search(letter.latex))
             return Framed(self.axis(rate[3], letter), rate=None if moves else combined(whole))
         leads = None
         if (turn := LEADS.search(f"{letter.meaning},")) and not moves and {*turn.groups()} <= self.names:
@@ -270,11 +281,11 @@ class Frames:
 
 
 def plain(latex: str) -> str:
-    """Without accents, so that the letter stands beside its indices."""
+    """Without accents and fonts, so that the letter stands beside its indices; C^n_b as C_b^n."""
     text = latex
-    for _ in range(3):
-        text = re.sub(r"\\(?:hat|dot|ddot|bar|overline|check|tilde)\{((?:[^{}]|\{[^{}]*\})*)\}", r"\1", text)
-    return text
+    for _ in range(4):
+        text = ACCENTS.sub(r"\1", text)
+    return RAISED_FIRST.sub(r"\2\1", text)
 
 
 UNKNOWN = "?"  # beside a rate: an error of it that no name shows
@@ -302,6 +313,8 @@ class Line:
     order: float
     points: Any  # of the witness at two scales, made when asked for
     lenient: tuple[frozenset[str], ...] = ()  # frames of which one is taken for the other all the same
+    printed: bool = False  # without a claim; true in numbers, it may subtract components in n from those in n'
+    of: tuple[Any, ...] = ()  # the sides that are judged
     mixed: bool = False  # a rate and what shows none stand in one sum that turns
     held: int = 0  # sums and products that were compared
 
@@ -329,22 +342,24 @@ class Line:
         if {a.exact, b.exact} in self.lenient:
             return True
         apart = self.apart(a.exact, b.exact)
-        return apart == inf or bool(apart and orders() + apart > self.order)
+        return apart == inf or bool(apart and (orders() + apart > self.order or (self.printed and self.equal())))
 
     def apart(self, one: str, other: str) -> float:
         """By how the turn from one frame to another falls with the errors that the line takes for small."""
         turns = self.frames.turns
-        pairs = [
-            (turns[one, z], turns[other, z]) for z in self.frames.names if (one, z) in turns and (other, z) in turns
-        ]
+        pairs: list[tuple[str, str, bool]] = []
+        for z in sorted(self.frames.names):
+            for (x, y), backward in ((((one, z), (other, z)), False), (((z, one), (z, other)), True)):
+                if x in turns and y in turns:
+                    pairs.append((turns[x], turns[y], backward))
         sizes = []
         for point in self.points():
-            for pair in pairs:
+            for *pair, backward in pairs:
                 try:
                     A, B = (point.values[name] if name else eye(3) for name in pair)
                 except KeyError:
                     continue
-                sizes.append(size(A.T * B - eye(3)))
+                sizes.append(size((A * B.T if backward else A.T * B) - eye(3)))
                 break
         if len(sizes) < 2:
             return 0
@@ -356,9 +371,14 @@ class Line:
             sizes = [size(evaluate(e, point)) for point in self.points()]
         except (KeyError, ValueError, ZeroDivisionError, TypeError, BoresightError):
             return 0
-        if not sizes[0]:
+        if sizes[0] < EXACT:
             return inf
         return float(mp.nint(mp.log(sizes[0] / sizes[1], 2))) if sizes[1] else inf
+
+    def equal(self) -> bool:
+        """Whether the sides are one, to the order that is claimed: as rates of two frames that are fixed together."""
+        offs = (Add(a, Mul(-1, b, evaluate=False), evaluate=False) for a, b in pairwise(self.of))
+        return all(off == inf or off > self.order for off in map(self.order_of, offs))
 
     def __call__(self, e: Any) -> Framed | None:
         if isinstance(e, Symbol):
@@ -419,6 +439,8 @@ class Line:
         for (one, a), (other, b) in ((there[0], later) for later in there[1:]):
             for x, y in ((a.rows, b.rows), (a.columns, b.columns)):
                 self.one(x, y, lambda one=one, other=other: max(self.order_of(one), self.order_of(other)))
+        if identity and any(part is ANY for _, part in parts):
+            return ANY
         if not there:
             return IDENTITY if identity else ANY
         rows, columns = (self.of_sum([getattr(part, at) for _, part in there]) for at in ("rows", "columns"))
@@ -504,6 +526,7 @@ class Line:
     def relation(self, relation: Relation) -> None:
         """Each side against the one before.  What is equal to the order of a claim is judged in numbers: here, whether
         its frames may be one.  Raises Mismatch."""
+        self.of = tuple(relation.sides)
         for left, right in pairwise(relation.sides):
             self.sides(left, right)
         self.act(*relation.sides[:2])
@@ -533,7 +556,7 @@ class Line:
                 continue
             rate = true(rate) or rate
             before = self.frames.acts.setdefault((subject, x), rate)
-            if before != rate:
+            if before != rate and not self.equal():
                 raise Mismatch(f"{x or 'it'} turns by {words(rate)}, elsewhere by {words(before)}")
 
     def terms(self, e: Any, times: int) -> Iterator[tuple[int, Any]]:
@@ -607,7 +630,7 @@ class Line:
             self.one(x, y, lambda: max(self.order_of(left), self.order_of(right)))
         if a.rate is not None and b.rate is not None:
             of = true if self.lenient or self.order < 1 or UNKNOWN in dict((*a.rate, *b.rate)) else tuple
-            if of(a.rate) != of(b.rate):
+            if of(a.rate) != of(b.rate) and not self.equal():
                 raise Mismatch(f"the rates {words(of(a.rate))} and {words(of(b.rate))}")
 
     def either(self, a: Framed, b: Framed) -> bool:
@@ -657,7 +680,8 @@ def line(frames: Frames, equation: Equation, at: str, claim: Claim | None) -> Li
 
     given = frames.paper.frames.get(f"({equation.number}).{at}", "").partition(":")[0]
     lenient = tuple(frozenset(pair.split(" for ")) for pair in given.split(", ") if pair)
-    return Line(frames, equation.number, {q.symbol.name: q for q in equation.alphabet}, claimed(claim), points, lenient)
+    letters = {q.symbol.name: q for q in equation.alphabet}
+    return Line(frames, equation.number, letters, claimed(claim), points, lenient, claim is None)
 
 
 @dataclass(frozen=True)

@@ -16,6 +16,8 @@ from boresight import BoresightError
 from boresight.derive.ledger.dimensions import Grid, misfits, of_letter
 from boresight.derive.ledger.equation import Derivation, Equation, Quantity, Relation, letter
 from boresight.derive.ledger.evaluate import DIGITS, Point, evaluate
+from boresight.derive.ledger.frames import NONE, SAME, TURN, UPPER
+from boresight.derive.ledger.frames import plain as plain_frames
 from boresight.derive.ledger.judge import differs, names
 from boresight.derive.ledger.numbers import Matrix, digits
 from boresight.derive.ledger.paper import Paper, Stated, Witness
@@ -23,6 +25,7 @@ from boresight.derive.ledger.reader import UnreadError, plain, read
 from boresight.derive.ledger.witness import draw, scaled
 from boresight.derive.papers.files import FILES
 from boresight.derive.papers.scenarios import Scenario, scenario
+from boresight.derive.papers.value_frames import frame_of_value
 from boresight.derive.papers.values import TIMES, ValueOfLetterError, Values, check, parsed
 from boresight.derive.units import unit as unit_of
 from boresight.errors import did_you_mean
@@ -33,6 +36,7 @@ KEYS = {
     "letters": {"latex", "value", "meaning", "unit", "frame", "shape"},
     "equations": {"note", "small", "planted"},
 }
+NAME = r"[A-Za-z]\w*'?"  # of a frame
 POINTS = 4  # of the stated sizes, from which a remainder's size is taken
 
 
@@ -148,6 +152,7 @@ class Folder:
             raise BoresightError(f"{self.toml}{where}: {str(error).partition(' (at ')[0]}") from None
         self.units: dict[str, str] = {}  # by letter
         self.frames: dict[str, str] = {}
+        self.shown: dict[str, set[str]] = {}  # frames as the paper writes them -> those of the values
         self.check_keys()
 
     def refuse(self, what: str, *keys: str, column: int | None = None) -> NoReturn:
@@ -181,8 +186,12 @@ class Folder:
             self.typed(sentence, str, "a list of sentences", "conventions")
         self.typed(self.data.get("sizes", {}), dict, "a table", "sizes")
         self.typed(self.data.get("computed", {}), dict, "a table", "computed")
-        for name, frame in self.data.get("computed", {}).items():
+        computed = self.data.get("computed", {})
+        for name, frame in computed.items():
             self.typed(frame, str, "the frame that it stands for", "computed", name)
+            if not re.fullmatch(NAME, frame) or frame in computed:
+                self.refuse(f"{name} stands for {frame!r}, which is no frame" + " of its own" * (frame in computed),
+                            "computed", name)  # fmt: skip
         for name, entry in self.data.get("letters", {}).items():
             if not name.strip():
                 self.refuse("a letter has no name", "letters")
@@ -269,7 +278,7 @@ class Folder:
                         f"{self.scenario.name}, or shape = 3 of what an equation defines", "letters", name)  # fmt: skip
         meaning = words + f", in {entry.get('frame')}" * ("frame" in entry)
         self.units[symbol] = unit
-        if frame := frame_of(entry, shape):
+        if frame := self.frame_of(symbol, name, entry, shape, at):
             self.frames[symbol] = frame
         made = letter(name, entry["latex"], f"{unit} {shape}", meaning + f", {unit}" * (not several(unit)), shape)
         try:
@@ -280,6 +289,36 @@ class Folder:
             sizes = " x ".join(map(str, units.shape))
             self.refuse(f"{name} has {sizes} units for the shape {list(shape)}", "letters", name, "unit")
         return made
+
+    def frame_of(self, symbol: str, name: str, entry: Mapping[str, Any], shape: tuple[int, ...], at: Values) -> str:
+        """As Paper.frames has it: as it is declared, or as the value shows it.  Raises BoresightError."""
+        if "frame" in entry:
+            frame = str(entry["frame"])
+            if not shape:
+                self.refuse(f"{name} is a number, which stands in no frame", "letters", name, "frame")
+            wanted = rf"{NAME}( to {NAME})?" if shape in ((3, 3), (4,)) else NAME
+            if not re.fullmatch(wanted, frame):
+                self.refuse(f"{frame!r} is no frame of a {'turn' if len(wanted) > 20 else 'vector'}",
+                            "letters", name, "frame")  # fmt: skip
+            return frame
+        if shape not in ((3,), (3, 3), (4,)) or "value" not in entry:
+            return ""
+        frame = frame_of_value(symbol, at, self.scenario, shape)
+        latex = plain_frames(entry["latex"])
+        shown = turn.groups()[:2] if (turn := TURN.search(latex)) else (up[1],) if (up := UPPER.search(latex)) else ()
+        if frame == NONE and shown:  # a turn of numbers, as C_s^b
+            return ""
+        of = frame.split(" to ")
+        of *= 2 if len(of) < len(shown) else 1  # of a turn from n to n' the value shows n
+        if not frame or frame == SAME or len(shown) != len(of):
+            return frame
+        pairs = [*zip(shown, of, strict=True)]
+        for one, other in pairs:
+            self.shown.setdefault(one, set()).add(other)
+        return " to ".join(one if self.stands_for(one) == other else other for one, other in pairs)
+
+    def stands_for(self, name: str) -> str:
+        return str(self.data.get("computed", {}).get(name, name.rstrip("'")))
 
     def shape_of(self, symbol: str, name: str, at: Values) -> tuple[int, ...]:
         try:
@@ -298,6 +337,13 @@ class Folder:
         with digits(DIGITS):
             at = Values(lambda t: self.scenario.values(draw(self.scenario.base, 1, self.scenario.sizes), t), self.bound)
             declared = [self.quantity(name, entry, at) for name, entry in self.data["letters"].items()]
+        frames = {frame for text in self.frames.values() for frame in text.split(" to ")}
+        for name, frame in self.data.get("computed", {}).items():
+            if frame not in frames | self.shown.keys():
+                self.refuse(f"{name} stands for {frame}, in which no letter is", "computed", name)
+        for name, of in self.shown.items():
+            if len(of) == 1 and name not in frames and self.stands_for(name) == name:
+                self.frames[f"frame {name}"] = min(of)
         alike: dict[str, str] = {}
         for quantity in declared:
             other = alike.setdefault(plain(quantity.latex), quantity.symbol.name)
@@ -472,17 +518,6 @@ class Folder:
             folder=str(self.folder),
         )
         return made
-
-
-def frame_of(entry: Mapping[str, Any], shape: tuple[int, ...]) -> str:
-    """As Paper.frames has it: as it is declared, or as the name of the value shows it, C_b2n or f_b."""
-    if "frame" in entry or shape not in ((3,), (3, 3), (4,)):
-        return str(entry.get("frame", ""))
-    value = str(entry.get("value", "")).removesuffix("_hat")
-    if turn := re.fullmatch(r"[Cq]_(\w)2(\w)", value):
-        return f"{turn[1]} to {turn[2]}"
-    one = re.fullmatch(r"\w+_([ben])", value)
-    return one[1] if one else ""
 
 
 BLOCK = re.compile(r"(?P<what>[0I])_(?P<rows>\d+)x(?P<columns>\d+)")

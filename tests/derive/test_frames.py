@@ -13,6 +13,7 @@ from boresight.derive.dimensions import Mismatch
 from boresight.derive.ledger import dimensions, frames
 from boresight.derive.ledger.entries import findings, unheld
 from boresight.derive.ledger.equation import Relation, as_written
+from boresight.derive.ledger.judge import judge
 from boresight.derive.ledger.lines import judge_line
 from boresight.derive.ledger.reader import read
 from boresight.derive.papers import DERIVATIONS, PAPERS, paper
@@ -160,3 +161,73 @@ def test_a_paper_of_ones_own_is_told_of_its_frames(tmp_path):
     (finding,) = (text for text in findings(own(folder)) if "frames" in text)
     assert re.fullmatch(r"The frames of \(2\.\d+\) do not fit: [be] and [be]\.", finding)
     assert not any("frames of" in text for text in unheld(own(folder)))
+
+
+# ---- papers of one's own: a letter's frame by its value, in every type
+
+MOTION = {  # LaTeX: value
+    r"\mathbf{C}_b^n": "C_b2n", "C^b_n": "T(C_b2n)", "C_n^{n'}": "C_hat*T(C_b2n)", "C_b^{n'}": "C_hat",
+    "R_b^l": "C_b2n", "R_s^b": "rotation(stack(0.3, 0.2, -0.1))", "R_s^n": "C_b2n*rotation(stack(0.3, 0.2, -0.1))",
+    r"\omega_{nb}^b": "omega_b", r"\omega_{ns}^s": "T(rotation(stack(0.3, 0.2, -0.1)))*omega_b",
+    r"\Omega": "skew(omega_b)", r"\mathbf{f}": "f_b", "f_z": "f_b[2]", "v_z": "v_n[2]", "e_3": "stack(0, 0, 1)",
+    r"\mathbf{v}": "v_n", "v^l": "v_n", r"\mathbf{1}": "eye(3)", r"\rho": "rotation_vector(C_b2n)",
+    r"\vec{q}": "q_b2n[1:4]", "q_0": "q_b2n[0]", "g^l": "gravity_n", "q": "q_b2n", r"\bar{m}": "stack(0, field_n)",
+    r"\bar{y}": "stack(0, field_b)", "m": "field_n", "y": "field_b", "a": "a_n", r"\tilde{\mathbf{f}}": "accel",
+    "n": "accel_noise", "b": "accel_bias", r"\theta": "theta_local", r"\delta f^n": "C_hat*f_b - C_b2n*f_b",
+    "f^{n'}": "C_hat*f_b", "f^n": "C_b2n*f_b", r"\hat{y}": "T(C_hat)*field_n", "z": "field_b - T(C_hat)*field_n",
+}  # fmt: skip
+TRUE = [
+    r"\dot{\mathbf{C}}_b^n = \mathbf{C}_b^n \Omega",
+    r"C^b_n \mathbf{C}_b^n = \mathbf{1}",
+    r"C_b^{n'} = C_n^{n'} \mathbf{C}_b^n",
+    r"\delta f^n = f^{n'} - f^n",  # components in n' less those in n: that is the error of the components
+    r"\omega_{nb}^b = R_s^b \omega_{ns}^s",  # s is fixed in b
+    r"R_s^n = \mathbf{C}_b^n R_s^b",
+    r"f_z = e_3^T \mathbf{f}",
+    r"v_z = e_3^T \mathbf{v}",  # an axis is three numbers, in any frame
+    r"a = \mathbf{C}_b^n \mathbf{1} \mathbf{f} + \mathbf{1} g^l",
+    r"\mathbf{C}_b^n \rho = \rho",  # the axis of a turn is one in both frames
+    r"\mathbf{C}_b^n = (q_0^2 - \vec{q}^T \vec{q}) \mathbf{1} + 2 \vec{q} \vec{q}^T + 2 q_0 [\vec{q} \times]",
+    r"\dot{v}^l = R_b^l \mathbf{f} + g^l",
+    r"\bar{y} = q^* \otimes \bar{m} \otimes q",
+    r"\tilde{\mathbf{f}} = \mathbf{f} + b + n",  # the letters are called b and n
+    r"z = [\hat{y} \times] \theta",
+]
+WRONG = [
+    r"\dot{\mathbf{C}}_b^n = \Omega \mathbf{C}_b^n",
+    r"C^b_n \mathbf{f} = \mathbf{v}",
+    r"C_b^{n'} = \mathbf{C}_b^n C_n^{n'}",
+    r"R_s^n = R_s^b \mathbf{C}_b^n",
+    r"f_z = \mathbf{v}^T \mathbf{f}",
+    r"a = \mathbf{1} \mathbf{f} + g^l",
+    r"\dot{v}^l = \mathbf{f} + g^l",
+    r"\bar{y} = q \otimes \bar{m} \otimes q^*",
+    r"a = \mathbf{C}_b^n (\tilde{\mathbf{f}} - b) - n + g^l",
+    r"z = [m \times] \theta",
+]
+
+
+def of_ones_own(folder, lines):
+    """A paper of these lines and of the letters of MOTION; two are called n and b, as frames are."""
+    names = (latex if latex in "nb" else f"letter {i}" for i, latex in enumerate(MOTION))
+    rows = (
+        f"\"{name}\" = {{ latex = '''{latex}''', value = \"{value}\" }}"
+        for name, (latex, value) in zip(names, MOTION.items(), strict=True)
+    )
+    text = "\n".join(('title = "-"', 'witness = "motion"', "[letters]", *rows))
+    (folder / "paper.toml").write_text(text, encoding="utf-8")
+    shown = (rf"\begin{{equation}} {line} \tag{{{i}}} \end{{equation}}" for i, line in enumerate(lines))
+    (folder / "printed.tex").write_text("\n".join(shown), encoding="utf-8")
+    return own(folder)
+
+
+def test_what_is_true_fits_in_every_type_and_convention(tmp_path):
+    one = of_ones_own(tmp_path, TRUE)
+    statuses = {judge(one, equation, equation.printed).status for equation in one.equations}
+    assert statuses == {"exact", "first-order"} and not frames.found(one).misfits
+
+
+def test_of_slips_each_is_named_and_no_line_beside_it(tmp_path):
+    one = of_ones_own(tmp_path, [*TRUE, *WRONG])
+    found = [number for number, _, _ in frames.found(one).misfits]
+    assert found == [str(len(TRUE) + i) for i in range(len(WRONG))]

@@ -37,7 +37,7 @@ PAPER = Paper(
     ),
     letters=letters,
     structure=STRUCTURE,
-    frames={"S": "is b"},
+    frames={"frame S": "b"},
     maps=MAPS,
     unflown=UNFLOWN,
 )
