@@ -44,6 +44,7 @@ COMPUTED = re.compile(r"\\(?:hat|tilde|bar|check|overline)\b")
 ACCENTED = re.compile(rf"{COMPUTED.pattern}|{DERIVATIVE.pattern}")
 ACCENTS = re.compile(r"\\(?:hat|dot|ddot|bar|overline|check|tilde|mathbf|boldsymbol|bm|mathrm|mathsf|mathit|vec)"
                      r"\{((?:[^{}]|\{[^{}]*\})*)\}")  # fmt: skip
+BEFORE = re.compile(r"\{\}(?:\^(\{\w+\}|\w))?(?:_(\{\w+\}|\w))?(\\?[^_^]+(?:_(?:\{[^{}]*\}|\w))?)")
 RAISED_FIRST = re.compile(r"(\^(?:\{[^{}]*\}|\w))(_(?:\{[^{}]*\}|\w))")
 NONE, SAME = "none", "same"  # of what is in no frame, as Euler angles; of an identity
 
@@ -281,10 +282,13 @@ class Frames:
 
 
 def plain(latex: str) -> str:
-    """Without accents and fonts, so that the letter stands beside its indices; C^n_b as C_b^n."""
+    """Without accents and fonts, so that the letter stands beside its indices; C^n_b and {}_b^n C as C_b^n."""
     text = latex
     for _ in range(4):
         text = ACCENTS.sub(r"\1", text)
+    if before := BEFORE.fullmatch(text):
+        upper, lower, stem = before.groups()
+        text = f"{stem}_{lower}^{upper}" if upper and lower else f"{stem}^{upper or lower}"
     return RAISED_FIRST.sub(r"\2\1", text)
 
 

@@ -11,6 +11,7 @@ from typing import Any, NoReturn
 from unicodedata import normalize
 
 from flint import arb
+from sympy import Symbol
 
 from boresight import BoresightError
 from boresight.derive.ledger.dimensions import Grid, misfits, of_letter
@@ -407,7 +408,7 @@ class Folder:
         found: dict[str, str] = {}
         for number, (_, relations) in self.prints.items():
             for relation in relations:
-                name = getattr(relation.sides[0], "name", "")
+                name = letter_of(relation.sides[0])
                 if name and name not in self.bound:
                     found.setdefault(name, number)
         for number, (_, relations) in self.prints.items():
@@ -440,7 +441,7 @@ class Folder:
                     defines=tuple(
                         symbol
                         for relation in relations
-                        if self.defined.get(getattr(symbol := relation.sides[0], "name", "")) == number
+                        if self.defined.get(letter_of(symbol := relation.sides[0])) == number
                     ),
                     small=tuple(more.get("small", ())),
                     note=" ".join(filter(None, (planted, more.get("note", "")))),
@@ -491,7 +492,7 @@ class Folder:
                 relation.sides[0].name: relation.sides[1]
                 for relations in definitions.values()
                 for relation in relations
-                if getattr(relation.sides[0], "name", "") in self.defined
+                if letter_of(relation.sides[0]) in self.defined
             }
             return Bound(Values(lambda t: owned.values(base, t), self.bound), sides)
 
@@ -528,6 +529,11 @@ def block_letter(what: str, rows: str, columns: str) -> Quantity:
     meaning = "zeros" if what == "0" else "identity"
     latex = rf"{what}_{{{rows} \times {columns}}}"
     return letter(f"{what}_{rows}x{columns}", latex, "block", meaning, (int(rows), int(columns)))
+
+
+def letter_of(side: Any) -> str:
+    """The letter that stands alone on a side; a × b has a name too, which is that of the product."""
+    return str(side.name) if isinstance(side, Symbol) else ""
 
 
 def shaped(shape: Any) -> tuple[int, ...]:
