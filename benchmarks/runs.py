@@ -65,7 +65,7 @@ def figure(path: Path, text: str) -> None:
 
     cells = report.read_back(text)[TITLE]
     sheets = Sheets(path.parent, "python -m benchmarks.runs", svg=True)
-    with sheets(path.stem, 5.5, 3.2) as (_, axis):
+    with sheets("many", 5.5, 3.2) as (_, axis):
         for name, colour in zip(dict.fromkeys(name for name, _ in cells), (GREY, BLUE, GREEN, ORANGE), strict=False):
             points = [(int(column.split()[0]), ms / 1e3) for (row, column), ms in cells.items() if row == name]
             axis.loglog(*zip(*points, strict=True), marker="o", ms=4, color=colour, label=name)

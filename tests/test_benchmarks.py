@@ -6,6 +6,7 @@ import pytest
 from conftest import ROOT
 from tools import needs
 
+from benchmarks import runs
 from benchmarks.growth import grown
 from benchmarks.peers import __main__ as bench
 from benchmarks.peers import batch, compiled, formulas, report
@@ -206,6 +207,16 @@ def test_the_committed_figure_is_that_of_the_tables_of_its_page_and_a_tool_has_o
     tools = {tool for cells in tables.values() for tool, _ in cells if not tool.startswith("Boresight")}
     assert {tool.partition(", plain form")[0] for tool in tools} <= figures.TOOLS.keys()
     assert all(colour in made for tool, colour in figures.TOOLS.items() if f">{tool}<" in made and colour[0] == "#")
+
+
+def test_the_figure_of_many_runs_is_that_of_its_table(tmp_path):
+    text = (ROOT / "docs" / "how-to" / "fly-many-runs.md").read_text()
+    runs.figure(tmp_path / "many.svg", text)
+    made = (tmp_path / "many.svg").read_text()
+    if f"matplotlib=={matplotlib.__version__}\n" in (ROOT / "benchmarks" / "constraints.txt").read_text():
+        kept = (ROOT / "docs" / "figures" / "many.svg").read_text()
+        assert made == kept, "run 'python -m benchmarks.runs --page docs/how-to/fly-many-runs.md --draw'"
+    assert all(f">{name}<" in made for name, _ in report.read_back(text)[runs.TITLE])
 
 
 def test_a_long_line_is_a_picture_in_svg_and_the_file_is_the_same_twice(tmp_path):
