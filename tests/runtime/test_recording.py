@@ -320,7 +320,7 @@ def refused(path, *words):
         (("[imu]", "[imu"), ["drive.toml", "not TOML"]),
         (('file = "slave.csv"\n', ""), ["drive.toml", "no data file"]),
         (("slave.csv", "other.csv"), ["other.csv", "no such file"]),
-        (("slave.csv", "drive.toml"), ["drive.toml", "is not read"]),
+        (("slave.csv", "drive.toml"), ["drive.toml", "cannot be read; use"]),
         (('unit = "deg" }\nvelocity', 'unit = "deg", order = "yaw pitch" }\nvelocity'), ["master.attitude", "order"]),
         (('"roll", "pitch", "heading"', '"roll", "roll", "heading"'), ["master.attitude", "'roll'", "twice"]),
         (('["fx", "fy", "fz"]', '["wx", "fy", "fz"]'), ["imu.gyro and imu.accel", "'wx'"]),
