@@ -141,10 +141,10 @@ def test_the_command_finds_the_noises_of_a_flight_in_a_folder(tmp_path, monkeypa
     walk, sigma = flights.MATCHING.values()
     for one, truth, factor in zip(document["noises"], (walk, sigma), (1.5, 0.7), strict=True):
         assert one["low"] < truth < one["high"] and one["given"] == pytest.approx(truth * factor)
-    for words, line in ((["--datasheet", "0.1 deg/sqrt(h)"], "--model needs the folder of a Record"), (["--to", "3 s"], "--model takes")):
+    for words in (["--datasheet", "0.1 deg/sqrt(h)"], ["--to", "3 s"]):
         with pytest.raises(SystemExit) as ended:
             main([*command, *words])
-        assert ended.value.code and line in capsys.readouterr().err
+        assert ended.value.code and "--model needs the folder of a Record" in capsys.readouterr().err
     with pytest.raises(SystemExit):
         main(["noise", str(tmp_path), "--model", "euler-matching"])
     assert "holds no record" in capsys.readouterr().err
