@@ -261,9 +261,7 @@ def misfits(paper: Paper) -> tuple[int, list[tuple[str, str, str]]]:
     count, found = 0, []
     for one in paper.equations:
         terms = Terms({q.symbol.name: of_letter(paper.units, q) for q in one.alphabet})
-        lines = [("0", relation) for relation in one.derived]
-        lines += [(str(i), r) for i, line in enumerate(one.derivation.steps, 1) for r in line.formulas]
-        for at, relation in lines:
+        for at, _, relation in one.stated:
             count += 1
             try:
                 for left, right in pairwise(relation.sides):

@@ -217,6 +217,13 @@ class Equation:
         return (*self.step_letters, *self.quantities)
 
     @property
+    def stated(self) -> Iterator[tuple[str, Claim | None, Relation]]:
+        """The derived form, as "0" and of no claim, and each line by its number, with its claim."""
+        yield from (("0", None, relation) for relation in self.derived)
+        for number, step in enumerate(self.derivation.steps, 1):
+            yield from ((str(number), step.claim, relation) for relation in step.formulas)
+
+    @property
     def numbered(self) -> bool:
         return is_number(self.number)
 

@@ -29,7 +29,7 @@ from boresight.derive.dimensions import Mismatch
 from boresight.derive.ledger.equation import Claim, Equation, Quantity, Relation
 from boresight.derive.ledger.evaluate import DIGITS, Point, evaluate
 from boresight.derive.ledger.judge import EXACT, FULL, SCALES, SEEDS, witness_point
-from boresight.derive.ledger.numbers import Matrix, digits, eye, middle
+from boresight.derive.ledger.numbers import Matrix, digits, eye, largest
 from boresight.derive.ledger.paper import Paper
 
 FRAME = r"[A-Za-z]'?|ENU|NED"
@@ -106,10 +106,14 @@ class Frames:
     # ---- names
 
     @cached_property
+    def alphabet(self) -> tuple[Quantity, ...]:
+        """The letters of all equations; what several have stands there as often."""
+        return tuple(letter for one in self.paper.equations for letter in one.alphabet)
+
+    @cached_property
     def names(self) -> set[str]:
         """Frames that a turn of the paper leads to or from, and those that it declares."""
-        letters = [letter for one in self.paper.equations for letter in one.alphabet]
-        found = (TURN.search(plain(letter.latex)) for letter in letters)
+        found = (TURN.search(plain(letter.latex)) for letter in self.alphabet)
         names = {name for match in found if match for name in match.groups()[:2]}
         of_letters = {text for name, text in self.paper.frames.items() if " for " not in text}
         declared = {part for text in of_letters for part in re.split(r"^from | to ", text) if part}
@@ -132,7 +136,7 @@ class Frames:
     def turns(self) -> dict[tuple[str, str], str]:
         """(from, to) -> the letter of the true turn; from a frame to itself none."""
         found = dict.fromkeys(((name, name) for name in self.names), "")
-        for letter in (letter for one in self.paper.equations for letter in one.alphabet):
+        for letter in self.alphabet:
             match = TURN.fullmatch(plain(letter.latex))
             if match and not ACCENTED.search(letter.latex) and letter.shape == (3, 3) and not match[3]:
                 found[match[1], match[2]] = letter.symbol.name
@@ -142,7 +146,7 @@ class Frames:
     def held_apart(self) -> set[str]:
         """Letters that are printed in a computed frame too, so that of these two each is in the frame that it names."""
         found = set()
-        for letter in (letter for one in self.paper.equations for letter in one.alphabet):
+        for letter in self.alphabet:
             for name, of in self.paper.computed.items():
                 if letter.latex.endswith(f"^{name}"):
                     found |= {letter.latex, f"{letter.latex.removesuffix(name)}{of}"}
@@ -208,7 +212,7 @@ class Frames:
     def matrix(self, letter: Quantity) -> Framed:
         """3x3: the skew matrix of a vector, by its meaning or as it is written, or one of any two frames."""
         if of := CROSSED.match(letter.meaning):
-            found = (q for one in self.paper.equations for q in one.alphabet if q.symbol.name == of[1])
+            found = (letter for letter in self.alphabet if letter.symbol.name == of[1])
             one = next((self.of_letter(vector) for vector in found), None)
         else:
             one = self.vector(letter)
@@ -246,8 +250,7 @@ class Frames:
 
     def unknown(self) -> tuple[str, ...]:
         """The vectors and matrices of three components that got no frame, in the order of the paper."""
-        letters = (letter for one in self.paper.equations for letter in one.alphabet)
-        names = dict.fromkeys(letter.symbol.name for letter in letters if letter.shape in ((3,), (3, 3)))
+        names = dict.fromkeys(letter.symbol.name for letter in self.alphabet if letter.shape in ((3,), (3, 3)))
         found = ((name, self.letters.get(name)) for name in names)
         return tuple(name for name, framed in found if framed and isinstance(self.root(framed.rows), int))
 
@@ -628,7 +631,7 @@ class Line:
             if one is not IDENTITY:
                 self.one(one.rows, one.columns, lambda: inf)
             return
-        if (a.rows.exact, b.rows.exact) != (b.rows.exact, a.rows.exact) and self.either(a, b):
+        if self.either(a, b):
             return
         for x, y in ((a.rows, b.rows), (a.columns, b.columns)):
             self.one(x, y, lambda: max(self.order_of(left), self.order_of(right)))
@@ -665,7 +668,7 @@ def words(rate: Iterable[tuple[str, int]]) -> str:
 
 
 def size(value: Any) -> Any:
-    return max((abs(middle(entry)) for entry in value), default=0) if isinstance(value, Matrix) else abs(middle(value))
+    return largest(value if isinstance(value, Matrix) else [value])
 
 
 def claimed(claim: Claim | None) -> float:
@@ -703,9 +706,7 @@ def found(paper: Paper) -> Found:
     """What the frames of all equations and lines are, against one another."""
     frames, held, misfits = Frames(paper), 0, []
     for one in paper.equations:
-        lines: list[tuple[str, Claim | None, Relation]] = [("0", None, relation) for relation in one.derived]
-        lines += [(str(i), s.claim, r) for i, s in enumerate(one.derivation.steps, 1) for r in s.formulas]
-        for at, claim, relation in lines:
+        for at, claim, relation in one.stated:
             judge = line(frames, one, at, claim)
             try:
                 with digits(DIGITS):

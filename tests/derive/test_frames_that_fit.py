@@ -46,11 +46,8 @@ def known(one):
     """The frames of a paper's letters, from all its lines."""
     found = frames.Frames(one)
     for equation in one.equations:
-        steps = [("0", None, equation.derived)]
-        steps += [(str(i), s.claim, s.formulas) for i, s in enumerate(equation.derivation.steps, 1)]
-        for at, claim, relations in steps:
-            for relation in relations:
-                named(found, equation, at, claim, relation)
+        for at, claim, relation in equation.stated:
+            named(found, equation, at, claim, relation)
     return found
 
 
