@@ -187,7 +187,7 @@ def equations(
 ) -> None:
     """The computed status of each printed equation, with evidence."""
     from boresight import report, terminal
-    from boresight.kept_ledger import ledger
+    from boresight.kept_ledger import functions, ledger
 
     papers = [paper_of(paper)] if paper else paper_names()
     with terminal.progress() as progress:
@@ -204,15 +204,9 @@ def equations(
     elif number is None:
         terminal.page(*report.paper(paper, rows[paper], ledgers[paper]))
     else:
-        terminal.page(*report.equation(rows[paper][0], ledgers[paper]["conditions"], made_of(f"{paper} ({number})")))
-
-
-def made_of(equation: str) -> list[str]:
-    """The functions in C of the built-in models that name this equation."""
-    from boresight.runtime.manifest import folder_of, read_manifest
-
-    units = (unit for name in model_names() for unit in read_manifest(folder_of(name))["units"].values())
-    return [unit["c_name"] for unit in units if equation in unit["equations"]]
+        of = functions().get(f"{paper} ({number})", {})
+        units = [name for names in of.values() for name in names]
+        terminal.page(*report.equation(rows[paper][0], ledgers[paper]["conditions"], units))
 
 
 @app.command()
