@@ -5,7 +5,7 @@ of all steps in one call.  So a flight hardly waits for its record.
 """
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -14,10 +14,12 @@ from typing import Any
 import numpy as np
 
 from boresight import BoresightError
+from boresight.analysis.live_record import LiveSteps, Place, Recorded, Step
 from boresight.errors import need
 from boresight.runtime.array import Array
 from boresight.runtime.filter import CompiledFilter, Filter, Innovation
 from boresight.runtime.filter.memory import packed
+from boresight.runtime.live import Live
 
 STEPS = ("predict", "update", "feedback", "set_block", "inflate", "disable", "enable")
 BLOCKS = STEPS[3:]
@@ -56,14 +58,16 @@ class Chunk:
 class Record:
     """What a flight of a filter did, step by step; from now on, or of an earlier flight in a folder.
 
-    It records each `predict`, `update`, `feedback`, `set_block`, `inflate`, `disable` and `enable` of
-    the filter, and those of an `Epoch` of it.  A step that raises leaves nothing.  Where x or P is
-    assigned, a new piece begins; of an error state whose x alone is assigned, it is a feedback by
-    hand; see `withdrawn`.  Units and frames are those of the filter.
+    Of a filter it records each `predict`, `update`, `feedback`, `set_block`, `inflate`, `disable` and `enable` of
+    it, and those of an `Epoch` of it.  A step that raises leaves nothing.  Where x or P is assigned,
+    a new piece begins; of an error state whose x alone is assigned, it is a feedback by hand; see
+    `withdrawn`.  Of a live loop it records what each call of its background does, at the instant
+    that the covariance has reached; a new piece begins where the loop begins, is restored, or could
+    not read all samples.  Units and frames are those of the filter.
 
     Parameters
     ----------
-    loop : Filter or CompiledFilter
+    loop : Filter, CompiledFilter or Live
         Is flown as before, with the same bits.
     path : str or Path, optional
         A folder for Parquet files, so that the memory that is needed does not grow with the flight;
@@ -77,21 +81,22 @@ class Record:
         Of each step: "begin" of a piece, "predict", the measurement's, "feedback", "set_block",
         "inflate", "disable", "enable" or "withdrawn".
     time, piece : (K,) array
-        s, the sum of `dt` of the predictions; and the number of the piece.
+        s, the sum of `dt` of the predictions, or of a live loop the instant by its own clock; and the
+        number of the piece.
     x, P : (K, ..., n) and (K, ..., n, n) array
         After each step; before it they are those of the step before.
     nav : dict of str to (K, ..., size) array
-        After each step.
+        After each step; of a live loop the best that is known at that instant.
 
     Raises
     ------
     BoresightError
-        A filter that is recorded already, a folder that cannot be written or that holds files.
+        No filter, or one that is recorded already, a folder that cannot be written or that holds files.
 
     Notes
     -----
-    When not to use it: for `Live`, whose C gives P, but neither the transitions nor
-    what each correction took out.  An `Epoch` in which a run is refused ends a piece.
+    When not to use it: to learn what reached the newest sample of a live loop, and when; that is
+    `Live.output`.  An `Epoch` in which a run is refused ends a piece.
 
     Examples
     --------
@@ -108,15 +113,12 @@ class Record:
     begin predict euler_exact feedback (1, 6, 6) (1, 6, 3)
     """
 
-    def __init__(self, loop: Filter, path: str | Path | None = None):
-        if not isinstance(loop, Filter):
-            raise BoresightError(
-                f"a {type(loop).__name__} cannot be recorded: it gives P, but neither its transitions nor what each "
-                "correction took out; fly the same messages by Filter, CompiledFilter or Epoch, or boresight replay"
-            )
-        if loop.recorder is not None:
+    def __init__(self, loop: Filter | Live, path: str | Path | None = None):
+        if recorded(loop):
             raise BoresightError("this filter is recorded already; end that record by stop()")
-        self.model, self.total, self.folder = loop.model, loop.total, None if path is None else Path(path)
+        self.model: Any = loop.library if isinstance(loop, Live) else loop.model
+        self.total: bool = not isinstance(loop, Live) and loop.total
+        self.folder = None if path is None else Path(path)
         self._chunks: list[Any] = []  # a Chunk, steps as they came, or the Path of a file
         self._loaded: Chunk | None = None
         if self.folder is not None:
@@ -127,11 +129,17 @@ class Record:
                     raise BoresightError(f"{self.folder} is not empty; choose another folder for the record")
             except OSError as error:
                 raise BoresightError(f"cannot write to {self.folder} ({error.strerror}); choose another one") from None
-        self.loop: Filter | None = loop
-        self._steps: list[tuple[str, float, int, Any, dict[str, Any]]] = []
+        self._steps: list[Any] = []  # as `_chunk` takes them, or (s, piece, Step) of a live loop
         self._raw = np.empty((0, 0, 0, 0))
-        self._count, self._clock, self._piece, self._runs = 0, 0.0, -1, loop.x.shape[:-1]
+        self._count, self._clock, self._piece = 0, 0.0, -1
         self._last: dict[str, Array] | None = None
+        self._runs: tuple[int, ...] = ()
+        self._live: LiveSteps | None = None
+        self.loop: Filter | None = None
+        if isinstance(loop, Live):
+            self._live = LiveSteps(loop, self._came, self._known_better)
+            return
+        self.loop, self._runs = loop, loop.x.shape[:-1]
         loop.recorder = self
         for name in STEPS:
             setattr(loop, name, partial(self._step, name, getattr(loop, name)))
@@ -163,7 +171,8 @@ class Record:
         """
         need("parquet")
         made = object.__new__(cls)
-        made.model, made.folder, made.loop, made._loaded = model, Path(path), None, None
+        made.model, made.folder, made.loop, made._live, made._loaded = model, Path(path), None, None, None
+        made._steps = []
         made._chunks = sorted(made.folder.glob("steps-*.parquet"))
         if not made._chunks:
             raise BoresightError(f"{path} holds no record; give the folder that Record was given")
@@ -180,9 +189,11 @@ class Record:
 
     def stop(self) -> None:
         """Record no longer; what was recorded stays."""
+        self._close()
+        if self._live is not None:
+            self._live.stop()
         if self.loop is None:
             return
-        self._close()
         for name in (*STEPS, "strapdown"):
             delattr(self.loop, name)
         self.loop.recorder = None
@@ -302,6 +313,23 @@ class Record:
         self._count += 1
         self._loaded = None
 
+    def _came(self, step: Step | None) -> None:
+        """A step of a live loop."""
+        if step is None:
+            self._piece += 1
+            return
+        if len(self._steps) == CHUNK_STEPS:
+            self._close()
+        self._steps.append((1e-6 * step.at_us, self._piece, step))
+        self._count += 1
+        self._loaded = None
+
+    def _known_better(self, place: Place) -> None:
+        """The navigation of the last step of a live loop, in place of the one that it came with."""
+        if self._steps:
+            time, piece, step = self._steps[-1]
+            self._steps[-1] = time, piece, step._replace(place=place)
+
     def _now(self) -> tuple[dict[str, Array] | None, tuple[int, ...], Array]:
         """x, P and nav, where they do not lie among the numbers of the C; the runs; and these numbers, a view."""
         memory: Any = getattr(self.loop, "memory", None)
@@ -365,8 +393,13 @@ class Record:
 
     def _chunk(self, steps: list[Any], raw: Array, first: int, runs: tuple[int, ...]) -> Chunk:
         """The arrays of steps as they came."""
-        names, time, piece, states, given = zip(*steps, strict=True)
-        x, P, nav = self._stacked(states, raw, runs)
+        if self._live is not None:
+            time, piece, came = zip(*steps, strict=True)
+            given: Sequence[dict[str, Any]]
+            names, (x, P, nav, given) = tuple(step.name for step in came), self._live.arrays(came)
+        else:
+            names, time, piece, states, given = zip(*steps, strict=True)
+            x, P, nav = self._stacked(states, raw, runs)
         alike: dict[Any, list[int]] = {}
         for i, (name, words) in enumerate(zip(names, given, strict=True)):
             shapes = tuple((n, np.shape(v), float(v) if n in LINEARISING else None) for n, v in words.items())
@@ -401,8 +434,9 @@ class Record:
     def _all(self) -> Chunk:
         """Every step, of all runs."""
         if self._loaded is None:
-            if self.loop is not None:
-                self._close()
+            self._close()
+            if not self._chunks:
+                raise BoresightError("nothing has been recorded yet; begin the loop, and give it samples")
             for i, one in enumerate(self._chunks):
                 self._chunks[i] = self._chunk(*one) if isinstance(one, tuple) else one
             chunks = [read_chunk(c, self.states)[0] if isinstance(c, Path) else c for c in self._chunks]
@@ -520,8 +554,11 @@ class Record:
         out = np.empty((len(rows), *self.x.shape[1:], n))
         unit = getattr(self.model, function)
         for table in self.tables("predict"):
-            known = self._known(table.rows, table.given)
             where = np.searchsorted(rows, table.rows)
+            if function in table.given:  # of a live loop
+                out[where] = table.given[function]
+                continue
+            known = self._known(table.rows, table.given)
             if hasattr(self.model, "field"):
                 out[where] = unit(**{name: known[name] for name in unit.fields})
             else:
@@ -574,6 +611,8 @@ class Record:
     def jacobian(self, name: str) -> Array:
         """H of each update of a measurement, at its last linearisation; of correlated rows, of L^-1 z.
 
+        Of a live loop at its first one.
+
         Parameters
         ----------
         name : str
@@ -603,7 +642,17 @@ class Record:
         -------
         (K, ..., n, m) array
             Zero in the column of a row that was not used, and in the row of a considered state.
+
+        Raises
+        ------
+        BoresightError
+            Of a live loop, which takes a part of the gain back and does not keep it.
         """
+        if any("H" in table.given for table in self._taken(name)):
+            raise BoresightError(
+                "gain: a live loop takes a part of the gain back where errors of H alone may have made it, and does "
+                "not keep that part; x of the row, innovation() and jacobian() are what it did"
+            )
         found, H, rows = self.innovation(name), self.jacobian(name), self.rows(name)
         P, out = self.covariance(rows - 1), np.zeros(np.swapaxes(H, -1, -2).shape)
         for i in range(H.shape[-2]):
@@ -625,6 +674,8 @@ class Record:
 
     def _linearised(self, table: Table) -> Array:
         """H of the updates of a table: they are made once more, together, with the rows that were used."""
+        if "H" in table.given:  # of a live loop
+            return table.given["H"]
         given = dict(table.given)
         found = {part: given.pop(part) for part in FOUND}
         options = {name: given.pop(name)[0] for name in OPTIONS if name in given}
@@ -669,6 +720,13 @@ class Record:
         """
         rows = self.rows("feedback")
         return self.x[rows - 1] - self.x[rows]
+
+
+def recorded(loop: Any) -> bool:
+    """Whether a filter is recorded by now.  Raises BoresightError where it is none."""
+    if not isinstance(loop, (Filter, Live)):
+        raise BoresightError(f"a {type(loop).__name__} cannot be recorded; give a Filter, a CompiledFilter or a Live")
+    return isinstance(loop, Recorded) or getattr(loop, "recorder", None) is not None
 
 
 def axes_of(model: Any, name: str) -> int:
@@ -748,7 +806,7 @@ def write_chunk(path: Path, chunk: Chunk, total: bool) -> None:
         described["tables"].append({"name": table.name, "rows": table.rows.tolist(), "shapes": shapes})
     written = pyarrow.table(columns, metadata={b"record": json.dumps(described).encode()})
     try:
-        parquet.write_table(written, path)
+        parquet.write_table(written, path, use_dictionary=False)
     except OSError as error:
         raise BoresightError(f"{path} cannot be written ({error.strerror})") from None
 
