@@ -6,6 +6,7 @@ Only the command line reads what is kept.  Tests and evidence call `compute`, or
 import hashlib
 import json
 import os
+import re
 import sys
 from collections.abc import Callable
 from contextlib import suppress
@@ -23,10 +24,11 @@ DERIVE = Path(__file__).parent / "derive"
 def compute(paper: str, progress: Progress = lambda done, total, text: None) -> dict[str, Any]:
     """`entries`, the rows of `boresight equations PAPER --json`, `findings`, the sentences beside them, `unheld`, what
     nothing holds, and `conditions`: what the sizes hold for, and the point at which errata are computed."""
+    from boresight.codegen.generate import load_model
     from boresight.derive import papers
     from boresight.derive.ledger.entries import findings, ledger, unheld
 
-    one = papers.paper(paper)
+    one = papers.paper(paper, load_model)
     return {
         "entries": [entry.to_dict() for entry in ledger(one, progress)],
         "findings": list(findings(one)),
@@ -37,11 +39,15 @@ def compute(paper: str, progress: Progress = lambda done, total, text: None) -> 
 
 def ledger(paper: str, progress: Progress = lambda done, total, text: None) -> dict[str, Any]:
     """As `compute` gives it, from the cache folder if nothing that reaches it has changed."""
+    if has_own_model(paper):
+        return compute(paper, progress)
     return kept(f"ledger/{name_of(paper)}", dict, lambda: compute(paper, progress), files_of(paper))
 
 
 def page(paper: str, number: str | None, form: str, width: int) -> str:
     """A paper, or one equation of it, in a format of boresight.derive.pages.render; kept likewise."""
+    if has_own_model(paper):
+        return rendered(paper, number, form)
     name = f"pages/{name_of(paper)}-{number or 'all'}-{form}-{width}"
     return kept(name, str, lambda: rendered(paper, number, form), files_of(paper))
 
@@ -54,6 +60,13 @@ def files_of(paper: str) -> tuple[Path, ...]:
     return tuple(Path(paper) / name for name in FILES) if is_folder(paper) else ()
 
 
+def has_own_model(paper: str) -> bool:
+    """Whether a paper of one's own is tied to a model of one's own: nobody knows what that file reads."""
+    from boresight.derive.papers.own import text_of
+
+    return any(re.search(r"^\s*name\s*=.*\.py:", text_of(path), re.MULTILINE) for path in files_of(paper)[:1])
+
+
 def name_of(paper: str) -> str:
     """What is kept of a paper is called so: of one's own by what its folder is called from here, for a page says it."""
     where = hashlib.sha256(f"{Path.cwd()} {paper}".encode()).hexdigest()[:16]
@@ -61,10 +74,11 @@ def name_of(paper: str) -> str:
 
 
 def rendered(paper: str, number: str | None, form: str) -> str:
+    from boresight.codegen.generate import load_model
     from boresight.derive import papers
     from boresight.derive.pages.render import render
 
-    return render(papers.paper(paper), number, form, functions())
+    return render(papers.paper(paper, load_model), number, form, functions())
 
 
 def model_page(target: str, form: str, width: int, derived: str = "") -> str:

@@ -158,9 +158,10 @@ def look(target: str, good: Any, writing: Lock, sender: Connection) -> None:
 
 def judged(folder: Path, good: dict[str, Any], line: Say) -> dict[str, Any]:
     """Say which statuses of a paper are others than before, all at first; what they are now."""
+    from boresight.codegen.generate import load_model
     from boresight.derive.papers.edits import lines, statuses
 
-    now = statuses(folder)
+    now = statuses(folder, load_model)
     for text in [*lines(good, now)] or [f"{folder}: the same statuses"]:
         line(text)
     return now

@@ -17,6 +17,28 @@ from boresight.derive.ledger.reader import read
 from boresight.derive.model import Model
 
 
+@cache
+def held_beside(paper: Paper) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Of a paper of one's own the equations that its model makes, and in sentences what it makes otherwise."""
+    held, apart = dict[str, None](), []
+    with digits(DIGITS):
+        for one in paper.maps:
+            for match in one.matches:
+                try:
+                    for seed in SEEDS[:2]:
+                        _check(paper, one, match, seed)
+                except ApartError as error:
+                    text = str(error).removeprefix(f"{paper.name} ").removesuffix("; correct the function or the map")
+                    apart.append(f"{text}.")
+                else:
+                    held[f"({match.equation})"] = None
+    return tuple(held), tuple(apart)
+
+
+class ApartError(BoresightError):
+    """What the model makes is not what the paper has."""
+
+
 def check_maps(paper: Paper, number: str) -> None:
     """Raises BoresightError at the first entry in which the paper's matrix is not the model's, carried over."""
     with digits(DIGITS):
@@ -32,13 +54,13 @@ def _check(paper: Paper, one: Map, match: Match, seed: int) -> None:
     where = f"{paper.name} ({match.equation}), {match.paper} and {match.ours} of {model.name}"
     theirs, (ours, rows, columns) = _value(paper, match.paper, point), _carried(paper, model, one, match, point)
     if (theirs.rows, theirs.cols) != (ours.rows, ours.cols):
-        raise BoresightError(f"{where}: {theirs.rows}x{theirs.cols} beside {ours.rows}x{ours.cols}")
+        raise ApartError(f"{where}: {theirs.rows}x{theirs.cols} beside {ours.rows}x{ours.cols}")
     for i in range(ours.rows):
         for j in range(ours.cols):
             if (apart := abs(middle(theirs[i, j] - ours[i, j]))) > EXACT:
                 name = f"{rows[i]}, {columns[j]}" if columns else rows[i]
                 sizes = " and ".join(f"{float(middle(value[i, j])):.6g}" for value in (theirs, ours))
-                raise BoresightError(
+                raise ApartError(
                     f"{where} differ in [{name}] by {float(apart):.3g}, {sizes}; correct the function or the map"
                 )
 
@@ -51,7 +73,10 @@ def _carried(paper: Paper, model: Model, one: Map, match: Match, point: Point) -
         try:
             return evaluate(ImmutableMatrix(symbolic), values)
         except KeyError as error:
-            raise BoresightError(f"{paper.name}: {model.name} reads {error}, which its map does not give") from None
+            what = f"{model.name} reads {error}, which its map does not give"
+            raise BoresightError(
+                f"{paper.name}: {what}" + "; write its value under [model.inputs]" * bool(paper.folder)
+            ) from None
 
     def blocks(rows: tuple[Row, ...], sizes: Mapping[str, int], rates: bool = False) -> Matrix:
         parts = [(row.rate if rates else row.factor, sizes[row.ours]) for row in rows]
@@ -119,6 +144,23 @@ def _slope(parts: list, values: Point, states: list, state) -> list:
         return evaluate(ImmutableMatrix(Symbols.vstack(*parts)), Point({**values.values, **errors}))
 
     return list((at(step) - at(-step)) / (2 * step))
+
+
+def beside(paper: Paper) -> tuple[str, ...]:
+    """The same as sentences."""
+    held, apart = held_beside(paper)
+    names = " and ".join(model_of(one).name for one in paper.maps)
+    return ((f"{names} makes what {', '.join(held)} say{'s' * (len(held) == 1)}.",) if held else ()) + apart
+
+
+def unmatched(one: Map) -> list[str]:
+    """What the model makes and no equation is held against."""
+    model, held = model_of(one), {(match.ours, of) for match in one.matches for of in match.of or ("",)}
+    made = [("F", ""), ("G", "")] if model.F is not None else []
+    made += [(kind, m.name) for m in model.measurements for kind in "Hz"]
+    outputs = {match.ours.partition(".")[0] for match in one.matches if "." in match.ours}
+    left = [f"{kind} of {of}" if of else kind for kind, of in made if (kind, of) not in held]
+    return left + [f.name for f in model.functions if f.name not in outputs]
 
 
 @cache

@@ -6,6 +6,7 @@ A letter's unit ends its meaning, as in `velocity of the slave, m/s`.  Vectors a
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, reduce
@@ -25,6 +26,7 @@ from boresight.derive.ledger.paper import Paper
 from boresight.derive.units import ONE, RADIAN, Unit, unit
 
 Entry = Unit | None  # None of zero, which has every unit
+UNKNOWN = "?"  # in `Paper.units`, of a letter of which nobody has said a unit
 
 
 @dataclass(frozen=True)
@@ -256,11 +258,38 @@ def assembled(rows: list[list[Grid]]) -> Grid:
 # ---------------------------------------------------------------- a paper
 
 
+def grids(paper: Paper, letters: Iterable[Quantity]) -> dict[str, Grid]:
+    """Of each letter whose units are known."""
+    found = {one.symbol.name: one for one in letters}
+    units = inferred(paper)
+    known = {name: of_letter(paper.units, one) for name, one in found.items() if paper.units.get(name) != UNKNOWN}
+    return known | {name: units[name] for name in found.keys() & units.keys()}
+
+
+@cache
+def inferred(paper: Paper) -> dict[str, Grid]:
+    """Units of letters of which none are said, by the equations in which they stand alone on the left."""
+    known: dict[str, Grid] = {}
+    open_ = {name for name, said in paper.units.items() if said == UNKNOWN}
+    again = bool(open_)
+    while again:
+        again = False
+        for one in paper.equations:
+            letters = {q.symbol.name: of_letter(paper.units, q) for q in one.alphabet if q.symbol.name not in open_}
+            for relation in one.read():
+                name = getattr(relation.sides[0], "name", "")
+                if name in open_ - known.keys():
+                    with suppress(Mismatch, LookupError, ValueError, TypeError):
+                        known[name] = Terms(letters | known)(relation.sides[1])
+                        again = True
+    return known
+
+
 def misfits(paper: Paper) -> tuple[int, list[tuple[str, str, str]]]:
     """How many relations there are, and of those that do not fit the equation, the line (0: the equation), and why."""
     count, found = 0, []
     for one in paper.equations:
-        terms = Terms({q.symbol.name: of_letter(paper.units, q) for q in one.alphabet})
+        terms = Terms(grids(paper, one.alphabet))
         for at, _, relation in one.stated:
             count += 1
             try:
@@ -268,6 +297,7 @@ def misfits(paper: Paper) -> tuple[int, list[tuple[str, str, str]]]:
                     added(terms(left), terms(right))
             except Mismatch as error:
                 found.append((one.number, at, str(error)))
-            except (IndexError, ValueError, TypeError):  # shapes that do not fit, which the judge of numbers names
+            # shapes that do not fit, which the judge of numbers names; or a letter of which no unit is known
+            except (LookupError, ValueError, TypeError):
                 continue
     return count, found

@@ -21,11 +21,11 @@ import mpmath as mp
 from boresight import BoresightError
 from boresight.derive.dimensions import Mismatch
 from boresight.derive.ledger import frames
-from boresight.derive.ledger.carried import check_maps
+from boresight.derive.ledger.carried import beside, check_maps, held_beside, model_of, unmatched
 from boresight.derive.ledger.decisions import decisions
 from boresight.derive.ledger.differences import differences
 from boresight.derive.ledger.differences import origin as origin_of
-from boresight.derive.ledger.dimensions import Terms, of_letter
+from boresight.derive.ledger.dimensions import UNKNOWN, Terms, grids, inferred
 from boresight.derive.ledger.equation import Equation, Relation
 from boresight.derive.ledger.evaluate import DIGITS, Point, evaluate, residual
 from boresight.derive.ledger.judge import EXACT, SEEDS, Verdict, judge, largest_residual, paper_points
@@ -81,14 +81,17 @@ def findings(paper: Paper) -> tuple[str, ...]:
     with digits(DIGITS):
         own = paper.findings()
     lines = ((f"({number})" + f", line {at}," * (at != "0"), why) for number, at, why in frames.found(paper).misfits)
-    return (*own, *(f"The frames of {where} do not fit: {why}." for where, why in lines))
+    misfits = (f"The frames of {where} do not fit: {why}." for where, why in lines)
+    return (*own, *misfits, *(beside(paper) if paper.folder else ()))
 
 
 def unheld(paper: Paper) -> tuple[str, ...]:
     """What no check of the ledger holds, a sentence each."""
     entries = [entry_of(paper, equation) for equation in paper.equations]
-    defined = [e.label for e, entry in zip(paper.equations, entries, strict=True) if entry.status == "definition"]
-    bare = [e.label for e in paper.equations if e.label not in defined and not e.derivation.lines]
+    flown = held_beside(paper)[0] if paper.folder else ()
+    defined = [e.label for e, entry in zip(paper.equations, entries, strict=True)
+               if entry.status == "definition" and e.label not in flown]  # fmt: skip
+    bare = [e.label for e in paper.equations if e.label not in (*defined, *flown) and not e.derivation.lines]
     counted = count_steps(paper.equations)
     left_out: dict[str, list[str]] = {}
     for equation in paper.equations:
@@ -101,8 +104,15 @@ def unheld(paper: Paper) -> tuple[str, ...]:
         found.append(f"Without a derivation, judged by the witness alone: {', '.join(bare)}.")
     if counted.prose:
         found.append(f"Of {counted.steps} steps {counted.prose} are prose, which proves nothing.")
+    names = [one.symbol.name for one in paper.quantities() if one.symbol.name not in inferred(paper)]
+    if unitless := [name for name in names if paper.units.get(name) == UNKNOWN]:
+        found.append(f'No unit is known of {", ".join(unitless)}: write unit = "...".')
     if unknown := frames.found(paper).unknown:
         found.append(f"No frame is known of {', '.join(unknown)}: by no name, and by no line.")
+    if paper.folder:
+        for one in paper.maps:
+            if left := unmatched(one):
+                found.append(f"What {model_of(one).name} makes beside, no equation is held against: {', '.join(left)}.")
     taken = [f"in {where.replace('.', ', line ')} {text}" for where, text in paper.frames.items() if " for " in text]
     if taken:
         found.append(f"One frame is taken for another, as it stands: {'; '.join(taken)}.")
@@ -118,9 +128,9 @@ def entry_of(paper: Paper, equation: Equation) -> Entry:
 
 def _entry(paper: Paper, equation: Equation) -> Entry:
     check_derivation(paper, equation)
-    check_maps(paper, equation.number)
     if paper.folder and not equation.derivation.steps:
         return _underived(paper, equation)
+    check_maps(paper, equation.number)
     ours = judge(paper, equation, equation.derived)
     if ours.status == "refuted":
         raise BoresightError(
@@ -269,7 +279,7 @@ def units_of(paper: Paper, equation: Equation, side: Any, count: int, row: int =
 
 def letter_units(paper: Paper, side: Any, count: int = 1) -> list[str]:
     """The units of a side's entries by those of its letters, "1" where they do not fit."""
-    letters = {q.symbol.name: of_letter(paper.units, q) for q in (*paper.quantities(), *paper.letters())}
+    letters = grids(paper, (*paper.quantities(), *paper.letters()))
     try:
         found = [str(entry or ONE) for entry in Terms(letters)(side)]
     except (Mismatch, LookupError, ValueError, TypeError):

@@ -3,7 +3,7 @@
 from sympy import Symbol
 from sympy.matrices import MatrixBase
 
-from boresight.derive.ledger.carried import model_of
+from boresight.derive.ledger.carried import beside, model_of
 from boresight.derive.ledger.equation import Relation
 from boresight.derive.ledger.map import Map, Row
 from boresight.derive.ledger.paper import Paper
@@ -23,15 +23,19 @@ def _section(paper: Paper, one: Map) -> Section:
     numbers = ", ".join(dict.fromkeys(f"({match.equation})" for match in one.matches))
     kinds = {"state": one.states, "noise": one.noises, "measurement": one.measurements}
     rows = tuple(_row(paper, kind, row) for kind, listed in kinds.items() for row in listed)
-    blocks: tuple[Block, ...] = (
-        Table(("", "paper", "times", "ours", "why"), rows, prose=4),
-        Prose(f"With these {numbers} are what the model makes: its matrices, residuals and functions."),
-    )
+    if paper.folder:
+        rows += tuple(("input", paper.letter(f"input {name}").meaning, "", name, "") for name in one.inputs)
+    if paper.folder:  # one's own may differ
+        text = list(beside(paper))
+    else:
+        text = [f"With these {numbers} are what the model makes: its matrices, residuals and functions."]
+    blocks: tuple[Block, ...] = (Table(("", "paper", "times", "ours", "why"), rows, prose=4), *map(Prose, text))
     return Section(f"In C: {model_of(one).name}", blocks)
 
 
 def _row(paper: Paper, kind: str, row: Row) -> tuple[str | tuple[Form, ...], ...]:
-    return kind, _form(paper, row.paper), _form(paper, row.factor), row.ours, row.why
+    theirs = row.paper if paper.folder else _form(paper, row.paper)  # of one's own they stand in that order
+    return kind, theirs, _form(paper, row.factor), row.ours, row.why
 
 
 def _form(paper: Paper, latex: str) -> tuple[Form, ...]:

@@ -11,7 +11,7 @@ from mpmath import nstr
 from sympy import Symbol
 
 from boresight.derive.ledger.differences import Place, differences, marks
-from boresight.derive.ledger.dimensions import of_letter
+from boresight.derive.ledger.dimensions import grids
 from boresight.derive.ledger.entries import LONG, Entry, apart, entry_of, findings, letter_units, numbers_of
 from boresight.derive.ledger.equation import Derivation, Equation, Line, Passage, Quantity, Relation
 from boresight.derive.ledger.evaluate import DIGITS
@@ -287,7 +287,7 @@ def notation(paper: Paper) -> Table:
         form = Form(Relation((quantity.symbol,)), letters)
         refers = quantity.meaning.startswith(("its ", "their ", "the same"))
         rows.setdefault(quantity.meaning + "\n" * len(rows) * refers, []).append(form)
-    mixed = {q.symbol.name: of_letter(paper.units, q) for q in letters if {q.symbol.name, q.kind} & paper.units.keys()}
+    mixed = grids(paper, (one for one in letters if {one.symbol.name, one.kind} & paper.units.keys()))
 
     def row(forms: list[Form], meaning: str) -> tuple[str | tuple[Form, ...], ...]:
         text, unit = _with_unit(meaning)

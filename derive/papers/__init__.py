@@ -3,9 +3,10 @@
 A paper of one's own is a folder: `papers.own` reads it.
 """
 
+from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from boresight import BoresightError
 from boresight.derive.papers.files import holds_paper
@@ -20,8 +21,11 @@ DERIVATIONS = ("delay-error", "mechanics")  # of nobody's print
 OWN: dict[str, "Paper"] = {}  # those that were read from folders, by name
 
 
-def paper(name: str) -> "Paper":
-    """The paper or derivation of a name, or of a folder.  Raises BoresightError with the right names."""
+def paper(name: str, load: Callable[[str], Any] | None = None) -> "Paper":
+    """The paper or derivation of a name, or of a folder.  Raises BoresightError with the right names.
+
+    load: makes the model of a name, for a folder that is tied to one; without, it is not looked at.
+    """
     if name in (*PAPERS, *DERIVATIONS):
         found: Paper = import_module(f"{__name__}.{name.replace('-', '_')}.paper").PAPER
         return found
@@ -30,8 +34,9 @@ def paper(name: str) -> "Paper":
             return OWN[name]
         raise BoresightError(f"no paper {name!r}: the papers are {', '.join((*PAPERS, *DERIVATIONS))}, or a folder")
     from boresight.derive.papers.own import own
+    from boresight.derive.papers.own_map import tied
 
-    found = own(Path(name))
+    found = tied(Path(name), load) if load else own(Path(name))
     OWN[found.name] = found
     return found
 

@@ -7,13 +7,17 @@ from typing import Any
 from boresight.derive.ledger.entries import findings, ledger
 from boresight.derive.letters import number_label
 from boresight.derive.papers.own import own
+from boresight.derive.papers.own_map import Load, tied
 
 Statuses = dict[str, Any]  # by number status, found and printed; what is beside the equations under ""
 
 
-def statuses(folder: Path) -> Statuses:
-    """Of the paper in the folder now.  Raises BoresightError with file, line and column of what is wrong in it."""
-    paper = own(folder)
+def statuses(folder: Path, load: Load | None = None) -> Statuses:
+    """Of the paper in the folder now.  Raises BoresightError with file, line and column of what is wrong in it.
+
+    load: as of `papers.paper`.
+    """
+    paper = tied(folder, load) if load else own(folder)
     found: Statuses = {
         entry.number: {
             "status": " ".join(filter(None, (entry.status, entry.kind))),

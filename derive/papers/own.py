@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, NoReturn
 from unicodedata import normalize
 
@@ -14,7 +15,7 @@ from flint import arb
 from sympy import Symbol
 
 from boresight import BoresightError
-from boresight.derive.ledger.dimensions import Grid, misfits, of_letter
+from boresight.derive.ledger.dimensions import UNKNOWN, Grid, misfits, of_letter
 from boresight.derive.ledger.equation import Derivation, Equation, Quantity, Relation, letter
 from boresight.derive.ledger.evaluate import DIGITS, Point, evaluate
 from boresight.derive.ledger.frames import NONE, SAME, TURN, UPPER
@@ -33,7 +34,7 @@ from boresight.errors import did_you_mean
 
 TOML, PRINT = FILES
 KEYS = {
-    "": {"title", "authors", "conventions", "witness", "sizes", "computed", "letters", "equations"},
+    "": {"title", "authors", "conventions", "witness", "sizes", "computed", "letters", "equations", "model"},
     "letters": {"latex", "value", "meaning", "unit", "frame", "shape"},
     "equations": {"note", "small", "planted"},
 }
@@ -42,7 +43,7 @@ POINTS = 4  # of the stated sizes, from which a remainder's size is taken
 
 
 def own(folder: Path) -> Paper:
-    """The paper of a folder.  Raises BoresightError with file, line and column of what is wrong in it."""
+    """The paper of a folder, by itself.  Raises BoresightError with file, line and column of what is wrong in it."""
     return Folder(folder).paper()
 
 
@@ -187,6 +188,7 @@ class Folder:
             self.typed(sentence, str, "a list of sentences", "conventions")
         self.typed(self.data.get("sizes", {}), dict, "a table", "sizes")
         self.typed(self.data.get("computed", {}), dict, "a table", "computed")
+        self.typed(self.data.get("model", {}), dict, "a table", "model")
         computed = self.data.get("computed", {})
         for name, frame in computed.items():
             self.typed(frame, str, "the frame that it stands for", "computed", name)
@@ -266,7 +268,7 @@ class Folder:
         if not isinstance(entry.get("latex"), str) or not entry["latex"].strip():
             self.refuse(f"{name} has no latex: write latex = '...', as the paper prints it", "letters", name)
         named = self.scenario.names.get(str(entry.get("value", "")))
-        unit = str(entry.get("unit", named.unit if named else "1"))
+        unit = str(entry.get("unit", named.unit if named else self.unit_of_value(symbol)))
         words = str(entry.get("meaning", named.meaning if named else ""))
         if "value" in entry:
             shape = self.shape_of(symbol, name, at)
@@ -281,7 +283,10 @@ class Folder:
         self.units[symbol] = unit
         if frame := self.frame_of(symbol, name, entry, shape, at):
             self.frames[symbol] = frame
-        made = letter(name, entry["latex"], f"{unit} {shape}", meaning + f", {unit}" * (not several(unit)), shape)
+        ends = f", {unit}" * (not several(unit) and unit != UNKNOWN)
+        made = letter(name, entry["latex"], f"{unit} {shape}", meaning + ends, shape)
+        if unit == UNKNOWN:
+            return made
         try:
             units = of_letter({symbol: unit} if several(unit) else {}, made) if several(unit) else unit_of(unit)
         except BoresightError as error:
@@ -290,6 +295,18 @@ class Folder:
             sizes = " x ".join(map(str, units.shape))
             self.refuse(f"{name} has {sizes} units for the shape {list(shape)}", "letters", name, "unit")
         return made
+
+    def unit_of_value(self, symbol: str) -> str:
+        """Of a letter without a unit of its own: that of its value, where it is the same as that of a name in it."""
+        node: Any = self.bound.get(symbol)
+        while isinstance(node, ast.UnaryOp | ast.BinOp):
+            if isinstance(node, ast.BinOp) and not isinstance(node.op, ast.Add | ast.Sub):
+                return UNKNOWN
+            node = node.operand if isinstance(node, ast.UnaryOp) else node.left
+        if isinstance(node, ast.Constant):
+            return "1"
+        named = self.scenario.names.get(node.id) if isinstance(node, ast.Name) else None
+        return named.unit if named else UNKNOWN
 
     def frame_of(self, symbol: str, name: str, entry: Mapping[str, Any], shape: tuple[int, ...], at: Values) -> str:
         """As Paper.frames has it: as it is declared, or as the value shows it.  Raises BoresightError."""
@@ -321,6 +338,10 @@ class Folder:
     def stands_for(self, name: str) -> str:
         return str(self.data.get("computed", {}).get(name, name.rstrip("'")))
 
+    def drawn(self, letters: Mapping[str, ast.expr]) -> Values:
+        """Values of letters at a point."""
+        return Values(lambda t: self.scenario.values(draw(self.scenario.base, 1, self.scenario.sizes), t), letters)
+
     def shape_of(self, symbol: str, name: str, at: Values) -> tuple[int, ...]:
         try:
             value = at.letter(symbol)
@@ -336,7 +357,7 @@ class Folder:
     def quantities(self) -> tuple[Quantity, ...]:
         """The declared letters, and of those with a value their rates, in each spelling."""
         with digits(DIGITS):
-            at = Values(lambda t: self.scenario.values(draw(self.scenario.base, 1, self.scenario.sizes), t), self.bound)
+            at = self.drawn(self.bound)
             declared = [self.quantity(name, entry, at) for name, entry in self.data["letters"].items()]
         frames = {frame for text in self.frames.values() for frame in text.split(" to ")}
         for name, frame in self.data.get("computed", {}).items():
@@ -360,7 +381,8 @@ class Folder:
                     self.frames[name] = self.frames[quantity.symbol.name]
                 for latex in dotted_latex(quantity.latex):
                     if plain(latex) not in alike:
-                        meaning = f"rate of {quantity.symbol.name}" + f", {unit}" * (not several(unit))
+                        ends = f", {unit}" * (not several(unit) and unit != UNKNOWN)
+                        meaning = f"rate of {quantity.symbol.name}{ends}"
                         rates.append(letter(name, latex, f"{unit} {quantity.shape}", meaning, quantity.shape))
         return (*declared, *rates)
 
@@ -482,7 +504,8 @@ class Folder:
 
     # ---- all of it
 
-    def paper(self) -> Paper:
+    def paper(self, inputs: Mapping[str, ast.expr] = MappingProxyType({}), **more: Any) -> Paper:
+        """inputs: values beside those of the letters.  more: parts of a Paper."""
         name = self.folder.resolve().name
         owned = self.scenario
         self.defined  # noqa: B018  refuses here what has no value
@@ -494,7 +517,7 @@ class Folder:
                 for relation in relations
                 if letter_of(relation.sides[0]) in self.defined
             }
-            return Bound(Values(lambda t: owned.values(base, t), self.bound), sides)
+            return Bound(Values(lambda t: owned.values(base, t), {**self.bound, **inputs}), sides)
 
         def odd_units() -> tuple[str, ...]:
             return tuple(f"The units of ({number}) do not fit: {why}." for number, _, why in misfits(made)[1])
@@ -514,9 +537,10 @@ class Folder:
             findings=odd_units,
             frames=self.frames,
             computed=self.data.get("computed", {}),
-            units={name: unit for name, unit in self.units.items() if several(unit)},
+            units={name: unit for name, unit in self.units.items() if several(unit) or unit == UNKNOWN},
             conventions=tuple(self.data.get("conventions", ())),
             folder=str(self.folder),
+            **more,
         )
         return made
 
@@ -584,6 +608,8 @@ def several(unit: str) -> bool:
 
 
 def per_second(unit: str) -> str:
+    if unit == UNKNOWN:
+        return unit
     if several(unit):
         rows, word, columns = re.split("( by | times |$)", unit, maxsplit=1)
         counted = (re.fullmatch(r"(\d+ )?(.*)", part) for part in rows.split(", "))

@@ -379,6 +379,20 @@ def test_units_that_do_not_fit_are_named(tmp_path):
     assert unheld(one)[0] == "Without a derivation, judged by the witness alone: (1)."
 
 
+def test_a_letter_without_a_unit_has_that_of_its_value_or_of_its_equation_or_none_that_is_known(tmp_path):
+    letters = {
+        "v": r"{ latex = 'v', value = '-v_n' }",
+        "g": r"{ latex = 'g', value = 'gravity_n' }",
+        "a": r"{ latex = 'a', shape = 3 }",
+        "b": r"{ latex = 'b', shape = 3 }",
+        "s": r"{ latex = 's', value = 'cross(omega_ib_b, lever_b)' }",
+    }
+    equations = {"1": "a = v", "2": "a = g", "3": "b = a + s", "4": "v = s"}
+    one = written(tmp_path, "strapdown-ned", letters, equations)
+    assert one.findings() == ("The units of (2) do not fit: m/s and m/s^2.",)
+    assert 'No unit is known of b, s: write unit = "...".' in unheld(one)
+
+
 @pytest.mark.parametrize("name", SCENARIOS)
 def test_every_name_of_a_scenario_has_a_value_and_a_unit(name):
     scenario = SCENARIOS[name]
