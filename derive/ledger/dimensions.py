@@ -166,6 +166,8 @@ class Terms:
             M = parts[0].rows
             pairs = ((M[2][1], M[1][2]), (M[0][2], M[2][0]), (M[1][0], M[0][1]))
             return Grid(tuple((alike(a, b),) for a, b in pairs))
+        if name in ("max", "min"):
+            return reduce(added, parts)
         if name == "norm":
             return scalar(reduce(alike, parts[0]))
         if name == "conj":
@@ -270,7 +272,7 @@ def grids(paper: Paper, letters: Iterable[Quantity]) -> dict[str, Grid]:
 def inferred(paper: Paper) -> dict[str, Grid]:
     """Units of letters of which none are said, by the equations in which they stand alone on the left."""
     known: dict[str, Grid] = {}
-    open_ = {name for name, said in paper.units.items() if said == UNKNOWN}
+    open_ = {name for name, text in paper.units.items() if text == UNKNOWN}
     again = bool(open_)
     while again:
         again = False

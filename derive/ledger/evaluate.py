@@ -3,7 +3,7 @@
 from collections import ChainMap
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
-from functools import reduce
+from functools import partial, reduce
 from itertools import pairwise
 from math import prod
 from typing import Any
@@ -134,6 +134,7 @@ OPERATORS: dict[str, Callable] = {
     "cross": lambda a, b: skew(a) * b,
     "entry": lambda M, i, j: M[int(i) - 1, int(j) - 1],
     "norm": numbers.norm,
+    **{name: partial(numbers.extreme, name) for name in ("max", "min")},
     "conj": lambda q: vector(q[0], -q[1], -q[2], -q[3]),
     "exp": lambda A: A.exp() if isinstance(A, Matrix) else arb(A).exp(),
 }

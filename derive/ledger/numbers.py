@@ -6,6 +6,7 @@ anything, so digits lost by cancellation are never taken for a result.
 
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
+from functools import reduce
 from typing import Any
 
 import mpmath as mp
@@ -152,6 +153,11 @@ def cosh(x: Any) -> arb:
 
 def tanh(x: Any) -> arb:
     return arb(x).tanh()
+
+
+def extreme(which: str, *numbers: Any) -> arb:
+    """The largest or the smallest of numbers; which: "max" or "min"."""
+    return reduce(lambda a, b: getattr(a, which)(b), map(arb, numbers))
 
 
 def atan2(y: Any, x: Any) -> arb:

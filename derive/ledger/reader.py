@@ -79,7 +79,7 @@ ENTRY = re.compile(r"\((\d),(\d)\)")
 NUMBER = re.compile(r"\d+(?:\.\d+)?")
 BLOCK = re.compile(
     r"(?P<what>\\mathbf\{[0I]\}|\\mathbf[0I]|\\boldsymbol\{[0I]\}|[0I])"
-    r"_(?:\{(?P<rows>\d+)(?:\\times(?P<columns>\d+))?\})"
+    r"_(?:\{(?P<rows>\d+)(?:\\times(?P<columns>\d+))?\}|(?P<size>\d))"
 )
 ENDS = (
     "=",
@@ -143,6 +143,19 @@ def read(
     return tuple(_Reader(text, table, flown).relation() for text in joined)
 
 
+UPPER = r"\^(\w|\{\w+\})$"
+
+
+@cache
+def turned_over(name: str) -> str:
+    """C_b^{nT}: how the transpose of C_b^n is printed too."""
+    return re.sub(UPPER, lambda found: f"^{{{found[1].strip('{}')}T}}", name)
+
+
+def transposed(entry):
+    return transpose(entry, evaluate=False) if not entry.is_commutative else entry
+
+
 class UnreadError(BoresightError):
     """What is neither structure nor a letter of the table: `text`, as `plain` has it, from `at` on."""
 
@@ -192,7 +205,9 @@ class _Reader:
     def __init__(self, text: str, table: dict[str, Quantity], flown: Mapping[str, object]):
         self.text, self.table, self.flown, self.at = text, table, flown, 0
         # The longest letter first: \hat{\phi}_b before \hat{\phi}.
-        self.letters = sorted(table, key=len, reverse=True)
+        turned = {turned_over(name): quantity for name, quantity in table.items() if re.search(UPPER, name)}
+        self.turned = {name: quantity for name, quantity in turned.items() if name not in table}
+        self.letters = sorted((*table, *self.turned), key=len, reverse=True)
         self.shapes = {quantity.symbol: quantity.shape for quantity in table.values()}
         self.layout: dict = {}
         self.bars = 0  # that are open
@@ -291,6 +306,8 @@ class _Reader:
     def factor(self):
         for name in self.letters:
             if self.take(name):
+                if name in self.turned:
+                    return transpose(self.turned[name].symbol, evaluate=False)
                 if self.table[name].function:
                     self.at -= 1
                     return self.power(self.call(self.table[name]))
@@ -300,6 +317,9 @@ class _Reader:
                 return self.elementary(function)
         if self.take(r"\atan2"):
             return atan2(*self.list("(", ")", ","))
+        for name in ("max", "min"):
+            if self.take(f"\\{name}"):
+                return Function(name)(*self.list("(", ")", ","))
         if self.take(r"\diag"):
             return self.diagonal()
         if self.take(r"\frac"):
@@ -311,7 +331,7 @@ class _Reader:
             self.at -= 1
             return self.exponential(self.group("{", "}"))
         if self.take(r"\begin{bmatrix}"):
-            return self.bmatrix()
+            return self.power(self.bmatrix())
         if self.take(r"\flown{"):
             name, _, _ = self.text[self.at :].partition("}")
             if name not in self.flown:
@@ -404,10 +424,13 @@ class _Reader:
         """The letter of a block of zeros, or of an identity, that says its size and is not in the table."""
         self.at = found.end()
         what = "I" if "I" in found["what"] else "0"
-        return Symbol(f"{what}_{found['rows']}x{found['columns'] or found['rows']}", commutative=False)
+        rows = found["rows"] or found["size"]
+        return Symbol(f"{what}_{rows}x{found['columns'] or rows}", commutative=False)
 
     def power(self, base):
         if self.take("^T"):
+            if is_explicit(base):
+                return matrix([[transposed(base[i, j]) for i in range(base.rows)] for j in range(base.cols)])
             return transpose(base, evaluate=False)  # of a sum it stays the transpose of the sum
         if self.take("^{-1}"):
             return base**-1

@@ -81,7 +81,24 @@ ENVIRONMENT = re.compile(
     r"|\\\[(?P<square>.*?)\\\]|\$\$(?P<dollars>.*?)\$\$",
     re.DOTALL,
 )
+# What an equation says beside its formula: an order, further terms, a condition in words to the end of the row.
+ASIDE = re.compile(
+    r"\+\s*\\mathcal\s*(?:\{\s*O\s*\}|O)\s*(?:\\left\s*)?\((?:[^()]|\([^()]*\))*\)"
+    r"|\+\s*\\[cl]?dots(?=\s*(?:\\\\|\\end|$))"
+    r"|(?:,|\\q?quad|\\[,;]|\s)*\\(?:text|mbox|textrm)\s*\{\s*(?:for|if|where|when|with|as|at|in)\b[^{}]*\}"
+    r"(?:(?!\\\\|\\end).)*",
+    re.DOTALL,
+)
 LABEL = re.compile(r"\\(?:tag|label)\{(?:eqn?:)?([^{}]*)\}")
+
+
+def aside(latex: str) -> str:
+    """What an equation says beside its formula, for the list of what is not held; "" where there is nothing."""
+    texts = []
+    for found in ASIDE.finditer(latex):
+        text = re.sub(r"\\(?:text|mbox|textrm|mathcal)\s*\{?([^{}]*?)\}", r"\1", found[0]).replace(r"\cdots", "...")
+        texts.append(" ".join(re.sub(r"\\(?:q?quad|left|right|[,;])", " ", text).strip(" ,+\n").split()))
+    return f"what the print says beside the formula, '{', '.join(texts)}'" if texts else ""
 
 
 def displays(path: Path) -> Iterator[Display]:
@@ -305,7 +322,11 @@ class Folder:
             node = node.operand if isinstance(node, ast.UnaryOp) else node.left
         if isinstance(node, ast.Constant):
             return "1"
-        named = self.scenario.names.get(node.id) if isinstance(node, ast.Name) else None
+        if not isinstance(node, ast.Name):
+            return UNKNOWN
+        if node.id in self.data["letters"] and node.id != symbol:
+            return str(self.data["letters"][node.id].get("unit", self.unit_of_value(node.id)))
+        named = self.scenario.names.get(node.id)
         return named.unit if named else UNKNOWN
 
     def frame_of(self, symbol: str, name: str, entry: Mapping[str, Any], shape: tuple[int, ...], at: Values) -> str:
@@ -393,7 +414,7 @@ class Folder:
         found, letters = {}, self.quantities
         for display in displays(self.print):
             try:
-                found[display.number] = display, read((display.latex,), letters)
+                found[display.number] = display, read((ASIDE.sub("", display.latex),), letters)
                 if any(len(relation.sides) < 2 for relation in found[display.number][1]):
                     refuse(self.print, text_of(self.print), display.begins, f"({display.number}) sets nothing equal")
             except UnreadError as error:
@@ -522,6 +543,7 @@ class Folder:
         def odd_units() -> tuple[str, ...]:
             return tuple(f"The units of ({number}) do not fit: {why}." for number, _, why in misfits(made)[1])
 
+        left_out = {number: text for number, (display, _) in self.prints.items() if (text := aside(display.latex))}
         errors = self.felt
         sizes = (f"{owned.parts[one]} {size_text(getattr(self.sizes, one), owned.units[one])}" for one in errors)
         text = ", ".join(sizes) or owned.words
@@ -530,7 +552,7 @@ class Folder:
             reference=self.data["title"] + f", {self.data.get('authors')}" * ("authors" in self.data),
             make_equations=lambda: self.equations(name),
             quantities=lambda: self.used,
-            witness=Witness(owned.base, values, owned.sizes, errors, owned.words, owned.parts),
+            witness=Witness(owned.base, values, owned.sizes, errors, owned.words, owned.parts, left_out),
             conditions=Stated(self.sizes, text, POINTS),
             point=Stated(draw(owned.base, POINTS, self.sizes), f"a point with {text}" if errors else text),
             evidence=lambda number: "",

@@ -379,6 +379,22 @@ def test_units_that_do_not_fit_are_named(tmp_path):
     assert unheld(one)[0] == "Without a derivation, judged by the witness alone: (1)."
 
 
+def test_what_is_said_beside_a_formula_is_left_out_and_listed(tmp_path):
+    letters = {"x": "{ latex = 'x', value = '1.5' }", "y": "{ latex = 'y', value = '2.5' }"}
+    equations = {
+        "1": r"\max(x, y) = y \quad \text{for } x < 3",
+        "2": r"x + \mathcal{O}(x^2) = 1.5",
+        "3": r"\begin{aligned} x &= 1.5 + \cdots \\ \min(x, y) &= x, \text{ if } y > x \end{aligned}",
+        "4": r"y = \max(x, y) + 1",
+    }
+    one = written(tmp_path, "motion", letters, equations)
+    assert statuses(one) == dict.fromkeys("123", "exact") | {"4": "erratum"}
+    texts = [text.partition("formula, ")[2] for text in unheld(one)]
+    assert texts[:3] == ["'for x < 3'.", "'O(x^2)'.", "'..., if y > x'."]
+    with pytest.raises(BoresightError, match=r"cannot read .*cdots"):
+        written(tmp_path, "motion", letters, {"1": r"y = \cdots + x"})
+
+
 def test_a_letter_without_a_unit_has_that_of_its_value_or_of_its_equation_or_none_that_is_known(tmp_path):
     letters = {
         "v": r"{ latex = 'v', value = '-v_n' }",

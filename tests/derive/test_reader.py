@@ -152,13 +152,22 @@ NORM, CONJ = Function("norm")(w), Function("conj", commutative=False)(q)
         (r"e^{y}", exp(y)),
         (r"\sqrt[3]{y}", y ** Rational(1, 3)),
         (r"\mathbf{0}_{3 \times 3}", Symbol("0_3x3", commutative=False)),
-        (r"I_{3}", Symbol("I_3x3", commutative=False)),
+        *((latex, Symbol("I_3x3", commutative=False)) for latex in ("I_{3}", "I_3", r"\mathbf{I}_3")),
+        (r"\begin{bmatrix} x & y \end{bmatrix}^T", column(x, y)),
+        (r"\begin{bmatrix} A & x \end{bmatrix}^{\mathsf{T}}", column(transpose(A), x)),
+        (r"\max(x, y)", Function("max")(x, y)),
     ],
 )
 def test_what_people_type_is_read(latex, right):
     for sign in ("=", r"\triangleq", ":=", r"\approx"):
         (relation,) = read((rf"x {sign} {latex}",), TYPED)
         assert relation.sides == (x, right)
+
+
+@pytest.mark.parametrize("latex", [r"C_b^{nT}", r"C_b^{n\,\mathrm{T}}", r"{C_b^n}^T", r"(C_b^n)^\top"])
+def test_a_transpose_may_stand_within_what_is_above_a_letter(latex):
+    (relation,) = read((f"A = {latex} A",), (*TYPED, Quantity(v, "C_b^n", "m", "", (3, 3))))
+    assert relation.sides[1] == transpose(v) * A
 
 
 @pytest.mark.parametrize(
