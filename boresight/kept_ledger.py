@@ -55,9 +55,9 @@ def page(paper: str, number: str | None, form: str, width: int) -> str:
 def files_of(paper: str) -> tuple[Path, ...]:
     """The files of a paper of one's own; of the papers that come with Boresight none, for they are sources."""
     from boresight.derive.papers import is_folder
-    from boresight.derive.papers.files import FILES
+    from boresight.derive.papers.files import FILES, STEPS
 
-    return tuple(Path(paper) / name for name in FILES) if is_folder(paper) else ()
+    return tuple(Path(paper) / name for name in (*FILES, STEPS)) if is_folder(paper) else ()
 
 
 def has_own_model(paper: str) -> bool:

@@ -3,11 +3,11 @@
 import subprocess
 import tempfile
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from boresight import BoresightError
-from boresight.derive.papers.files import FILES
+from boresight.derive.papers.files import FILES, STEPS
 
 
 def committed(path: Path, revision: str) -> str:
@@ -64,6 +64,8 @@ def paper_as_of(folder: Path, against: str) -> Iterator[Path]:
     with tempfile.TemporaryDirectory(prefix="boresight-") as aside:
         for name in FILES:
             (Path(aside) / name).write_text(committed(folder / name, against), encoding="utf-8")
+        with suppress(BoresightError):  # there may have been none
+            (Path(aside) / STEPS).write_text(committed(folder / STEPS, against), encoding="utf-8")
         yield Path(aside)
 
 

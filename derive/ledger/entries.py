@@ -135,7 +135,8 @@ def _entry(paper: Paper, equation: Equation) -> Entry:
     if ours.status == "refuted":
         raise BoresightError(
             f"{equation.paper} {equation.label}: the derived form itself is refuted, {ours.why}; "
-            f"check derive/papers/{paper.name.replace('-', '_')}/derived.py"
+            f"check {paper.folder or 'derive/papers/' + paper.name.replace('-', '_')}/"
+            f"{'derivation.toml' if paper.folder else 'derived.py'}"
         )
     verdict = judge(paper, equation, equation.read())
     status = "erratum" if verdict.status == "refuted" else verdict.status
@@ -146,7 +147,10 @@ def _entry(paper: Paper, equation: Equation) -> Entry:
         kinds = {slip.kind for slip in slips}
         kind = kinds.pop() if len(kinds) == 1 else "structure"
         origin, why = origin_of(paper, equation, slips)
-        notes.insert(0, f"Origin {origin}: {why}.")
+        if paper.folder:
+            origin = ""
+        else:
+            notes.insert(0, f"Origin {origin}: {why}.")
         evidence = f"{verdict.why}; {_side_by_side(paper, equation)}"
         letters = dict.fromkeys(f"{slip.printed} for {slip.derived}" for slip in slips)
         if kind == "letter":

@@ -342,7 +342,8 @@ def check_derivation(paper: Paper, equation: Equation) -> None:
     for index, step in enumerate(steps):
         if step.relation is None:
             continue
-        where = f"{paper.name} ({equation.number}), line {index + 1}, {step.latex}"
+        name = f"{paper.folder}/derivation.toml," if paper.folder else paper.name
+        where = f"{name} ({equation.number}), line {index + 1}, {step.latex}"
         verdict = judge_line(paper, equation, index)
         if verdict.holds and step.passage is not None:
             verdict = judge_passage(paper, equation, index)

@@ -161,6 +161,14 @@ def solve_for(letter: str, of: str = "") -> Passage:
     return Passage("solve", of, (), (letter,))
 
 
+OPERATIONS = (
+    "substitute", "multiply", "add", "add line", "subtract line", "transpose", "invert", "rearrange", "multiply out",
+    "chain", "expand", "leave out", "differentiate", "carry over", "take the vector", "take the skew-symmetric part",
+    "take rows", "take an entry", "put in", "find the minimum", "stack", "take the root", "identify",
+    "take the rotation vector", "take the quaternion", "solve",
+)  # fmt: skip
+
+
 # ---- Carrying out ----------------------------------------------------------------------------------------------------
 
 

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 FILES = ("paper.toml", "printed.tex")
+STEPS = "derivation.toml"  # of which there may be none
 
 
 def holds_paper(folder: str) -> bool:

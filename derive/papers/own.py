@@ -25,7 +25,8 @@ from boresight.derive.ledger.numbers import Matrix, digits
 from boresight.derive.ledger.paper import Paper, Stated, Witness
 from boresight.derive.ledger.reader import UnreadError, plain, read
 from boresight.derive.ledger.witness import draw, scaled
-from boresight.derive.papers.files import FILES
+from boresight.derive.papers.files import FILES, STEPS
+from boresight.derive.papers.own_steps import Steps
 from boresight.derive.papers.scenarios import Scenario, scenario
 from boresight.derive.papers.value_frames import frame_of_value
 from boresight.derive.papers.values import TIMES, ValueOfLetterError, Values, check, parsed
@@ -463,8 +464,14 @@ class Folder:
 
     def equations(self, name: str) -> tuple[Equation, ...]:
         found = []
+        steps = Steps(self.folder / STEPS, self.scenario.errors)
+        if unknown := [number for number in steps.data if number not in self.prints]:
+            steps.refuse(unknown[0], 0, f"{PRINT} has no such equation; it has {', '.join(self.prints)}")
         for number, (display, relations) in self.prints.items():
             more = self.data.get("equations", {}).get(number, {})
+            lines = steps.of(number, self.quantities)
+            results = tuple(line.relation for line in lines if line.result and line.relation is not None)
+            used = names([relation for line in lines for relation in line.formulas])
             for part in more.get("small", ()):
                 if part not in self.scenario.errors:
                     near = did_you_mean(part, self.scenario.errors)
@@ -479,8 +486,8 @@ class Folder:
                     latex=(display.latex,),
                     lines=display.lines,
                     printed=relations,
-                    derived=relations,
-                    derivation=Derivation(()),
+                    derived=results or relations,
+                    derivation=Derivation(lines),
                     defines=tuple(
                         symbol
                         for relation in relations
@@ -489,6 +496,7 @@ class Folder:
                     small=tuple(more.get("small", ())),
                     note=" ".join(filter(None, (planted, more.get("note", "")))),
                     quantities=(*self.used, *here),
+                    step_letters=tuple(one for one in self.quantities if one.symbol.name in used),
                 )
             )
         return tuple(found)
