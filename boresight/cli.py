@@ -344,7 +344,7 @@ def generate(
     with terminal.progress() as progress:
         for done, target in enumerate(targets):
             progress(done, len(targets), target)
-            report = g.generate(target, out, check)
+            report = g.generate(target, out, check, tell=lambda line: print(line, file=sys.stderr))
             label = f"{report.model} in {report.folder}"
             if not report.comparable:
                 made = ", ".join(f"{k} {v}" for k, v in g.old_manifest(report.folder)["versions"].items())
@@ -518,6 +518,24 @@ def verify(
     raise typer.Exit(v.status(checks, strict))
 
 
+Form = Annotated[
+    str,
+    typer.Option(
+        help="joseph or ud: only this form of the covariance; by default both, double flies joseph, float ud.",
+        autocompletion=completed(lambda: ["joseph", "ud"]),
+    ),
+]
+Only = Annotated[
+    str,
+    typer.Option(metavar="MEASUREMENT,...", help="Only these measurements, without the others."),
+]
+
+
+def listed(names: str) -> tuple[str, ...]:
+    """Those between commas."""
+    return tuple(name for name in names.replace(" ", "").split(",") if name)
+
+
 @app.command()
 def export(
     target: Annotated[
@@ -549,17 +567,8 @@ def export(
             help="Add files for other build tools: arduino, platformio, idf, zephyr, px4.",
         ),
     ] = "",
-    form: Annotated[
-        str,
-        typer.Option(
-            help="joseph or ud: only this form of the covariance; by default both, double flies joseph, float ud.",
-            autocompletion=completed(lambda: ["joseph", "ud"]),
-        ),
-    ] = "",
-    only: Annotated[
-        str,
-        typer.Option(metavar="MEASUREMENT,...", help="Export these measurements, and leave out the others."),
-    ] = "",
+    form: Form = "",
+    only: Only = "",
     against: Annotated[
         Path | None,
         typer.Option(
@@ -576,15 +585,13 @@ def export(
     """
     from boresight.codegen.export import export as export_model
 
-    named = tuple(name for name in places.replace(" ", "").split(",") if name)
     if against:
         require("evidence")
         from boresight.evidence.against import against as compared
         from boresight.evidence.against import exported
 
         exported(against)
-    chosen = tuple(name for name in only.replace(" ", "").split(",") if name)
-    written = export_model(target, out, precision, folder, tuple(box or ()), named, chosen, form)
+    written = export_model(target, out, precision, folder, tuple(box or ()), listed(places), listed(only), form)
     if written.warning:
         print(f"boresight: {written.warning}", file=sys.stderr)
     goals = "test example" if out / "example" / "main.c" in written.files else "test"
@@ -597,15 +604,19 @@ def export(
 def evidence(
     target: Annotated[
         str,
-        typer.Argument(metavar="FILE.py:NAME", show_default=False, autocompletion=completed(model_names)),
+        typer.Argument(metavar="MODEL | FILE.py:NAME", show_default=False, autocompletion=completed(model_names)),
     ],
     quick: Annotated[
         bool,
         typer.Option("--quick", help="Make only what takes some 3 minutes: no mutants, Eva, hostile calls or verify."),
     ] = False,
     folder: Annotated[Path | None, typer.Option("--generated", help="Its generated folder.")] = None,
+    form: Form = "",
+    only: Only = "",
 ) -> None:
-    """Make the evidence of a model of your own, for its export.
+    """Make the evidence of your own model, or of a part of one.
+
+    A part is one form of the covariance, or some measurements, as `export` writes it; of a built-in model too.
 
     Uses the tools that are installed.  Each kind of evidence is kept with a hash of its C, and made again only if this
     changes: the self-test on emulated cores, its coverage with MC/DC, bad input, stack of each entry point, rounding,
@@ -614,7 +625,7 @@ def evidence(
     require("evidence")
     from boresight.evidence.own import make_own
 
-    make_own(target, quick, folder)
+    make_own(target, quick, folder, listed(only), form)
 
 
 Svg = Annotated[bool, typer.Option("--svg", help="Figures as SVG, for a paper, and not as PNG.")]

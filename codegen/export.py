@@ -6,6 +6,8 @@ import re
 import shutil
 import subprocess
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -31,6 +33,7 @@ from boresight.runtime.manifest import folder_of, read_manifest
 
 PRECISIONS = ("double", "float")
 FORMS = {"joseph": "Joseph", "ud": "UD"}  # of the covariance, and what the C calls them
+NO_FORM = "there is no form {!r} of a covariance; choose {}"
 FORM_OF = {"double": "joseph", "float": "ud"}  # which one a precision flies, unless another is chosen
 # Where the C is built by somebody else's tool, and what that needs beside it.
 PLACES = {
@@ -61,15 +64,8 @@ NO_EVIDENCE = "none was made of this model"
 OTHER_BOXES = "boxes were chosen for this export, {}: its C is other than that of which evidence is kept"
 OTHER_EVIDENCE = "what is kept was found of other C, with another hash"
 MAKE = "'boresight evidence {}' makes what is missing, as far as the tools are there; with --quick in some 3 minutes."
-MAKE_PART = (
-    "This text is of what was chosen to fly: its self-test passed on the machine that wrote it. 'boresight evidence "
-    "FILE.py:NAME' makes the rest of a model of your own that has these measurements alone, in some 15 minutes, with "
-    "--quick in 3."
-)
-MAKE_FORM = (
-    "This text has one form of the covariance: its self-test passed on the machine that wrote it, and what is kept is "
-    "of text that is the same. No command makes the rest of one form alone; without --form both are exported, with all "
-    "that is kept of them."
+MAKE_BOXED = (
+    "No command makes it of boxes that an export chose: write them into a model of your own, see 'boresight new'."
 )
 MADE_HERE = "'python -m boresight.evidence {}' makes it, in a checkout of Boresight."
 SECONDS = 60  # of the example
@@ -156,7 +152,7 @@ def export(
     if precision not in PRECISIONS:
         raise BoresightError(f"there is no precision {precision!r}; choose {' or '.join(PRECISIONS)}")
     if form and form not in FORMS:
-        raise BoresightError(f"there is no form {form!r} of a covariance; choose {' or '.join(FORMS)}")
+        raise BoresightError(NO_FORM.format(form, " or ".join(FORMS)))
     if unknown := [place for place in places if place not in PLACES]:
         raise BoresightError(f"nothing is known of {unknown[0]!r}; choose of {', '.join(PLACES)}")
     if out.exists() and (not out.is_dir() or any(out.iterdir())):
@@ -169,10 +165,64 @@ def export(
             if boxes:
                 unproven = OTHER_BOXES.format(", ".join(boxes))
                 return exported(made, out, precision, target, places, unproven, form=form, model=model)
-            whole = generated_folder(target, Path(folder) if folder else None, model) if ":" in target else folder
-            results = proof.place(Folder(Path(whole) if whole else folder_of(target)))
-            return exported(made, out, precision, target, places, results=results, form=form, model=model)
+            whole = whole_folder(target, folder, model)
+            return exported(made, out, precision, target, places, whole=whole, only=only, form=form, model=model)
     return exported(current_folder(target, folder, model), out, precision, target, places, form=form, model=model)
+
+
+def whole_folder(target: str, folder: str | Path | None = None, model: Model | None = None) -> Path:
+    """Where a model was generated, whatever it says now; folder: if not where `generate` puts it."""
+    if ":" in target:
+        return generated_folder(target, Path(folder) if folder else None, model)
+    return Path(folder) if folder else folder_of(target)  # from wherever the command is run
+
+
+@contextmanager
+def part(
+    target: str, only: tuple[str, ...] = (), form: str = "", folder: str | Path | None = None
+) -> Iterator[tuple[Folder, Path]]:
+    """What `export` would write with these measurements and this form, as a generated folder, while it is needed; and
+    the folder of the whole model.
+
+    Raises BoresightError as `export` does.
+    """
+    if form and form not in FORMS:
+        raise BoresightError(NO_FORM.format(form, " or ".join(FORMS)))
+    with tempfile.TemporaryDirectory() as aside:
+        whole = whole_folder(target, folder) if only else current_folder(target, folder)
+        made, model, own = whole, load_model(target), target if ":" in target else ""
+        results = part_results(whole, own, only, form)
+        if only:
+            model = with_only(model, only)
+            made = generate(target, Path(aside) / "only" / whole.name, model=model).folder
+        if form:
+            manifest = read_manifest(made)
+            of = written_aside(texts_of(made, manifest, target, form, model), manifest, Path(aside) / whole.name)
+            made = of.path
+        yield Folder(made, own, results), whole
+
+
+def part_results(whole: Path, own: str, only: tuple[str, ...], form: str) -> Path:
+    """Where the evidence of a part is kept: beside the folder of a model of one's own, else in ./generated."""
+    home = whole.parent if own else Path("generated")
+    return home / f"{'-'.join((whole.name, *sorted({*only}), *([form] if form else [])))}.evidence.json"
+
+
+def texts_of(
+    folder: Path, manifest: dict[str, Any], target: str, form: str = "", model: Model | None = None
+) -> dict[str, str]:
+    """By path what is exported of a generated folder and what evidence is made with, of one form if it is chosen."""
+    if form and not manifest.get("filter"):
+        raise BoresightError(f"--form: {manifest['model']} has no filter, and so no covariance")
+    left_out = ("casadi/", "CMakeLists", "equations")
+    files = {path: (folder / path).read_text() for path in manifest["files"] if not path.startswith(left_out)}
+    if not form:
+        return files
+    files = with_form(files | self_test(model or load_model(target), form), manifest["c_prefix"], form)
+    names = {"name": manifest["model"], "snake": snake(manifest["model"]), "prefix": manifest["c_prefix"]}
+    identity, _ = identity_files(files, names, has_filter=True, form=form)
+    precision = "include/boresight_precision.h"  # which refuses the other form
+    return files | {precision: identity[precision]}
 
 
 def current_folder(target: str, folder: str | Path | None = None, model: Model | None = None) -> Path:
@@ -180,9 +230,7 @@ def current_folder(target: str, folder: str | Path | None = None, model: Model |
 
     folder: where it was generated, if not where `generate` puts it.  model: what `target` names, if it is known.
     """
-    if ":" in target:
-        folder = generated_folder(target, Path(folder) if folder else None, model)
-    folder = Path(folder) if folder else folder_of(target)  # from wherever the command is run
+    folder = whole_folder(target, folder, model)
     if (model or not unchanged(target, folder)) and generate(target, folder, check=True, model=model).written:
         raise BoresightError(f"{folder} is not what {target} says now; run 'boresight generate {target}' first")
     return folder
@@ -195,37 +243,33 @@ def exported(
     target: str,
     places: tuple[str, ...],
     unproven: str = "",
-    results: Path | None = None,
+    whole: Path | None = None,
+    only: tuple[str, ...] = (),
     form: str = "",
     model: Model | None = None,
 ) -> Exported:
     """A generated folder, written to `out` in one precision, and in one form if it is chosen.
 
-    target: as the user names the model.  unproven: why there can be no evidence of it, or nothing.  results: where
-    those of the whole model are kept, of which this is a part.  model: what `target` names, if it is loaded.
+    target: as the user names the model.  unproven: why there can be no evidence of it, or nothing.  whole: that of the
+    model, of which this one has these measurements `only`.  model: what `target` names, if it is loaded.
     """
     manifest = read_manifest(folder)
-    files = {
-        path: (folder / path).read_text()
-        for path in manifest["files"]
-        if not path.startswith(("casadi/", "batch/", "CMakeLists", "equations"))
-    }
+    either = texts_of(folder, manifest, target, form, model)  # in either precision, as evidence is made
+    files = {path: text for path, text in either.items() if not path.startswith("batch/")}
     names = {"name": manifest["model"], "snake": snake(manifest["model"]), "prefix": manifest["c_prefix"]}
-    if form and not manifest.get("filter"):
-        raise BoresightError(f"--form: {manifest['model']} has no filter, and so no covariance")
-    if form:
-        files |= self_test(model or load_model(target), form)
-        files = with_form(files, names["prefix"], form)
-    either = files  # in either precision, as evidence is made
     identity, digest = identity_files(files, names, bool(manifest.get("filter")), precision, form)
     assert form or digest == manifest["hash"]  # whatever the precision
     manifest |= {"hash": digest}
     files = files | ({path: chosen(text, form == "ud") for path, text in identity.items()} if form else identity)
-    make = MAKE_PART if results else MAKE.format(target) if ":" in target else MADE_HERE.format(folder.name)
-    make = MAKE_FORM if form else make
+    chose = [*(["--only", ",".join(only)] if only else []), *(["--form", form] if form else [])]
+    own = target if ":" in target else ""
+    make = MAKE.format(" ".join((target, *chose))) if own or chose else MADE_HERE.format(folder.name)
+    make = MAKE_BOXED if unproven else make
     with tempfile.TemporaryDirectory() as aside:
         of = written_aside(either, manifest, Path(aside) / folder.name) if form else Folder(folder)
-        results = results or proof.place(Folder(folder))
+        results = proof.place(Folder(whole or folder))
+        if chose and (of_part := part_results(whole or folder, own, only, form)).is_file():
+            results = of_part
         found = {} if unproven else proof.kept(of, results)
         why = "" if found else unproven or (OTHER_EVIDENCE if results.is_file() else NO_EVIDENCE)
         page = proof.page_view(of, found, why, make)
@@ -248,10 +292,10 @@ def exported(
     files |= {"sbom.json": as_json(bill_of_materials(manifest, view["package"]))}
     files |= {"trace.csv": requirements.as_csv(page["trace"])}
     files |= {"trace-back.csv": requirements.as_csv(requirements.back(demanded))}
-    whole = {key: manifest[key] for key in ("model", "title", "c_prefix", "hash", "version")}
-    whole |= {"precision": precision, "form": view["form"], "files": hashes(files)}
-    whole |= {"measurements": list(manifest["measurements"])} if manifest.get("filter") else {}
-    files["manifest.json"] = as_json(whole)
+    document = {key: manifest[key] for key in ("model", "title", "c_prefix", "hash", "version")}
+    document |= {"precision": precision, "form": view["form"], "files": hashes(files)}
+    document |= {"measurements": list(manifest["measurements"])} if manifest.get("filter") else {}
+    files["manifest.json"] = as_json(document)
     return Exported(write(out, files), view["cost"])
 
 

@@ -17,11 +17,12 @@ TEST = re.compile(r"^int (test_\w+)\(void\)$", re.MULTILINE)
 class Folder:
     """One generated folder: a model or a component.
 
-    own: FILE.py:NAME of a model of one's own.
+    own: FILE.py:NAME of a model of one's own.  results: where its evidence is kept, if not where the folder says.
     """
 
     path: Path
     own: str = ""
+    results: Path | None = None
 
     @cached_property
     def manifest(self) -> dict[str, Any]:

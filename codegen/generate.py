@@ -10,14 +10,14 @@ import os
 import re
 import sys
 import tempfile
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from boresight import __version__
-from boresight.codegen.stamp import PACKAGE, made_from
+from boresight.codegen.stamp import PACKAGE, hashed, made_from
 from boresight.derive.models import MODELS, built_in
 from boresight.errors import BoresightError, did_you_mean
 
@@ -100,6 +100,7 @@ def stamp(target: str, read: Collection[str] = ()) -> dict[str, Any]:
     made: dict[str, Any] = dict(made_from(source, [source.parent / path for path in read] if source else []))
     if ":" in target and source:
         made |= {"of": f"{source.name}:{target.rsplit(':', 1)[1]}", "read": sorted(read)}
+        made["own"] = hashed({source, *(source.parent / path for path in read)})  # without what it imports of Boresight
     return {"made_from": made, "versions": versions(), "version": __version__}
 
 
@@ -260,6 +261,7 @@ def generate(
     check: bool = False,
     model: Any = None,
     writing: AbstractContextManager[Any] = nullcontext(),  # noqa: B008
+    tell: Callable[[str], object] = lambda line: None,
 ) -> Report:
     """Make the folder of one model's C agree with its source.
 
@@ -277,6 +279,9 @@ def generate(
         What `target` names, if it is loaded already.
     writing : context manager, optional
         Held while files are put in their places.
+    tell : callable, optional
+        Given one line before anything is written, where the model is as it was and another version
+        of Boresight, SymPy or CasADi makes other operations of its equations.
 
     Returns
     -------
@@ -353,10 +358,31 @@ def generate(
     stale = [path for path in before.get("files", {}) if path not in files and (folder / path).is_file()]
     differing = [path for path, text in files.items() if not same(folder / path, text)]
     if not check:
+        if line := of_another_version(folder, before, document, changes):
+            tell(line)
         with writing:
             write(folder, {path: files[path] for path in differing}, stale)
     strange = strange_files(folder, {*files, *stale}) if before else ()
     return Report(document["model"], folder, changes, tuple(sorted(differing + stale)), False, strange=strange)
+
+
+def of_another_version(folder: Path, before: dict[str, Any], now: dict[str, Any], changes: tuple[Change, ...]) -> str:
+    """Which functions have other operations though their equations are the same, and why; or nothing."""
+    made, of_now = before.get("made_from", {}), now["made_from"]
+    known = [key for key in ("own", "model") if key in made and key in of_now]
+    same_model = any(made[key] == of_now[key] for key in known)
+    other = [str(change) for change in changes if change.before is not None and change.after is not None]
+    if not (same_model and other):
+        return ""
+    was = {"Boresight": before.get("version"), **before.get("versions", {})}
+    here = {"Boresight": now["version"], **now["versions"]}
+    why = [f"{name} {was.get(name)} made it, {here[name]} is here" for name in here if was.get(name) != here[name]]
+    shown = "; ".join(other[:3]) + f"; and {len(other) - 3} more" * (len(other) > 3)
+    return (
+        f"{folder}: the model is as it was, but its C gets other operations, since "
+        f"{' and '.join(why) or 'the generator was edited'}: {shown}.  Their bits and their evidence change; keep a "
+        "copy of the folder to compare, or install what made it"
+    )
 
 
 def unchanged(target: str, folder: Path | None = None) -> Report | None:

@@ -142,13 +142,25 @@ def traced(of: Result) -> str:
     return f"{of['statements']} to {of['outputs']}" + (f", {len(of['missing'])} open" if of["missing"] else "")
 
 
+COUNTED = ("lines", "branches", "conditions")  # of coverage; conditions by MC/DC
+ASKED = (100, 99.5, 98)  # per cent of each, of what a call can reach
+
+
+def shares(units: list[Result], precisions: tuple[str, ...] = ("double", "float"), reach: bool = False) -> str:
+    """Lines, branches and conditions by MC/DC that are covered, in per cent; reach: of what a call can reach."""
+    found = []
+    for what in COUNTED:
+        counts = [(*of[p][what], of[p].get("beyond", {}).get(what, 0)) for of in units for p in precisions]
+        hit, all_, beyond = (sum(count[i] for count in counts) for i in range(3))
+        every = all_ - beyond if reach else all_
+        found.append(f"{100 * hit / every:.4g}" if every else "-")
+    return " / ".join(found)
+
+
 def covered(of: Result) -> str:
-    """Lines, branches and conditions by MC/DC, in per cent, of both precisions together."""
-    shares = []
-    for what in ("lines", "branches", "conditions"):
-        hit, all_ = (sum(of[precision][what][i] for precision in ("double", "float")) for i in (0, 1))
-        shares.append(f"{100 * hit / all_:.4g}" if all_ else "-")
-    return " / ".join(shares)
+    """In per cent, of both precisions together; and of what a call can reach, if that is less than all."""
+    raw, reached = shares([of]), shares([of], reach=True)
+    return raw if raw == reached else f"{raw}; of what can be reached {reached}"
 
 
 def deepest(of: Result) -> str:
@@ -297,6 +309,8 @@ WHOLE = {
 
 def place(folder: Folder) -> Path:
     """Where the results of a folder are kept: of Boresight's own models with them, of yours beside the folder."""
+    if folder.results:
+        return folder.results
     if folder.path.resolve().parent == generated().resolve():
         return RESULTS / f"{folder.name}.json"
     return folder.path.with_name(f"{folder.name}.evidence.json")
@@ -361,6 +375,8 @@ def page_view(folder: Folder, found: dict[str, Result], why: str, make: str) -> 
         "open": [{"name": name, "lines": lines} for name, lines in left_open(folder, results) if lines],
         "make": make,
         "not_made": not_made(verdicts),
+        "covered": coverage_of(list(results.get("coverage", {}).values())),
+        "asked": ASKED,
         "cores": CORES,
         "entries": entries(stacks, results.get("golden", {})),
         "classes": classes(results.get("golden", {})),
@@ -409,6 +425,12 @@ def not_made(verdicts: dict[str, dict[str, Verdict]]) -> list[tuple[str, str]]:
         if names:
             found.append((column.title, "all" if len(names) == len(verdicts[column.kind]) else ", ".join(names)))
     return found
+
+
+def coverage_of(units: list[Result]) -> list[tuple[str, str, str]]:
+    """Of a whole folder, by precision: of all, and of what a call can reach."""
+    by_precision = [(one, shares(units, (one,)), shares(units, (one,), reach=True)) for one in ("double", "float")]
+    return by_precision if units else []
 
 
 def classes(golden: Result) -> list[dict[str, Any]]:

@@ -20,6 +20,7 @@ BRACED = re.compile(r"\{[^{}]*\}")
 DEFINED = re.compile(r"#define (\w+)")
 CALLED = re.compile(r"(\w+)\s*\(")
 LAST = re.compile(r"(\w+)\s*(?:\[[^\]]*\]\s*)*(?:=.*)?;$", re.DOTALL)
+CHOSEN = "#define BORESIGHT_UD ", "boresight_precision.h"  # by an export: what hangs on it has another text there
 HIDDEN = ("static ", "BS_INSIDE ", "#", "typedef ", "enum ")  # how a line of a C file begins that names nothing outside
 
 
@@ -58,14 +59,17 @@ def pieces(path: Path) -> list[Piece]:
             ended = line.startswith("}") or (line.endswith((";", "}")) and not left_open)
         if ended:
             whole = "\n".join(lines)
-            found.append(Piece(path, " ".join(whole.split()), declared(whole), path.suffix == ".h" or shown(whole)))
+            found.append(Piece(path, " ".join(whole.split()), declared(whole), is_public(path, whole)))
             lines, left_open = [], 0
     return found
 
 
-def shown(text: str) -> bool:
-    """Whether a piece of a C file may be meant by another file."""
-    return not text.startswith(HIDDEN)
+def is_public(path: Path, text: str) -> bool:
+    """Whether other files may mean a piece."""
+    define, header = CHOSEN
+    if path.name == header and text.startswith(define):
+        return False
+    return path.suffix == ".h" or not text.startswith(HIDDEN)
 
 
 def declared(text: str) -> frozenset[str]:

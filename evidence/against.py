@@ -7,16 +7,18 @@ from pathlib import Path
 from boresight import BoresightError
 from boresight.codegen.folder import Folder
 from boresight.evidence.stack import built
-from boresight.evidence.targets import GCC, M4F, M7, Target
+from boresight.evidence.targets import GCC, M4F, M7, Target, plain
 
 TELLS = ("model", "precision", "form")  # what two folders share that are compared
 
 
 def exported(path: Path) -> Folder:
-    """An exported folder.  Raises BoresightError where it is none."""
+    """An exported folder.  Raises BoresightError where it is none, or a file of it was edited."""
     if not (path / "manifest.json").is_file():
         raise BoresightError(f"{path} is no exported folder: it has no manifest.json; give one that 'export' wrote")
-    return Folder(path)
+    folder = Folder(path)
+    assert folder.manifest  # read before anything is written
+    return folder
 
 
 def against(old: Path, new: Path, core: Target | None = None) -> str:
@@ -55,7 +57,7 @@ def measured(folder: Folder, core: Target, precision: str) -> tuple[dict[str, in
     """Bytes by unit, and by entry point."""
     with tempfile.TemporaryDirectory() as out:
         flash, calls = built(folder, core, precision, Path(out))
-    return flash, {entry.removesuffix("_f32"): calls.deepest(entry) for entry in calls.entries()}
+    return flash, {plain(entry): calls.deepest(entry) for entry in calls.entries()}
 
 
 def table(title: str, rows: Mapping[str, tuple[int | None, int | None]]) -> list[str]:

@@ -325,12 +325,18 @@ def attack(folder: Folder, out: Path, calls: int | None = None) -> dict[str, dic
     calls = calls or (LARGE_CALLS if dear else CALLS)
     found = {}
     for precision in PRECISIONS:
-        for form in FORMS:
+        for form in forms(folder):
             for flags, some in (((), calls), (SANITIZERS, max(1, calls * SANITIZED // CALLS))):
                 name = f"{precision} {form}{' sanitized' if flags else ''}"
                 program = driver(folder, precision, form, out / name.replace(" ", "-"), flags)
                 found[name] = {"calls": some, "seed": SEED, **attacked(program, some)}
     return found
+
+
+def forms(folder: Folder) -> list[str]:
+    """Those of the covariance that the folder has: of an export it may be one."""
+    (text,) = (path.read_text() for path in folder.files("include/*_covariance.h"))
+    return [form for form in FORMS if f"{folder.manifest['c_prefix']}_{form.lower()}_predict(" in text]
 
 
 def driver(folder: Folder, precision: str, form: str, out: Path, flags: tuple[str, ...] = ()) -> Path:

@@ -12,7 +12,6 @@ What is left open is named, and why it is, where the model's own text shows that
 
 import itertools
 import json
-import re
 import subprocess
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -23,95 +22,17 @@ from pycparser import c_ast, c_generator
 
 from boresight import BoresightError
 from boresight.codegen.folder import Folder, Source
+from boresight.evidence.because import argued, beyond_reach
 from boresight.evidence.mutants import PROBES, Types, lines_of
 from boresight.evidence.parsed import of_headers, parsed
-from boresight.evidence.targets import HARNESS, PRECISIONS
+from boresight.evidence.targets import HARNESS, PRECISIONS, plain
 from boresight.runtime.compiler import compile_sources, run
 
 LOGICAL = ("&&", "||")
 MARKS = "int coverage_mark(int, int, int); int coverage_decide(int, int);\n"
 QUIET = ("gcc", "-std=gnu99", "-O1", "-w", "-ffp-contract=off")
-Lines = dict[tuple[int, str], bool]  # by number and text, whether it was run
+Lines = dict[tuple[int, str, str], bool]  # by number, text and function, whether it was run
 Evaluation = tuple[int, int, int]  # the conditions that were evaluated, those that were true, and what came of it
-
-
-# Function, words of the line, what must stand in the folder's C for the reason to hold, and the reason.
-BECAUSE = (
-    (
-        r"carry",
-        r"least",
-        r"#define SHORTEST BS_REAL\(1e-06\)",
-        "stamps are whole microseconds, the shortest step is one",
-    ),
-    (
-        r"advance",
-        r"span >= SHORTEST",
-        r"#define SHORTEST BS_REAL\(1e-06\)",
-        "stamps are whole microseconds, the shortest step is one",
-    ),
-    (
-        r"admit|prepare|judge|measure",
-        r"delayed\[",
-        r"delayed\[\w+\] = \{ 1U(, 1U)* \};",
-        "every measurement of this model is delayed",
-    ),
-    (
-        r"expect",
-        r"status == BS_OK",
-        r"\{\n +bs_status status = BS_OK;\n +if \(status == BS_OK\)",
-        "nothing is before it",
-    ),
-    (
-        r"\w+_live_(output|snapshot)",
-        r"sequence == live->sequence",
-        "",
-        "sample has to interrupt it, and one context is here",
-    ),
-    (r"step_end", r"when - live->behind", r"when - live->behind\) > 0", "pass() has come by all that lie behind"),
-    (
-        r"bs_digest_\w+|boresight_digest\.h",
-        r"== NULL|return BS_NULL_POINTER",
-        "",
-        "units give no null pointer; the self-test's own call is another copy",
-    ),
-    (
-        r"\w+_ud_predict|\w+_covariance\.c",
-        r"for \(int k = M; k < DOWN; \+\+k\)|[XV]\[\(k \* ROW\) \+ j\] = BS_REAL\(0\.0\)",
-        r"#define DOWN (\d+) [\s\S]*_N_MOVING \1 |_N_MOVING (\d+) [\s\S]*#define DOWN \2 ",
-        "the rows that move are whole blocks: none is filled",
-    ),
-    (
-        r"check_sum|\w+_filter\.c",
-        r"int i = eights|sum \+= value\[i\]",
-        r"_N_PACKED (136|1176) ",
-        "the states and the numbers of P are whole eights",
-    ),
-    (
-        r"assess",
-        r"more > BS_REAL\(0\.0\)",
-        r"\(nu \* nu\) > \(\(row->gate \* row->gate\) \* S\)",
-        "beyond its gate the R of a row has to rise; only rounding could say otherwise",
-    ),
-    (
-        r"bs_atan2",
-        r"\(large - large\) > BS_REAL\(0\.0\)",
-        "",
-        "a number less itself is never above zero; it is for what a compiler may make of infinity",
-    ),
-    (r"start", r"status == BS_OK", r"bs_status status = bs_probe\(\);", "bs_probe() passes wherever a self-test does"),
-    (
-        r"\w+_filter_restore",
-        r"status == BS_OK",
-        r"if \(status != BS_OK\) \{\n +return status;",
-        "what is not BS_OK has returned above",
-    ),
-    (
-        r"\w+_live\.c",
-        r"default:|return BS_OUT_OF_RANGE",
-        r"default:\n +return BS_OUT_OF_RANGE;",
-        "a message of no kind that there is was not admitted",
-    ),
-)
 
 
 @dataclass
@@ -147,7 +68,7 @@ class Marker(c_generator.CGenerator):
         if not self.inside or n is None or not any(map(changes, conditions(n))):
             return "" if n is None else str(super().visit(n))
         file, line = n.coord.file, n.coord.line
-        decision = Decision(Path(file).name, self.function.removesuffix("_f32"), lines_of(file)[line - 1])
+        decision = Decision(Path(file).name, plain(self.function), lines_of(file)[line - 1])
         number = self.first + len(self.decisions)
         self.decisions.append(decision)
         return f"coverage_decide({number}, {self.marked(n, decision, number)})"
@@ -231,26 +152,22 @@ def coverage(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
         both = set.intersection(*map(set, left.values()))
         alone = [f"{precision}: {line}" for precision in PRECISIONS for line in left[precision] if line not in both]
         of["open"] = [argued(line, folder) for line in left["double"] if line in both] + alone
+        for precision in PRECISIONS:
+            of[precision]["beyond"] = beyond_reach(of["open"])
     return found
 
 
-def argued(line: str, folder: Folder) -> str:
-    """What is open, with the reason why it cannot be covered, if one is known and the folder's C shows it."""
-    for function, words, shown, reason in BECAUSE:
-        if re.match(rf"({function}), (condition |`).*({words})", line) and re.search(
-            shown, "\n".join(path.read_text() for path in folder.sources if path.parent.name != "selftest")
-        ):
-            return f"{line} ({reason})"
-    return line
-
-
 def counted(decisions: list[Decision], lines: dict[str, Lines], files: set[str]) -> dict[str, Any]:
-    ran = [(file, text, hit) for file in sorted(files) for (_, text), hit in lines.get(file, {}).items()]
+    ran = [
+        (function or file, text, hit)
+        for file in sorted(files)
+        for (_, text, function), hit in lines.get(file, {}).items()
+    ]
     branches = [(d, k, value) for d in decisions for k in range(d.conditions) for value in (1, 0)]
     taken = [branch for branch in branches if was(*branch)]
     both = [(d, k) for d in decisions for k in range(d.conditions)]
     alone = [pair for pair in both if shown_alone(*pair)]
-    words = [f"{file}, `{text}` is not run" for file, text, hit in ran if not hit]
+    words = [f"{where}, `{text}` is not run" for where, text, hit in ran if not hit]
     words += [
         f"{d.function}, condition {k + 1} is never {'true' if value else 'false'}: {d.text}"
         for d, k, value in branches
@@ -343,8 +260,8 @@ def lines_covered(folder: Folder, units: list[Source], precision: str, out: Path
                 continue
             lines = found.setdefault(path.name, {})
             for line in file["lines"]:
-                name = str(line.get("function_name", "")).removesuffix("_f32")
+                name = plain(str(line.get("function_name", "")))
                 if name not in PROBES and (own or name in called or not name):
-                    key = line["line_number"], lines_of(str(path))[line["line_number"] - 1]
+                    key = line["line_number"], lines_of(str(path))[line["line_number"] - 1], name
                     lines[key] = lines.get(key, False) or line["count"] > 0
     return found

@@ -21,6 +21,7 @@ from boresight.evidence.targets import (
     Run,
     build,
     doubles,
+    plain,
     public_functions,
     run_on_host,
     same_bits,
@@ -65,11 +66,11 @@ def golden(folder: Folder, out: Path, names: Collection[str] | None = None) -> d
             for unit, of in found.items():
                 of["text"][name] = text_size(made.objects[unit])
                 for function, cost in costs.get(unit, {}).items():
-                    plain = function.removesuffix("_f32")  # one name of both precisions
-                    of["cost"].setdefault(plain, {})[name] = [cost.most, cost.stack]
+                    name_of = plain(function)
+                    of["cost"].setdefault(name_of, {})[name] = [cost.most, cost.stack]
                     classes = [cost.loads, cost.stores, cost.divisions, cost.roots]
                     classes += [] if core.double else [cost.cycles]  # Arm has published no table for a Cortex-M7
-                    of["classes"].setdefault(plain, {})[name] = classes
+                    of["classes"].setdefault(name_of, {})[name] = classes
             if precision == "float":
                 for stem, words in doubles(made, found).items():
                     found[stem]["doubles"] += [f"{name}: {word}" for word in words]

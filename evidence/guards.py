@@ -21,7 +21,7 @@ from boresight.codegen.functions.units import units
 from boresight.codegen.generate import load_model
 from boresight.evidence.calls import Points, call, callable_units, layout, points_of
 from boresight.evidence.mutants import lines_of
-from boresight.evidence.targets import GCC, HARNESS, PRECISIONS, WARNINGS
+from boresight.evidence.targets import GCC, HARNESS, PRECISIONS, WARNINGS, plain
 from boresight.runtime.compiler import compile_sources, run
 from boresight.runtime.library import Unit
 from boresight.runtime.status import Status
@@ -181,7 +181,7 @@ def not_taken(unit: Source, place: Path) -> list[str]:
         if not own and path.name != "boresight.h":
             continue
         for line in file["lines"]:
-            function = str(line.get("function_name")).removesuffix("_f32")
+            function = plain(str(line.get("function_name")))
             where = f"{function}: `{lines_of(str(path))[line['line_number'] - 1]}`"
             if own and line["count"] == 0:
                 found.append(f"{where} is not reached")

@@ -42,7 +42,7 @@ BITS = {"&": "|", "|": "&", "^": "|", "<<": ">>", ">>": "<<", "%": "/"}
 LOGICAL = {"&&": "||", "||": "&&"}
 ASSIGNING = {"+=": "-=", "-=": "+=", "*=": "/=", "/=": "*="}
 SETTING = {"|=": "&=", "&=": "|=", "^=": "|=", "<<=": ">>=", ">>=": "<<=", "+=": "-=", "-=": "+="}
-SUFFIX = re.compile(r"(?<=[0-9.])F\b|_f32\b")  # of numbers and of functions
+SUFFIX = re.compile(r"(?<=[0-9.])F\b|_(f32_joseph|f32|ud)\b")  # of numbers and of functions
 LIBRARY = {"sqrt", "atan2", "fabs", *tape.LIBRARY}
 CALLS = {name: other for name, other in SWAPPED.items() if name in LIBRARY}
 REAL = {"bs_real", "double"}
@@ -267,7 +267,7 @@ def mutated(unit: Source, most: int, precision: str = "double") -> tuple[str, li
     """The text with at most `most` mutants, drawn evenly; what they are; of how many.  In float those that double has
     not."""
     words = candidates(unit, precision)
-    known = set(candidates(unit)) if precision != "double" else set()
+    known = {SUFFIX.sub("", word) for word in candidates(unit)} if precision != "double" else set()
     new = [number for number, word in enumerate(words) if SUFFIX.sub("", word) not in known]
     picked = sorted(new[i] for i in generator("mutants", unit.name).permutation(len(new))[:most].tolist())
     tree = parsed(unit, precision, named=unit.described is not None)

@@ -12,7 +12,7 @@ from typing import Any
 
 from boresight import BoresightError
 from boresight.codegen.folder import Folder
-from boresight.evidence.targets import CORES, PRECISIONS, WARNINGS, Target, text_size
+from boresight.evidence.targets import CORES, PRECISIONS, WARNINGS, Target, plain, text_size
 from boresight.runtime.compiler import compile_sources
 
 NODE = re.compile(r'^node: \{ title: "([^"]*)" label: "([^"]*)"', re.MULTILINE)
@@ -83,6 +83,6 @@ def stack(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
                 found[unit]["flash"][name] = size
             for entry in calls.entries():
                 of = found[calls.unit[entry]]
-                of["stack"].setdefault(entry.removesuffix("_f32"), {})[name] = calls.deepest(entry)
+                of["stack"].setdefault(plain(entry), {})[name] = calls.deepest(entry)
                 of["library"] = sorted({*of["library"], *calls.library(entry)})
     return found

@@ -38,13 +38,24 @@ def tables() -> str:
         kept = results.read(folder)
         rows = [row(unit, {kind: of["units"].get(unit.name, {}) for kind, of in kept.items()}) for unit in folder.units]
         parts.append(section(folder.name, HEAD, rows))
-    more = (verifications, one_flight, hostile, on_a_gpu, drawn, proofs, steps, shown, written, flights)
+    more = (covered, verifications, one_flight, hostile, on_a_gpu, drawn, proofs, steps, shown, written, flights)
     return "".join(parts) + "".join(made() for made in more) + "\n"
 
 
 def section(title: str, head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
     lines = [head, ("---",) * len(head), *rows]
     return f"\n## {title}\n\n" + "\n".join(f"| {' | '.join(line)} |" for line in lines) + "\n"
+
+
+def covered() -> str:
+    """Of each folder, by precision."""
+    head = ("lines / branches / MC/DC, %", "precision", "of all", "of what a call can reach")
+    rows: list[tuple[str, ...]] = [
+        (folder.name, *row)
+        for folder in folders()
+        for row in proof.coverage_of(list(results.read(folder).get("coverage", {}).get("units", {}).values()))
+    ]
+    return section("Coverage of the self-tests", head, rows)
 
 
 HASHES = ("build", "samples", "SHA-256 begins", "first difference", "refused", "flush to zero", "control register")

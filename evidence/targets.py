@@ -24,6 +24,7 @@ WARNINGS = (
     *("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wdouble-promotion", "-Wshadow"),
     *("-Wmissing-prototypes", "-Werror", "-ffp-contract=off"),
 )
+ENDING = re.compile(r"_(f32_joseph|f32|ud)$")  # of functions of another precision than double, or another form
 OPTIMISED = ("-O2", "-ffunction-sections", "-fdata-sections")
 RENAMED = ("selftest_compare", "main")  # of the shipped selftest.c, to shipped_compare and shipped_main
 ROOM, GROUPS = 400_000, 20_000  # numbers and comparisons that the recorder keeps of one test
@@ -138,6 +139,11 @@ def link_alone(made: Build, unit: str) -> Path:
     link += [f"-Wl,-u,{name}" for name in kept]
     run([made.target.compiler, *made.target.flags, *link, *made.objects.values(), "-lm", "-o", image])
     return image
+
+
+def plain(function: str) -> str:
+    """One name of a function in every precision and form."""
+    return ENDING.sub("", function)
 
 
 def symbol_table(path: Path) -> list[Any]:

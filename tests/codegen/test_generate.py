@@ -245,6 +245,28 @@ def test_other_versions_are_not_comparable(em_copy, capsys):
     assert "not comparable" in capsys.readouterr().out
 
 
+def test_what_another_version_made_of_the_same_equations_is_told_before_it_is_written(sd_copy, capsys):
+    """And not where the model has changed, whose operations may."""
+    path, code = sd_copy / "manifest.json", contents(sd_copy)
+    manifest = json.loads(path.read_text())
+    manifest["version"] = "0.0.1"
+    manifest["units"]["step"] |= {"hash": "0" * 64, "operations": 7}
+    told = []
+    for model in ("0" * 64, manifest["made_from"]["model"]):
+        path.write_text(json.dumps(manifest | {"made_from": manifest["made_from"] | {"model": model}}))
+        generate("strapdown", sd_copy, tell=lambda line: told.append((line, json.loads(path.read_text())["version"])))
+        assert contents(sd_copy) == code
+    ((line, still),) = told
+    assert (
+        still == "0.0.1"
+        and "since Boresight 0.0.1 made it" in line
+        and "is here: step: 7 -> 410 operations (+403)" in line
+    )
+    path.write_text(json.dumps(manifest))
+    assert commanded("generate", "strapdown", "-o", str(sd_copy)) == 0
+    assert capsys.readouterr().err == f"{line}\n"
+
+
 @pytest.mark.parametrize(
     ("target", "said"),
     [

@@ -3,9 +3,11 @@
 import json
 import shutil
 import subprocess
+from math import pi
 
 import pytest
 from committed import LIVE, folder_of, spoilt
+from mpmath import mp
 from tools import needs, tool
 
 from boresight import BoresightError
@@ -50,6 +52,28 @@ def test_a_condition_is_covered_where_it_alone_decides(ways, alone):
 def test_a_branch_is_taken_where_its_condition_was_evaluated():
     made = decision(((T, T), 1), ((F, NOT), 0))
     assert [was(made, k, value) for k in (0, 1) for value in (1, 0)] == [True, True, True, False]
+
+
+def nearest_to_a_quarter_turn(bits, exponents):
+    """The least distance of m 2^e rad from whole quarter turns, in quarter turns, over all m below 2^bits: that of the
+    last convergent of 2^e times 2 / pi whose denominator is one of them."""
+    least = 1
+    with mp.workprec(max(exponents) + 400):
+        for e in exponents:
+            rest = part = mp.ldexp(2 / mp.pi, e) % 1
+            q, before = 1, 0
+            while (after := q * int(1 / rest) + before) < 2**bits:
+                q, before, rest = after, q, 1 / rest % 1
+            least = min(least, abs(part * q - mp.nint(part * q)))
+    return least
+
+
+def test_no_number_is_so_near_to_whole_quarter_turns_that_its_sine_runs_out_of_bits():
+    """The bound of the loop of bs_reduce_large, 32 (count - 3) bits, is met by no number: a reason of coverage."""
+    turns = [m * 2 / pi for m in range(1, 64)]
+    assert abs(float(nearest_to_a_quarter_turn(6, [0])) - min(abs(one - round(one)) for one in turns)) < 1e-14
+    assert nearest_to_a_quarter_turn(24, range(-23, 105)) > 2.0**-40 > 2.0 ** (-32 * (5 + 2 - 3))
+    assert nearest_to_a_quarter_turn(53, range(-52, 972)) > 2.0**-70 > 2.0 ** (-32 * (8 + 2 - 3))
 
 
 def test_what_the_self_test_leaves_out_is_seen(tmp_path):

@@ -7,6 +7,7 @@ import pytest
 
 from boresight import BoresightError, export, generate
 from boresight.codegen import proof
+from boresight.codegen.folder import Folder
 from boresight.evidence import own
 
 NAME = "pendulum.py:PENDULUM"
@@ -22,16 +23,25 @@ def model(tmp_path, monkeypatch, request):
     return tmp_path
 
 
-def test_it_is_made_kept_by_unit_and_exported(model, capsys):
-    folder = own.make_own(NAME, quick=True)
+def test_it_is_made_kept_by_unit_and_exported(model, capsys, monkeypatch):
+    place = own.make_own(NAME, quick=True)
     assert "not made of this C" in capsys.readouterr().out  # the other columns
-    kept = proof.kept(folder)
+    kept = proof.kept(Folder(place.with_name("pendulum")))
     assert kept.keys() == {"trace", "rounding"} and "pd_F" in kept["rounding"]["units"]
     own.make_own(NAME, quick=True)
     assert "trace: kept" in capsys.readouterr().out
     export(NAME, "c")
     written = json.loads((model / "c" / "evidence.json").read_text())
     assert written["evidence"] == kept and written["not_made"]["MISRA"] == "all"
+    # of one form: what has the same text is taken over, of its own text it is made, in both precisions
+    monkeypatch.setattr(own, "QUICK", ("rounding", "coverage"))
+    place = own.make_own(NAME, quick=True, form="ud")
+    assert place.name == "pendulum-ud.evidence.json" and "rounding: kept" in capsys.readouterr().out
+    export(NAME, "ud", form="ud")
+    written = json.loads((model / "ud" / "evidence.json").read_text())
+    covered = written["evidence"]["coverage"]["units"]["pd_covariance"]
+    assert covered["double"]["lines"][0] > 100 and "lines / branches / MC/DC, %" not in written["not_made"]
+    assert f"boresight evidence {NAME} --form ud" in written["make"]
     path = model / "generated" / "pendulum" / "selftest" / "test_pd_F.c"
     path.write_text(path.read_text() + "/* edited */\n")
     with pytest.raises(BoresightError, match="run 'boresight generate"):
