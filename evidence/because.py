@@ -7,7 +7,6 @@ import itertools
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
 
 from boresight.codegen.folder import Folder
 
@@ -173,18 +172,17 @@ BECAUSE = (
 )
 
 
-@cache
 def c_of(folder: Folder) -> str:
     """All that ships and flies."""
     return "\n".join(path.read_text() for path in folder.sources if path.parent.name != "selftest")
 
 
-def argued(line: str, folder: Folder) -> str:
-    """What is open, with the reason why it cannot be covered, if one is known and the folder's C shows it."""
+def argued(line: str, text: str) -> str:
+    """What is open, with the reason why it cannot be covered, if one is known and the C, as one text, shows it."""
     place = OPEN.match(line)
     if place is None:
         return line
-    text, function, rest = c_of(folder), place["function"], line[place.end() :]
+    function, rest = place["function"], line[place.end() :]
     for one in BECAUSE:
         shown = one.shown.replace("FUNCTION", function)
         meant = re.fullmatch(one.function, function) and re.search(one.words, rest)

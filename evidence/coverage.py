@@ -22,7 +22,7 @@ from pycparser import c_ast, c_generator
 
 from boresight import BoresightError
 from boresight.codegen.folder import Folder, Source
-from boresight.evidence.because import argued, beyond_reach
+from boresight.evidence.because import argued, beyond_reach, c_of
 from boresight.evidence.mutants import PROBES, Types, lines_of
 from boresight.evidence.parsed import of_headers, parsed
 from boresight.evidence.targets import HARNESS, PRECISIONS, plain
@@ -147,11 +147,12 @@ def coverage(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
             files = {f"{name}.c", f"{name}_kernel.h"}
             files |= {path.name for path in folder.include.iterdir()} if name == "include" else set()
             of[precision] = counted([d for d in decisions if d.file in files], lines, files)
+    text = c_of(folder)
     for of in found.values():
         left = {precision: of[precision].pop("open") for precision in PRECISIONS}
         both = set.intersection(*map(set, left.values()))
         alone = [f"{precision}: {line}" for precision in PRECISIONS for line in left[precision] if line not in both]
-        of["open"] = [argued(line, folder) for line in left["double"] if line in both] + alone
+        of["open"] = [argued(line, text) for line in left["double"] if line in both] + alone
         for precision in PRECISIONS:
             of[precision]["beyond"] = beyond_reach(of["open"])
     return found

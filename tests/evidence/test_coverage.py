@@ -11,6 +11,7 @@ from mpmath import mp
 from tools import needs, tool
 
 from boresight import BoresightError
+from boresight.evidence.because import argued, beyond_reach
 from boresight.evidence.coverage import Decision, coverage, decisions_of, shown_alone, was
 from boresight.evidence.golden import run_with_costs
 from boresight.evidence.stack import FLAGS, Calls
@@ -52,6 +53,50 @@ def test_a_condition_is_covered_where_it_alone_decides(ways, alone):
 def test_a_branch_is_taken_where_its_condition_was_evaluated():
     made = decision(((T, T), 1), ((F, NOT), 0))
     assert [was(made, k, value) for k in (0, 1) for value in (1, 0)] == [True, True, True, False]
+
+
+TABLES = """#define XX_N_STATES 3
+#define XX_N_SENSED 2
+static const unsigned short varied[] = { 0U, 3U, 5U, 1U };
+static const unsigned short varied_from[XX_N_MEASUREMENTS + 1] = { 0U, 3U, 4U };
+static const signed char shown[XX_N_MEASUREMENTS][XX_N_SENSED] = { { -1, 0 }, { 0, 0 } };
+static const uint8_t delayed[XX_N_MEASUREMENTS] = { 1U, 1U };
+const measurement layout = { row_start, columns, 3, XX_MEASUREMENT_EULER, 7U };
+static bs_status H_of(int kind)
+{
+    switch (kind) {
+    default:
+        return BS_OUT_OF_RANGE;
+    }
+}
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "before", "after"),
+    [
+        ("forget, condition 1 is never true: x = (i > 2) ? a : b;", "N_STATES 3", "N_STATES 4"),
+        ("inform, condition 1 is never true: if (own >= 0) {", "{ -1, 0 }, {", "{ 1, 0 }, {"),
+        ("unwrap, condition 1 is never false: if (((layout->angles >> i) & 1U) != 0U) {", ", 7U", ", 5U"),
+        ("admit, `one->delay = BS_REAL(0.0);` is not run", "{ 1U, 1U }", "{ 1U, 0U }"),
+        ("H_of, `return BS_OUT_OF_RANGE;` is not run", "default:", "case 2:"),
+    ],
+)
+def test_a_reason_stands_where_the_c_shows_it_and_is_of_that_function_alone(line, before, after):
+    reason = argued(line, TABLES)
+    assert reason.startswith(f"{line} (") and reason.endswith(")")
+    assert argued(line, TABLES.replace(before, after)) == line != TABLES.replace(before, after)
+    assert argued(f"other_{line}", TABLES) == f"other_{line}"
+
+
+def test_what_is_beyond_reach_is_counted_once_a_condition():
+    """Not what has no reason, nor what only rounding reaches."""
+    lines = [argued(f"forget, condition 1 is never {word}: x = (i > 2) ? a : b;", TABLES) for word in ("true", "false")]
+    lines += [argued("admit, `one->delay = BS_REAL(0.0);` is not run", TABLES), "f, `g();` is not run"]
+    gate = "(nu * nu) > ((row->gate * row->gate) * S)"
+    lines += [argued("assess, condition 2 is never false: && (more > BS_REAL(0.0))) {", gate)]
+    assert lines[-1].endswith("only rounding could say otherwise)")
+    assert beyond_reach(lines) == {"lines": 1, "branches": 2, "conditions": 1}
 
 
 def nearest_to_a_quarter_turn(bits, exponents):
