@@ -608,7 +608,11 @@ def evidence(
     ],
     quick: Annotated[
         bool,
-        typer.Option("--quick", help="Make only what takes some 3 minutes: no mutants, Eva, hostile calls or verify."),
+        typer.Option(
+            "--quick",
+            help="Make only what takes some 3 minutes: no mutants, Eva, hostile calls or verify; of more than 6 states "
+            "no emulated Cortex-M.",
+        ),
     ] = False,
     folder: Annotated[Path | None, typer.Option("--generated", help="Its generated folder.")] = None,
     form: Form = "",

@@ -7,9 +7,10 @@ from boresight import BoresightError
 from boresight.codegen import proof
 from boresight.codegen.export import current_folder, part
 from boresight.codegen.folder import Folder
-from boresight.evidence.kind import kinds_for, make_all, stale
+from boresight.evidence.kind import Kind, kinds_for, make_all, stale
 
 QUICK = ("guards", "golden", "coverage", "stack", "trace", "rounding", "riscv", "misra")
+FEW = 6  # states; with more the emulated boards take minutes, and a quick run leaves them out
 OF_THE_WHOLE = ("verified", "gpu", "bits")  # of a model, whatever of it flies
 
 
@@ -24,7 +25,8 @@ def make_own(
         FILE.py:NAME; its C must have been generated and be what the model says now.  Of a built-in
         name the evidence is kept with Boresight, but for that of a part.
     quick : bool, optional
-        Only what takes some three minutes: no mutants, Eva, hostile calls, nor `verify`.
+        Only what takes some three minutes: no mutants, Eva, hostile calls, nor `verify`; of more
+        than six states no emulated Cortex-M either.
     generated : Path, optional
         Where its C is, by default where `generate` puts it.
     only, form : optional
@@ -54,9 +56,16 @@ def make_own(
     return made(Folder(current_folder(target, generated).resolve(), target), quick)
 
 
+def chosen(folder: Folder, quick: bool) -> list[Kind]:
+    """What is made of a folder; quick: in some three minutes."""
+    many = len(folder.manifest.get("states", ())) > FEW
+    quickly = {name for name in QUICK if name != "golden" or not many}
+    return [kind for kind in kinds_for(folder) if not quick or kind.name in quickly]
+
+
 def made(folder: Folder, quick: bool, left_out: tuple[str, ...] = ()) -> Path:
     """Where what is known of a folder is kept, once it is made."""
-    kinds = [kind for kind in kinds_for(folder) if kind.name not in left_out and (not quick or kind.name in QUICK)]
+    kinds = [kind for kind in chosen(folder, quick) if kind.name not in left_out]
     for kind in kinds:
         if kind.missing:
             print(f"{kind.name}: not made, {kind.missing}")

@@ -4,6 +4,7 @@ import json
 import shutil
 
 import pytest
+from committed import folder_of
 
 from boresight import BoresightError, export, generate
 from boresight.codegen import proof
@@ -11,6 +12,7 @@ from boresight.codegen.folder import Folder
 from boresight.evidence import own
 
 NAME = "pendulum.py:PENDULUM"
+SIX_AND_SIXTEEN = ("euler_matching", "velocity_attitude")  # states
 
 
 @pytest.fixture
@@ -51,3 +53,9 @@ def test_it_is_made_kept_by_unit_and_exported(model, capsys, monkeypatch):
 def test_a_built_in_model_has_its_own(model):
     with pytest.raises(BoresightError, match="'boresight export strapdown' writes it"):
         own.make_own("strapdown")
+
+
+def test_a_quick_run_leaves_out_emulated_boards_where_they_take_minutes():
+    names = {name: {kind.name for kind in own.chosen(folder_of(name), quick=True)} for name in SIX_AND_SIXTEEN}
+    few, many = (names[name] for name in SIX_AND_SIXTEEN)
+    assert "golden" in few and {"coverage", "stack", "guards", "riscv"} <= many == few - {"golden"}
