@@ -572,7 +572,8 @@ def export(
     against: Annotated[
         Path | None,
         typer.Option(
-            metavar="OLD", help="Print what changed in flash and stack since this exported folder, as Markdown."
+            metavar="OLD",
+            help="Print what changed in flash, RAM, stack, instructions since this exported folder, as Markdown.",
         ),
     ] = None,
 ) -> None:

@@ -1,13 +1,17 @@
-"""What a change costs: flash of each unit and stack of each entry point of two exported folders, as Markdown."""
+"""What a change costs: flash of each unit, RAM, stack of each entry point, instructions and operations of two exported
+folders, as Markdown."""
 
+import json
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 from boresight import BoresightError
 from boresight.codegen.folder import Folder
 from boresight.evidence.stack import built
-from boresight.evidence.targets import GCC, M4F, M7, Target, plain
+from boresight.evidence.targets import GCC, M4F, M7, PRECISIONS, Target, plain, symbol_table
+from boresight.runtime.compiler import run
 
 TELLS = ("model", "precision", "form")  # what two folders share that are compared
 
@@ -35,7 +39,8 @@ def against(old: Path, new: Path, core: Target | None = None) -> str:
     if core is None:
         ships = M4F if precision == "float" else M7
         core = GCC if ships.missing else ships
-    flash, stack = zip(*(measured(folder, core, precision) for folder in (before, after)), strict=True)
+    flash, stack, ram = zip(*(measured(folder, core, precision) for folder in (before, after)), strict=True)
+    counts = [counted(folder, f"{core.name} {precision}") for folder in (before, after)]
     totals = {"flash, bytes": [sum(one.values()) for one in flash],
               "deepest stack, bytes": [max(one.values()) for one in stack]}  # fmt: skip
     lines = [
@@ -46,18 +51,53 @@ def against(old: Path, new: Path, core: Target | None = None) -> str:
         "",
         *table("", {name: (one, other) for name, (one, other) in totals.items()}),
     ]
-    for title, (one, other) in (("flash of", flash), ("stack from", stack)):
+    instructions, operations = zip(*counts, strict=True)
+    compared = [("flash of", flash), ("stack from", stack)]
+    more = {"RAM of": ram, "instructions of": instructions, "operations of": operations}
+    compared += [(title, both) for title, both in more.items() if all(both)]
+    for title, (one, other) in compared:
         rows = {name: (one.get(name), other.get(name)) for name in sorted({*one, *other})}
         changed = {name: row for name, row in rows.items() if row[0] != row[1]}
         lines += ["", *table(title, changed)] if changed else ["", f"No {title.split()[0]} of a function changes."]
+    if not (all(instructions) and all(operations)):
+        lines += [
+            "",
+            "Instructions or operations are not in the evidence of both folders: `boresight evidence` makes them.",
+        ]
     return "\n".join(lines)
 
 
-def measured(folder: Folder, core: Target, precision: str) -> tuple[dict[str, int], dict[str, int]]:
-    """Bytes by unit, and by entry point."""
+Sizes = dict[str, int]
+
+
+def measured(folder: Folder, core: Target, precision: str) -> tuple[Sizes, Sizes, Sizes]:
+    """Bytes by unit; by entry point; and of the structs that a caller gives memory to."""
     with tempfile.TemporaryDirectory() as out:
         flash, calls = built(folder, core, precision, Path(out))
-    return flash, {plain(entry): calls.deepest(entry) for entry in calls.entries()}
+        ram = structs(folder, core, precision, Path(out))
+    return flash, {plain(entry): calls.deepest(entry) for entry in calls.entries()}, ram
+
+
+def structs(folder: Folder, core: Target, precision: str, out: Path) -> Sizes:
+    """Bytes of the filter and of the live loop, if there are such."""
+    prefix, model = folder.manifest["c_prefix"], folder.manifest["model"].replace("-", "_")
+    words = [word for word in ("filter", "live") if (folder.include / f"{model}_{word}.h").is_file()]
+    lines = [f'#include "{model}_{word}.h"\nchar size_{word}[sizeof({prefix}_{word})];\n' for word in words]
+    (out / "sizes.c").write_text("".join(lines))
+    command = [core.compiler, *core.flags, *PRECISIONS[precision], "-I", folder.include, "-c", out / "sizes.c"]
+    run([*command, "-o", out / "sizes.o"])
+    sizes = {symbol.name: symbol["st_size"] for symbol in symbol_table(out / "sizes.o")}
+    return {f"{prefix}_{word}": sizes[f"size_{word}"] for word in words}
+
+
+def counted(folder: Folder, core: str) -> tuple[Sizes, Sizes]:
+    """Instructions of the dearest call of each function on that core, and operations of each unit, as its evidence has
+    them."""
+    kept = json.loads((folder.path / "evidence.json").read_text())["evidence"]
+    units: dict[str, Any] = kept.get("golden", {}).get("units", {}) if isinstance(kept, dict) else {}
+    costs = {name: by for of in units.values() for name, by in of["cost"].items()}
+    instructions = {name: int(by[core][0]) for name, by in costs.items() if core in by}
+    return instructions, {name: of["operations"] for name, of in units.items() if of["operations"] is not None}
 
 
 def table(title: str, rows: Mapping[str, tuple[int | None, int | None]]) -> list[str]:
