@@ -445,14 +445,14 @@ def classes(golden: Result) -> list[dict[str, Any]]:
 
 
 def entries(stacks: list[Result], golden: Result) -> list[dict[str, Any]]:
-    """Stack and instructions of each entry point, by core."""
+    """Stack by the graph of calls, stack that was painted over, and instructions of each entry point, by core."""
     costs = {name: cost for of in golden.values() for name, cost in of.get("cost", {}).items()}
     return [
         {
             "name": name,
             "numbers": [
                 *(stack.get(core, "-") for core in CORES),
-                *(costs.get(name, {}).get(core, ["-"])[0] for core in CORES),
+                *(costs.get(name, {}).get(core, ["-", "-"])[k] for k in (1, 0) for core in CORES),
             ],
         }
         for of in stacks
