@@ -36,13 +36,14 @@ def test_it_is_made_kept_by_unit_and_exported(model, capsys, monkeypatch):
     written = json.loads((model / "c" / "evidence.json").read_text())
     assert written["evidence"] == kept and written["not_made"]["MISRA"] == "all"
     # of one form: what has the same text is taken over, of its own text it is made, in both precisions
-    monkeypatch.setattr(own, "QUICK", ("rounding", "coverage"))
+    monkeypatch.setattr(own, "QUICK", ("rounding", "guards"))
     place = own.make_own(NAME, quick=True, form="ud")
     assert place.name == "pendulum-ud.evidence.json" and "rounding: kept" in capsys.readouterr().out
     export(NAME, "ud", form="ud")
     written = json.loads((model / "ud" / "evidence.json").read_text())
-    covered = written["evidence"]["coverage"]["units"]["pd_covariance"]
-    assert covered["double"]["lines"][0] > 100 and "lines / branches / MC/DC, %" not in written["not_made"]
+    assert (
+        not written["evidence"]["guards"]["units"]["pd_covariance"]["wrong"] and "bad input" not in written["not_made"]
+    )
     assert f"boresight evidence {NAME} --form ud" in written["make"]
     path = model / "generated" / "pendulum" / "selftest" / "test_pd_F.c"
     path.write_text(path.read_text() + "/* edited */\n")
