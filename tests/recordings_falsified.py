@@ -1,4 +1,4 @@
-"""A drive of its own, and sixty-two recordings of it that are wrong in one thing each.  Nothing of the check is used.
+"""A drive of its own, and recordings of it that are wrong in one thing each.  Nothing of the check is used.
 
 `healthy(seed)` draws a vehicle, its motion, its sensors and its rates; FAULTS changes one recording of a turn of 100
 degrees.  python tests/recordings_falsified.py [HEALTHY] prints what `--check` says of each, and how many of so many
@@ -215,6 +215,11 @@ def accel_in_g(w):
 @fault("down.*g declared|g declared.*down")
 def down_accel_in_g(w):
     w.columns["accel"][:, 2] /= G
+
+
+@fault("right alone in g")
+def right_accel_in_g(w):
+    w.columns["accel"][:, 1] /= G
 
 
 @fault("increments declared as rates")
@@ -557,6 +562,120 @@ def half_of_the_increments_lost(w):
 def master_never_moves(w):
     for name in ("attitude", "velocity", "position"):
         w.columns[name] = np.tile(w.columns[name][:1] * (name != "velocity"), (len(w.columns["tm"]), 1))
+
+
+@fault("attitude.*older than its velocity")
+def attitude_old_by_400_ms(w):
+    t = w.columns["tm"]
+    old = np.stack([np.interp(t - 0.4, t, np.unwrap(a)) for a in w.columns["attitude"].T], axis=-1)
+    w.columns["attitude"] = old + 1.5e-4 * np.random.default_rng(3).standard_normal(old.shape)
+
+
+@fault("turned by 30 deg about down")
+def slave_turned_by_30(w):
+    for name in ("gyro", "accel"):
+        w.columns[name] = w.columns[name] @ Rotation.from_euler("z", 30 * DEG).as_matrix()
+
+
+@fault("yaw_from")
+def yaw_from_east(w):
+    w.columns["attitude"][:, 2] = np.pi / 2 - w.columns["attitude"][:, 2]
+
+
+@fault("gyro and accel are exchanged")
+def gyro_and_accel_exchanged(w):
+    w.columns["gyro"], w.columns["accel"] = w.columns["accel"], w.columns["gyro"]
+
+
+@fault(r"\bmg declared as m/s")
+def accel_in_mg(w):
+    w.columns["accel"] *= 1000 / G
+
+
+@fault(r"raw counts, 13[01]")
+def gyro_in_counts(w):
+    w.columns["gyro"] = np.round(np.degrees(w.columns["gyro"]) * 131)
+
+
+@fault(r"repeat.*5\.00 s before")
+def five_seconds_written_twice(w):
+    for name in ("gyro", "accel"):
+        w.columns[name][1000:1250] = w.columns[name][750:1000]
+
+
+@fault("its roll has the other sign")
+def roll_of_the_other_sign(w):
+    w.columns["attitude"][:, 0] *= -1
+
+
+@fault("its pitch has the other sign.*pitch_positive")
+def pitch_of_the_other_sign(w):
+    w.columns["attitude"][:, 1] *= -1
+
+
+@fault(r"0\.10\d .* behind the gyros")
+def accel_100_ms_behind_the_gyro(w):
+    w.columns["accel"][5:] = w.columns["accel"][:-5].copy()
+
+
+@fault("down is 0 all the time")
+def one_gyro_axis_dead(w):
+    w.columns["gyro"][:, 2] = 0.0
+
+
+@fault("front and right are the same numbers")
+def one_column_twice(w):
+    w.columns["gyro"][:, 1] = w.columns["gyro"][:, 0]
+
+
+@fault("3 attitudes stand off by up to 20")
+def three_wild_headings(w):
+    w.columns["attitude"][[40, 90, 150], 2] += 20 * DEG
+
+
+@fault("aligned anew")
+def heading_aligned_anew(w):
+    w.columns["attitude"][100:, 2] += 7 * DEG
+
+
+@fault("interpolated across north")
+def heading_interpolated_across_360(w):
+    """A logger of 1 Hz, interpolated to 4 Hz number by number."""
+    plan = Plan(heading=lambda t: np.radians(-50 + 50 * (1 + np.tanh((t - 25) / 6)) + 1.5 * np.sin(0.5 * t)))
+    w.columns = fly(plan, 1).columns
+    t, yaw = w.columns["tm"], np.degrees(w.columns["attitude"][:, 2]) % 360
+    w.columns["attitude"][:, 2] = np.radians(np.interp(t, t[::4], yaw[::4]))
+
+
+@fault(r"0\.(8|80\d*|79\d+) times their rate: (50|49\.9\d*) Hz, not 40")
+def tags_of_another_rate(w):
+    w.columns["t"] = w.columns["t"] * 1.25
+
+
+@fault("they are angles")
+def angles_as_rates(w):
+    w.columns["gyro"] = np.cumsum(w.columns["gyro"], axis=0) / 50
+
+
+@fault("velocity repeats in 75%")
+def velocity_held_at_1_hz(w):
+    w.columns["velocity"] = w.columns["velocity"][np.arange(len(w.columns["tm"])) // 4 * 4]
+
+
+@fault("older than the velocity, along the path")
+def position_old_by_2_s(w):
+    t = w.columns["tm"]
+    w.columns["position"] = np.stack([np.interp(t - 2, t, a) for a in w.columns["position"].T], axis=-1)
+
+
+@fault(r"velocity is turned by 10\.0 deg against the track")
+def velocity_turned_by_10(w):
+    w.columns["velocity"] = Rotation.from_euler("z", 10 * DEG).apply(w.columns["velocity"])
+
+
+@fault("accelerometers lie in other axes.*90 deg about down")
+def accel_in_other_axes_than_the_gyro(w):
+    w.columns["accel"] = w.columns["accel"][:, [1, 0, 2]] * [1, -1, 1]
 
 
 def complaints(path):

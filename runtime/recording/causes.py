@@ -7,7 +7,7 @@ import numpy as np
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.frames import AXES
-from boresight.runtime.recording.types import Master
+from boresight.runtime.recording.types import Inertial, Master
 
 FITS = 0.1  # of what is to be explained, that may be left
 
@@ -29,6 +29,68 @@ def of_axes(slave: Array, turn: Array) -> str:
             if rest < best:
                 best, found = rest, _named(M)
     return found
+
+
+def of_mounting(slave: Array, turn: Array) -> str:
+    """By how much the slave is turned beside its master, by turns (K, 3) of both; "" where no turn explains them."""
+    U, _, Vt = np.linalg.svd((slave - slave.mean(axis=0)).T @ (turn - turn.mean(axis=0)))
+    M = U @ np.diag([1.0, 1.0, np.linalg.det(U @ Vt)]) @ Vt
+    vector = np.degrees(rotation.vector_from_matrix(M))
+    if left(slave, turn @ M.T) > FITS or np.linalg.norm(vector) < 8:
+        return ""
+    axis = int(np.abs(vector).argmax())
+    size = float(np.linalg.norm(vector))
+    about = AXES[axis] if abs(vector[axis]) > 0.95 * size else "[{:.2f}, {:.2f}, {:.2f}]".format(*(vector / size))
+    return f"it is turned by {size:.0f} deg about {about} beside its master: mounted so, or another body"
+
+
+def turned_between(time: Array, gyro: Array, ends: Array) -> Array:
+    """(K, 3) sums of rates (N, 3) at `time` between neighbours of `ends` (K + 1,), as if small."""
+    angle = np.cumsum(gyro * np.gradient(time)[:, None], axis=0)
+    return np.diff(np.stack([np.interp(ends, time, part) for part in angle.T], axis=-1), axis=0)
+
+
+def factor(imu: Inertial, master: Master) -> float:
+    """By how much more the slave turns than its master, 0 where they do not turn alike."""
+    C = rotation.matrix_from_euler(master.euler)
+    turn = rotation.vector_from_matrix(np.swapaxes(C[:-1], -1, -2) @ C[1:])
+    slave = turned_between(imu.time, imu.rates()[0], master.time)
+    x, y = ((part - part.mean(axis=0)).ravel() for part in (turn, slave))
+    alike = float(x @ y) / np.sqrt(float(x @ x) * float(y @ y) + 1e-300)
+    return float(x @ y) / float(x @ x) if alike > 0.9 else 0.0
+
+
+def of_rate(time: Array, gyro: Array, ends: Array, turn: Array) -> str:
+    """Whether the slave's tags run at another rate: of rates gyro (N, 3) at `time`, turns (K, 3) between ends (K + 1,).
+
+    Both begin together, but for a tenth of a second.
+    """
+
+    def unexplained(factor: float, shift: float) -> float:
+        at = time[0] + shift + (time - time[0]) * factor
+        inside = (ends[:-1] >= at[0]) & (ends[1:] <= at[-1])
+        if inside.sum() < max(20, 0.4 * len(turn)):
+            return 1.0
+        return left(turned_between(at, gyro, ends)[inside], turn[inside])
+
+    tried = [(float(one), 0.0) for one in np.exp(np.linspace(-0.7, 0.7, 281))]
+    for width in (0.005, 0.0005):
+        factor, shift = min(tried, key=lambda one: unexplained(*one))
+        spans = np.linspace(-1, 1, 11)
+        tried = [(factor * (1 + width * a), shift + 20 * width * b) for a in spans for b in spans]
+    factor, shift = min(tried, key=lambda one: unexplained(*one))
+    if unexplained(factor, shift) > FITS or abs(factor - 1) < 0.005:
+        return ""
+    hz = 1 / float(np.median(np.diff(time)))
+    return (
+        f"the turns of both fit where its tags run at {factor:.4g} times their rate: {hz / factor:.4g} Hz, not {hz:.4g}"
+    )
+
+
+def of_angles(time: Array, gyro: Array, ends: Array, turn: Array) -> str:
+    """Whether what stands for rates is an angle."""
+    moved = np.diff(np.stack([np.interp(ends, time, part) for part in gyro.T], axis=-1), axis=0)
+    return "they are angles, sums of rates, and not rates" if left(moved, turn) < FITS else ""
 
 
 def _named(M: Array) -> str:
@@ -86,6 +148,21 @@ def of_halves(slave: Array, turn: Array, time: Array) -> str:
             at = time[good[-1] if ahead else good[0]]
             return f"the turns fit until {at:.0f} s and not behind it" if ahead else f"the turns fit from {at:.0f} s on"
     return ""
+
+
+def of_track(master: Master) -> str:
+    """By how much the level velocity is turned against the track, where nothing else differs; "" where it is not."""
+    assert master.v_n is not None and master.position is not None
+    lat, lon, height = master.position.T
+    moved = np.diff(np.column_stack([lat, lon * np.cos(lat[0])]) * (6371e3 + height[0]), axis=0)
+    v = (master.v_n[1:, :2] + master.v_n[:-1, :2]) / 2 * np.diff(master.time)[:, None]
+    track, speed = moved[:, 0] + 1j * moved[:, 1], v[:, 0] + 1j * v[:, 1]
+    factor = np.vdot(track, speed) / max(np.vdot(track, track).real, 1e-300)
+    rest = float(np.sum(np.abs(speed - factor * track) ** 2) / max(np.sum(np.abs(speed) ** 2), 1e-300))
+    angle = float(np.degrees(np.angle(factor)))
+    if rest > FITS / 2 or abs(angle) < 4 or abs(abs(factor) - 1) > 0.05:
+        return ""
+    return f"the velocity is turned by {angle:.1f} deg against the track of the position: grid or magnetic north"
 
 
 def of_velocity(master: Master) -> str:

@@ -195,6 +195,8 @@ def _check_imu(imu: Inertial, master: Master | None) -> list[Finding]:
     if not 0.8 * G < norm < 1.2 * G:
         guesses = {
             "g declared as m/s^2": norm * G,
+            "mg declared as m/s^2": norm * G / 1000,
+            "cm/s^2 declared as m/s^2": norm / 100,
             "m/s^2 declared as g": norm / G,
             "rates declared as increments": norm / rate_hz,
             "increments declared as rates": norm * rate_hz,
@@ -203,6 +205,8 @@ def _check_imu(imu: Inertial, master: Master | None) -> list[Finding]:
             # n = 2: every other row was left out when a file was thinned
             guesses |= {f"one increment in {n} is there, and the others are lost": norm * n for n in (2, 3, 4, 5, 10)}
         fits = [guess for guess, value in guesses.items() if 0.9 * G < value < 1.1 * G]
+        if 0.8 * G < float(np.median(np.linalg.norm(gyro, axis=1))) < 1.2 * G and norm < 0.3 * G:
+            fits = ["the gyros show gravity: gyro and accel are exchanged"]
         mean = f.mean(axis=0)
         fits += [
             f"{name} alone in g declared as m/s^2" for i, name in enumerate(("front", "right", "down"))
@@ -227,9 +231,11 @@ def _check_imu(imu: Inertial, master: Master | None) -> list[Finding]:
     typical = float(np.median(np.linalg.norm(gyro, axis=1)))
     if fastest > 70 or typical > 5:
         text = f"turns at {typical:.3g} rad/s (median), {fastest:.3g} (largest)"
-        out.append(
-            Finding("error", "imu.gyro", text + ": degrees declared as radians, or rates as increments?", "fast")
-        )
+        factor = causes.factor(imu, master) if master else 0.0
+        hint = "degrees declared as radians, or rates as increments?"
+        if factor > 1.3 / DEG:
+            hint = f"{factor:.4g} times what its master turns: raw counts, {factor * DEG:.4g} for each deg/s?"
+        out.append(Finding("error", "imu.gyro", f"{text}: {hint}", "fast"))
     mean_f = ", ".join(f"{x:+.3f}" for x in f.mean(axis=0))
     out.append(Finding("note", "imu.accel", f"mean specific force [{mean_f}] m/s^2 (front, right, down)"))
     turn = ", ".join(f"{x:.3f}" for x in np.degrees(np.sqrt(np.mean(gyro**2, axis=0))))
@@ -361,7 +367,8 @@ def _check_velocity(master: Master) -> list[Finding]:
             return [Finding("error", "master.velocity", text, "path")]
     if np.std(fallen) > 1.0 and np.std(sunk) > 0:
         slope, fit = float(sunk @ fallen / (fallen @ fallen)), float(np.corrcoef(sunk, fallen)[0, 1])
-        if fit > 0.95 and not 0.7 < slope < 1.4:
+        # a master at 1 Hz may see of a walker's steps what sums up, while its height stays
+        if fit > 0.95 and not 0.7 < slope < 1.4 and (np.std(sunk) > 0.5 or abs(slope * 1e3 - 1) < 0.1):
             known = ": feet declared as metres?" if abs(slope * FOOT - 1) < 0.1 else ": check its unit"
             text = f"the height moves {slope:.3g} times as much as the vertical velocity sums to"
             return [Finding("error", "master.position", text + known, "path")]
@@ -369,7 +376,9 @@ def _check_velocity(master: Master) -> list[Finding]:
         return vertical
     path = float(np.linalg.norm(moved))
     if path < 20:
-        return []
+        return motion.check_place(master)
+    if turned := causes.of_track(master):
+        return [Finding("error", "master.velocity", f"{turned}, or other axes?", "path")]
     # A sphere in place of the ellipsoid is wrong by half a percent; 10 % is a wrong unit or a swapped axis.
     if float(np.linalg.norm(moved - summed)) > max(20.0, 0.1 * path):  # positions wander by metres themselves
         shown = ["[{:.0f}, {:.0f}, {:.0f}]".format(*v) for v in (moved, summed)]
@@ -377,7 +386,7 @@ def _check_velocity(master: Master) -> list[Finding]:
         return [
             Finding("error", "master.velocity", text + ": check navigation, the order of columns and the units", "path")
         ]
-    return []
+    return motion.check_place(master)
 
 
 def _check_steps(master: Master) -> list[Finding]:
@@ -467,10 +476,13 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
     if master.v_n is not None and (short := _check_cover(imu, master)):
         return short + out
     gravity = [] if master.v_n is None else _check_gravity(imu, master)
-    dt, slave, turn = attitude_increments(imu, master)
+    dt, slave, turn, kept = _increments(imu, master)
     if len(turn) < 10:
         return gravity
-    surplus = (slave - turn).sum(axis=0) / dt.sum()
+    out += motion.check_jumps(master.time + delay, slave, turn, kept)
+    if any(one.level == "error" for one in out):
+        return out + gravity
+    surplus, steady = (slave - turn).sum(axis=0) / dt.sum(), turn.sum(axis=0) / dt.sum()
     slave, turn = slave - slave.mean(axis=0), turn - turn.mean(axis=0)
     for axis, name in enumerate(("front", "right", "down")):
         # 0.02 deg between samples: less motion than this is noise, and its slope says nothing.
@@ -482,12 +494,12 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
         if found.noise > 0:
             text += f", the master's attitude noise {found.noise / ARCMIN:.2g} arcmin taken off"
         low, high, least = found.slope - 3 * found.sigma, found.slope + 3 * found.sigma, 3 * found.spread
-        if not np.isfinite(found.slope) or found.sigma > 0.3:
+        if not np.isfinite(found.slope) or found.sigma > 0.3 * max(1.0, abs(found.slope)):
             text = f"turns about {name}: it moves too little beside the noise to be judged"
             out.append(Finding("note", "imu.gyro", text))
             continue
         wrong = high < 0.8 or low > 1.25 or found.correlation + least < 0.8
-        if wrong and mounting_explains(turn[:, axis], slave, axis):
+        if wrong and (white_differences(turn[:, axis]) or mounting_explains(turn[:, axis], slave, axis)):
             text = f"turns about {name}: it moves too little beside the noise and the mounting to be judged"
             out.append(Finding("note", "imu.gyro", text))
             continue
@@ -498,7 +510,8 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
             else ""
         )
         out.append(Finding("error" if wrong else "note", "imu.gyro", text + hint, "turns" if wrong else ""))
-    if np.abs(surplus).max() > 1 * DEG and not calibrated and not any(one.name == "turns" for one in out):
+    biased = np.abs(beyond_mounting(surplus, steady)).max() > 1 * DEG
+    if biased and not calibrated and not any(one.name == "turns" for one in out):
         shown = ", ".join(f"{x:+.3f}" for x in np.degrees(surplus))
         text = (
             f"it turns by [{shown}] deg/s (front, right, down) more than its master: models take a gyro bias of up to "
@@ -508,7 +521,8 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
     wrong_axes = [one.text.split(":")[0].split(" ")[-1] for one in out if one.level == "error" and one.name == "turns"]
     if wrong_axes == ["down"] and slope_of(turn[:, 2], slave[:, 2]).slope < -0.8:
         text = "turns about down have the other sign, and front and right fit: yaw is counter-clockwise"
-        return [Finding("error", "master.attitude", text + " (yaw_positive)", "turns"), *out, *gravity]
+        text += " (yaw_positive)" + motion.counted_from_east(master)
+        return [Finding("error", "master.attitude", text, "turns"), *out, *gravity]
     if any(one.level == "error" for one in out):
         otherwise = _turned_otherwise(imu, master) if wrong_axes else []
         return otherwise + out + gravity
@@ -516,7 +530,7 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
         text = f"the slave's turns fit angles that are applied as {order}, and not as yaw, pitch, roll"
         out.append(Finding("error", "master.attitude", text + "; write quaternions, or angles of an aircraft", "order"))
         return out + gravity
-    off = motion.check_heading(imu, master, slave, turn)
+    off = motion.check_heading(imu, master, slave, turn, delay)
     if any(one.level == "error" and one.name == "heading" for one in off):
         return off + out  # the force in the master's axes is turned with it
     return off + gravity + out
@@ -526,10 +540,21 @@ def _turned_otherwise(imu: Inertial, master: Master) -> list[Finding]:
     """The one mistake in axes, angles or quaternions that explains all turns, if there is one."""
     dt, slave, turn, kept = _increments(imu, master)
     ends = np.cumsum(dt) + master.time[0]
+    whole = rotation.vector_from_matrix(attitude_steps(master.euler))
+    if text := patterns.of_axes(imu.gyro):
+        return [Finding("error", "imu.gyro", text, "turns")]
     if text := causes.of_axes(slave, turn):
+        if found := motion.mirrored_angle(imu, master, text.split(" ")[0]):
+            return [Finding("error", "master.attitude", found, "turns")]
         return [Finding("error", "imu.body", f"the slave's turns are its master's where {text} (body)", "turns")]
     if text := causes.of_attitude(slave, master, kept):
         return [Finding("error", "master.attitude", f"the turns of both fit where {text} (order)", "turns")]
+    if text := causes.of_mounting(slave, turn):
+        return [Finding("error", "imu.body", f"the slave's turns are its master's where {text} (body)", "turns")]
+    if imu.kind == "rates" and (text := causes.of_angles(imu.time, imu.gyro, master.time, whole)):
+        return [Finding("error", "imu.gyro", text, "turns")]
+    if imu.kind == "rates" and (text := causes.of_rate(imu.time, imu.gyro, master.time, whole)):
+        return [Finding("error", "imu.time", text, "turns")]
     if text := causes.of_halves(slave, turn, ends):
         advice = ": what was logged has changed there; cut the recording there (from, to)"
         return [Finding("error", "imu.gyro", text + advice, "turns")]
@@ -616,12 +641,29 @@ def mounting_explains(x: Array, slave: Array, axis: int) -> bool:
     """
     found, *_ = np.linalg.lstsq(slave, x, rcond=None)
     left = x - slave @ found
-    count, size = len(left), float(left @ left)
-    sigma = np.sqrt(np.diagonal(np.linalg.pinv(slave.T @ slave)) * size / count)
+    size = float(left @ left)
+    sigma = np.sqrt(np.diagonal(np.linalg.pinv(slave.T @ slave)) * size / len(left))
     off = np.abs(found - np.eye(3)[axis]) > np.where(np.arange(3) == axis, 0.2, 0.15) + 3 * sigma
-    once, twice = (float(left[k:] @ left[:-k]) / size for k in (1, 2))
-    white = abs(once + 0.5) < 3 * np.sqrt(0.5 / count) and abs(twice) < 3 * np.sqrt(1.5 / count)
-    return not off.any() and (white or size < 0.1 * float(x @ x))
+    return not off.any() and (white_differences(left) or size < 0.1 * float(x @ x))
+
+
+def white_differences(x: Array) -> bool:
+    """Whether x (N,) is what white noise of an attitude makes of turns: neighbours correlate by -1/2, others not."""
+    once, twice = (float(x[k:] @ x[:-k]) / float(x @ x) for k in (1, 2))
+    return abs(once + 0.5) < 4 * np.sqrt(0.5 / len(x)) and abs(twice) < 4 * np.sqrt(1.5 / len(x))
+
+
+MOUNTED = 5 * DEG  # a mounting that is no fault
+
+
+def beyond_mounting(surplus: Array, turning: Array) -> Array:
+    """(3,) rad/s by which the slave turns more than its master, less what a mounting makes of a steady turn (3,)."""
+    about = turning / max(float(np.linalg.norm(turning)), 1e-300)
+    across = surplus - (surplus @ about) * about
+    size = float(np.linalg.norm(across))
+    explained = min(1.0, MOUNTED * float(np.linalg.norm(turning)) / max(size, 1e-300))
+    out: Array = surplus - explained * across
+    return out
 
 
 def gravity_in_ned(imu: Inertial, master: Master) -> Array:

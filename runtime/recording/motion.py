@@ -1,10 +1,10 @@
 """The master's velocity, height and heading against what the slave feels: each fault has a shape of its own."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from boresight.runtime import rotation
+from boresight.runtime import frames, rotation
 from boresight.runtime.array import Array
 from boresight.runtime.recording.delay import best_delay
 from boresight.runtime.recording.types import Finding, Inertial, Master
@@ -12,6 +12,7 @@ from boresight.runtime.units import DEG
 from boresight.runtime.units import STANDARD_GRAVITY as G
 
 BLOCKS = 12
+SEEN = 0.25 * DEG  # rms of a heading that a compass adds to a line in time and a mounting
 
 
 def regressed(y: Array, X: Array) -> tuple[Array, Array]:
@@ -32,19 +33,26 @@ def regressed(y: Array, X: Array) -> tuple[Array, Array]:
 
 @dataclass(frozen=True)
 class Level:
-    """What the level velocity shows: heading of the attitude less that of the velocity (rad), and its lag (s)."""
+    """What the level velocity shows: heading of the attitude less that of the velocity (rad), and its lag (s).
+
+    behind: s, of the accelerometers behind the gyros, if the velocity does not lag.  lever: (3,) m, master to slave.
+    """
 
     heading: float
     heading_sigma: float
     lag: float
     lag_sigma: float
     scale: float
+    behind: float
+    behind_sigma: float
+    lever: Array
+    lever_sigma: Array
 
 
 def level(imu: Inertial, master: Master) -> Level | None:
     """The level velocity beside the integral of the specific force in the master's axes; None where it hardly changes.
 
-    Beside a turn and a lag it has what a bias of the accelerometers, a tilt and a lever arm do.
+    Beside a turn and a lag it has what a bias of the accelerometers, their mounting, a tilt and a lever arm do.
     """
     assert master.v_n is not None
     start, end, dtheta, dvel = imu.increments
@@ -64,10 +72,13 @@ def level(imu: Inertial, master: Master) -> Level | None:
     width = max(1, round(0.1 / imu.dt))
     smooth = np.stack([np.convolve(part, np.full(width, 1 / width), "same") for part in (dtheta / seconds).T], axis=-1)
     swept = np.einsum("kij,kjl->kil", C, np.cross(smooth[:, None], np.eye(3)).swapaxes(-1, -2))
-    parts = [np.cumsum(force, axis=0)[:, :, None], np.cumsum(C * seconds[:, :, None], axis=0), swept]
+    # a mounting is no bias where the force on the body changes, as in a bank
+    tilt = np.einsum("kij,kjl->kil", C, np.cross(dvel[:, None], np.eye(3)[:2]).swapaxes(-1, -2))
+    parts = [np.cumsum(part, axis=0) for part in (force[:, :, None], C * seconds[:, :, None], tilt)] + [swept]
     parts.append(np.stack([np.convolve(part, np.full(width, 1 / width), "same") for part in (force / seconds).T], -1)[
         :, :, None
     ])  # fmt: skip
+    parts.append(np.cumsum(np.einsum("kij,kj->ki", C, np.gradient(dvel / seconds, axis=0)), axis=0)[:, :, None])
     flat = np.concatenate(parts, axis=-1)[:, :2]
     time = master.time - delay
     at = np.stack(
@@ -75,7 +86,8 @@ def level(imu: Inertial, master: Master) -> Level | None:
     ).transpose(2, 0, 1)  # fmt: skip
     one = np.tile(np.eye(2), (len(time), 1, 1))
     turned = np.stack([-at[:, 1, 0], at[:, 0, 0]], axis=-1)[:, :, None]
-    X = np.concatenate([at[..., :1], turned, at[..., 1:], one, one * (time - time[0])[:, None, None]], axis=-1)
+    line = [one, one * (time - time[0])[:, None, None]]
+    X = np.concatenate([at[..., :1], turned, at[..., 1:-1], *line], axis=-1)
     y = master.v_n[:, :2]
     if np.std(y - y.mean(axis=0), axis=0).max() < 0.5:
         return None
@@ -83,10 +95,12 @@ def level(imu: Inertial, master: Master) -> Level | None:
     scale = float(np.hypot(found[0], found[1]))
     if scale < 0.3:
         return None
-    lag = at[..., 7].std()
+    lag = at[..., 9].std()
+    late, unsure = regressed(y, np.concatenate([at[..., :1], turned, at[..., 1:9], at[..., -1:], *line], axis=-1))
     return Level(
         float(-np.arctan2(found[1], found[0])), float(max(sigma[0], sigma[1]) / scale),
-        float(-found[8]), float(sigma[8]) if lag > 0 else np.inf, scale,
+        float(-found[10]), float(sigma[10]) if lag > 0 else np.inf, scale, float(late[10]), float(unsure[10]),
+        -found[7:10], sigma[7:10],
     )  # fmt: skip
 
 
@@ -99,8 +113,91 @@ def yaw_of_mounting(slave: Array, turn: Array) -> tuple[float, float]:
     return float(found[0]), float(sigma[0])
 
 
-def check_heading(imu: Inertial, master: Master, slave: Array, turn: Array) -> list[Finding]:
-    """A heading that is off, a compass, and a velocity that lags; slave and turn: (K, 3) rad, the turns of both."""
+WILD = 4 * DEG  # of an attitude that stands off its neighbours
+
+
+def check_jumps(time: Array, slave: Array, turn: Array, kept: Array) -> list[Finding]:
+    """Attitudes that stand off, and a heading that was interpolated across 360 deg.
+
+    slave, turn: (K, 3) rad, the turns of both over the master's intervals `kept` (K,); time: (M,) s of its messages.
+    """
+    off = slave - turn
+    off = off - np.median(off, axis=0)
+    size = np.linalg.norm(off, axis=1)
+    wild = np.flatnonzero(size > max(WILD, 12 * float(np.median(size))))
+    if not len(wild) or len(wild) > 0.1 * len(size):
+        return []
+    groups = np.split(wild, np.flatnonzero(np.diff(wild) > 1) + 1)
+    about, sums = 360 * DEG, [off[group].sum(axis=0) for group in groups]
+    rounds = [k for k, one in enumerate(sums) if abs(abs(one[2]) / about - 1) < 0.05 and len(groups[k]) > 1]
+    if rounds:
+        first, last = (time[kept[groups[rounds[0]][i]] + (i < 0)] for i in (0, -1))
+        text = f"from {first:.2f} to {last:.2f} s the heading goes the other way round, by 360 deg: interpolated across"
+        text += " north as if 0 and 360 deg were far apart; interpolate it unwrapped, or cut there (from, to)"
+        return [Finding("error", "master.attitude", text, "turns")]
+    lone = [
+        k for k, one in enumerate(sums) if len(groups[k]) == 2 and np.linalg.norm(one) < 0.2 * size[groups[k]].max()
+    ]
+    if lone and len(lone) == len(groups):
+        many = "1 attitude stands" if len(lone) == 1 else f"{len(lone)} attitudes stand"
+        first = time[kept[groups[0][0]] + 1]
+        text = f"{many} off by up to {size[wild].max() / DEG:.3g} deg from those beside, the first at {first:.3f} s"
+        return [Finding("warning", "master.attitude", text + ": wild ones, which a filter refuses; leave them out")]
+    if len(groups) <= 3 and all(len(group) == 1 for group in groups):
+        k = groups[0][0]
+        text = f"it steps by [{{:.1f}}, {{:.1f}}, {{:.1f}}] deg at {time[kept[k] + 1]:.2f} s".format(*(-off[k] / DEG))
+        text += (
+            f" and {len(groups) - 1} times more, and the slave does not: it was aligned anew; cut it there (from, to)"
+        )
+        return [Finding("error", "master.attitude", text, "turns")]
+    return []
+
+
+def crab(master: Master, heading: Array) -> tuple[float, float]:
+    """Course less heading, its mean in rad, and how well it keeps that, 0 to 1; nan and 0 of a master that stands."""
+    if master.v_n is None or (fast := np.hypot(*master.v_n[:, :2].T) > 2).sum() < 10:
+        return np.nan, 0.0
+    mean = np.mean(np.exp(1j * (np.arctan2(master.v_n[fast, 1], master.v_n[fast, 0]) - heading[fast])))
+    return float(np.angle(mean)), float(np.abs(mean))
+
+
+def counted_from_east(master: Master) -> str:
+    """What a yaw of the other sign is counted from besides, by the course."""
+    mean, steady = crab(master, -master.euler[:, 2])
+    return ' and counted from east (yaw_from = "east")' if steady > 0.9 and abs(mean - np.pi / 2) < 0.5 else ""
+
+
+def force_missed(imu: Inertial, master: Master) -> float:
+    """m/s^2, rms of the level specific force in the master's axes less its acceleration, in a second or so."""
+    assert master.v_n is not None
+    start, end, _, dvel = imu.increments
+    every = max(1, round(1 / float(np.median(np.diff(master.time)))))
+    time, v = master.time[::every], master.v_n[::every]
+    C = rotation.matrix_from_euler(
+        np.stack([np.interp((start + end) / 2, master.time, a) for a in np.unwrap(master.euler, axis=0).T], -1)
+    )
+    summed = np.cumsum(np.einsum("kij,kj->ki", C, dvel), axis=0)
+    off = np.diff(np.stack([np.interp(time, end, part) for part in summed.T], axis=-1) - v, axis=0)[:, :2]
+    out = np.sqrt(np.mean((off - off.mean(axis=0)) ** 2)) / float(np.median(np.diff(time)))
+    return float(out)
+
+
+def mirrored_angle(imu: Inertial, master: Master, axis: str) -> str:
+    """Whether it is the master's roll or pitch that has the other sign, and not a gyro: gravity tells."""
+    if axis not in ("front", "right") or master.v_n is None:
+        return ""
+    other = master.euler * np.where(np.arange(3) == ("front", "right").index(axis), -1, 1)
+    if force_missed(imu, replace(master, euler=other)) > 0.7 * force_missed(imu, master):
+        return ""
+    name, advice = {"front": ("roll", "its right side goes up"), "right": ("pitch", 'pitch_positive = "down"')}[axis]
+    return f"its {name} has the other sign: so turns and gravity both fit ({advice})"
+
+
+def check_heading(imu: Inertial, master: Master, slave: Array, turn: Array, delay: float) -> list[Finding]:
+    """A heading that is off, a compass, a velocity that lags, a lever arm; slave and turn: (K, 3) rad, turns of both.
+
+    delay: s, of the master's attitude, which was taken off its time.
+    """
     if found := _compass(imu, master):
         return found
     seen = None if master.v_n is None else level(imu, master)
@@ -109,6 +206,8 @@ def check_heading(imu: Inertial, master: Master, slave: Array, turn: Array) -> l
     assert master.v_n is not None
     mounted, unsure = yaw_of_mounting(slave, turn)
     known = unsure < 1 * DEG
+    if text := force_elsewhere(imu, master):
+        return [Finding("error", "imu.accel", text, "heading")]
     off, sigma = seen.heading + mounted * known, float(np.hypot(seen.heading_sigma, unsure * known))
     out = []
     if abs(off) > max(5 * sigma, 3 * DEG) and abs(seen.heading) > 5 * seen.heading_sigma:
@@ -128,7 +227,67 @@ def check_heading(imu: Inertial, master: Master, slave: Array, turn: Array) -> l
         out.append(
             Finding("error", "master.velocity", text + " or averaged; take one that is not, or tag it earlier", "lag")
         )
+    elif seen.lag < -max(0.12, 6 * seen.lag_sigma) and abs(delay + seen.lag) < 0.05 + 3 * seen.lag_sigma:
+        text = (
+            f"its attitude is {-seen.lag:.2f} +- {seen.lag_sigma:.2f} s older than its velocity, which fits at its tags"
+        )
+        out.append(Finding("error", "master.attitude", text + ": give it a time of its own (attitude.time)", "lag"))
+    elif abs(seen.behind) > max(0.04, 8 * seen.behind_sigma) and turns_refuse(imu, master, seen.behind):
+        order = "behind" if seen.behind > 0 else "ahead of"
+        text = (
+            f"they are {abs(seen.behind):.3f} +- {seen.behind_sigma:.3f} s {order} the gyros: accel that is filtered or"
+        )
+        text += " tagged otherwise, or a master's velocity that is so beside its attitude"
+        out.append(Finding("error", "imu.accel", text, "lag"))
+    seen_by = np.abs(seen.lever) > np.maximum(0.2, 5 * seen.lever_sigma)
+    if seen_by.any() and not out:
+        parts = [f"{one:+.2f} +- {unsure:.2f}" for one, unsure in zip(seen.lever, seen.lever_sigma, strict=True)]
+        text = f"its velocity shows a lever arm of [{', '.join(parts)}] m (front, right, down) to the slave"
+        out.append(Finding("note", "master.velocity", text + ": a model without one would need it (--lever-arm)"))
     return out
+
+
+def turns_refuse(imu: Inertial, master: Master, shift: float) -> bool:
+    """Whether the turns of both say that the master is not earlier by `shift`: those of a slow swell do not."""
+    delay, _ = best_delay(imu, master)
+    shifted = replace(master, time=master.time - delay + shift)
+    return best_delay(imu, shifted, span=max(0.1, 1.2 * abs(shift)), step=abs(shift) / 10)[1] > 1.3
+
+
+def force_elsewhere(imu: Inertial, master: Master) -> str:
+    """How the accelerometers' axes lie beside the gyros', which turn as the master; "" where they lie alike."""
+    assert master.v_n is not None
+    _, end, _, dvel = imu.increments
+    every = max(1, round(1 / float(np.median(np.diff(master.time)))))
+    inside = (master.time > end[0]) & (master.time < end[-1])
+    time, v, euler = master.time[inside][::every], master.v_n[inside][::every], np.unwrap(master.euler, axis=0)
+    if len(time) < 20:
+        return ""
+    middle = (time[1:] + time[:-1]) / 2
+    C = rotation.matrix_from_euler(np.stack([np.interp(middle, master.time, a) for a in euler.T], axis=-1))
+    summed = np.cumsum(dvel, axis=0)
+    seconds = np.diff(time)[:, None]
+    felt = np.diff(np.stack([np.interp(time, end, part) for part in summed.T], axis=-1), axis=0) / seconds
+    known = np.einsum("kji,kj->ki", C, np.diff(v, axis=0) / seconds - [0, 0, G])
+    felt, known = felt - felt.mean(axis=0), known - known.mean(axis=0)
+    size = np.sum(known**2, axis=0)
+    slopes = np.sum(felt * known, axis=0) / size
+    alike = np.sum((felt - slopes * known) ** 2, axis=0) < 0.2 * np.sum(felt**2, axis=0)
+    for unit, factor in (("g declared as m/s^2", 1 / G), ("m/s^2 declared as g", G)):
+        off = alike & (np.abs(slopes / factor - 1) < 0.15)
+        if off[:2].any() and not off.all():
+            names = " and ".join(np.array(frames.AXES)[off])
+            return f"{names} alone in {unit}: it changes {factor:.3g} times as much as it should"
+    total = float(size[:2].sum())
+    left = {
+        angle: float(np.sum((felt[:, :2] - known[:, :2] @ np.array([[c, -s], [s, c]])) ** 2))
+        for angle, c, s in ((0, 1, 0), (90, 0, 1), (180, -1, 0), (-90, 0, -1))
+    }
+    best = min(left, key=left.__getitem__)
+    if best == 0 or left[best] > 0.2 * total or left[best] > 0.2 * left[0]:
+        return ""
+    text = f"the accelerometers lie in other axes than the gyros, turned by {best} deg about down"
+    return text + ": the gyros turn as the master"
 
 
 def _compass(imu: Inertial, master: Master) -> list[Finding]:
@@ -139,24 +298,47 @@ def _compass(imu: Inertial, master: Master) -> list[Finding]:
     if inside.sum() < 30 or np.ptp(heading[inside]) < 30 * DEG:
         return []
     gyro = imu.rates()[0]
-    roll, pitch, _ = (np.interp((start + end) / 2, master.time, a) for a in np.unwrap(master.euler, axis=0).T)
+    delay, _ = best_delay(imu, master)
+    roll, pitch, _ = (np.interp((start + end) / 2 + delay, master.time, a) for a in np.unwrap(master.euler, axis=0).T)
     down = np.stack([0 * roll, np.sin(roll), np.cos(roll)], axis=-1) / np.cos(pitch)[:, None] * (end - start)[:, None]
     # the rate of heading by the gyros, and by how much more a slave mounted by a radian about each axis would show
     rates = [np.sum(gyro * down, axis=1), *(np.sum(np.cross(gyro, axis) * down, axis=1) for axis in np.eye(3))]
-    delay, _ = best_delay(imu, master)
+    rates += [down[:, 1], down[:, 2]]  # and biases, which in a bank are no line in time
     turned, *mounted = (np.interp(master.time - delay, end, np.cumsum(rate))[inside] for rate in rates)
     heading, time = heading[inside], master.time[inside]
-    columns = np.stack([np.sin(heading), np.cos(heading), np.ones_like(time), time - time.mean(), *mounted], axis=-1)
+    columns = np.stack([np.sin(heading), np.cos(heading), np.ones_like(time), *mounted], axis=-1)
     errs = heading - turned
     found, sigma = regressed(errs[:, None], columns[:, None])
     size, unsure = float(np.hypot(*found[:2])), float(sigma[:2].max())
     bare, *_ = np.linalg.lstsq(columns[:, 2:], errs, rcond=None)
     # over few headings a sine and a cosine are a line: they must explain most of what is left without them
-    explained = 1 - np.sum((errs - columns @ found) ** 2) / np.sum((errs - columns[:, 2:] @ bare) ** 2)
-    if size < max(2 * DEG, 6 * unsure) or explained < 0.5:
+    left, without = (np.mean((errs - part) ** 2) for part in (columns @ found, columns[:, 2:] @ bare))
+    if size < max(2 * DEG, 6 * unsure) or left > 0.25 * without or without - left < SEEN**2:
         return []
     text = f"its heading errs by {size / DEG:.1f} +- {unsure / DEG:.1f} deg times a sine and cosine of the heading, as"
     return [Finding("error", "master.attitude", text + " that of a compass beside iron does; calibrate it", "heading")]
+
+
+def check_place(master: Master) -> list[Finding]:
+    """A position that is older than the velocity: it lies behind by the speed times that."""
+    assert master.v_n is not None and master.position is not None
+    lat, lon, height = master.position.T
+    place = np.column_stack([lat, lon * np.cos(lat[0])]) * (6371e3 + height[0])
+    v, dt = master.v_n[:, :2], np.diff(master.time)[:, None]
+    if len(dt) < 30 or np.std(v, axis=0).max() < 0.5:
+        return []
+    summed = np.concatenate([np.zeros((1, 2)), np.cumsum((v[1:] + v[:-1]) / 2 * dt, axis=0)])
+    since = (master.time - master.time[0])[:, None, None]
+    one = np.tile(np.eye(2), (len(since), 1, 1))
+    found, sigma = regressed(
+        place - summed, np.concatenate([v[..., None], one, one * since, summed[..., None]], axis=-1)
+    )
+    if not -found[0] > max(0.5, 8 * sigma[0]):
+        return []
+    text = (
+        f"it is {-found[0]:.2f} +- {sigma[0]:.2f} s older than the velocity, along the path; give it a time of its own"
+    )
+    return [Finding("warning", "master.position", text + " (position.time)")]
 
 
 def check_vertical(master: Master) -> list[Finding]:

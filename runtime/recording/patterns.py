@@ -65,11 +65,52 @@ def of_samples(imu: Inertial) -> list[Finding]:
                 f"{rate * (1 - alone):.3g} Hz; give it a time of its own, of the rows in which it is new ({name}.time)"
             )
             out.append(Finding("error", f"imu.{name}", text, "copies"))
+    out += [] if copied or between > 0.3 else _twice(imu, values)
     unit = rate if imu.kind == "increments" else 1.0  # as delivered: the steps of a converter are none of dv / dt
     for name, sensor in (("gyro", imu.gyro), ("accel", imu.accel)):
         for axis, label in enumerate(frames.AXES):
             out += _clipped(f"imu.{name}", label, sensor[1:, axis][~same.all(axis=1)], name, unit)
     return out
+
+
+def _twice(imu: Inertial, values: Array) -> list[Finding]:
+    """A stretch that stands there twice, to the last digit."""
+    _, number, count = np.unique(values, axis=0, return_inverse=True, return_counts=True)
+    again = np.flatnonzero(count[number.ravel()] > 1)
+    if len(again) < LONGEST:
+        return []
+    order = again[np.lexsort((again, number.ravel()[again]))]
+    pairs = np.stack([order[:-1], order[1:]])[:, np.diff(number.ravel()[order]) == 0]
+    pairs = pairs[:, np.argsort(pairs[1])]
+    apart = pairs[1] - pairs[0]
+    # one after the other, as far apart, and not a sensor at rest that repeats its numbers at once
+    ends = np.flatnonzero(np.append((np.diff(apart) != 0) | (np.diff(pairs[1]) != 1), True)) + 1
+    begins = np.append(0, ends[:-1])
+    longest = int(np.argmax((ends - begins) * (apart[begins] > LONGEST)))
+    first, length = pairs[1, begins[longest]], ends[longest] - begins[longest]
+    if (
+        length < LONGEST
+        or apart[begins[longest]] <= LONGEST
+        or not np.ptp(values[first : first + length], axis=0).all()
+    ):
+        return []
+    text = f"the {length * imu.dt:.2f} s from {imu.time[first]:.2f} s on repeat, to the last digit, what was there "
+    text += (
+        f"{apart[begins[longest]] * imu.dt:.2f} s before: a buffer written twice; cut the recording there (from, to)"
+    )
+    return [Finding("error", "imu", text, "copies")]
+
+
+def of_axes(gyro: Array) -> str:
+    """What is wrong with the numbers (N, 3) of one axis beside the others, "" where nothing is."""
+    still = np.ptp(gyro, axis=0) == 0
+    if still.any():
+        axis = int(np.argmax(still))
+        return f"{frames.AXES[axis]} is {gyro[0, axis]:.4g} all the time, and the others change: a dead axis?"
+    for i, j in ((0, 1), (0, 2), (1, 2)):
+        if any(np.array_equal(gyro[:, i], sign * gyro[:, j]) for sign in (1, -1)):
+            return f"{frames.AXES[i]} and {frames.AXES[j]} are the same numbers: one column named twice?"
+    return ""
 
 
 def _clipped(where: str, axis: str, values: Array, name: str, unit: float) -> list[Finding]:
@@ -117,6 +158,14 @@ def of_master(imu: Inertial, master: Master) -> list[Finding]:
         rate = 1 / float(np.median(np.diff(master.time)))
         text = f"{held:.0%} of its rows repeat the one before: it is held at {rate * (1 - held):.3g} Hz"
         out.append(Finding("error", "master", f'{text}; repeats = "drop" in master keeps each row once', "copies"))
+    if master.v_n is not None and not held:
+        kept, _ = _together((master.v_n[1:] == master.v_n[:-1]) | (master.v_n[1:] == 0))
+        moving = float((master.v_n[1:] != 0).any(axis=1).mean())
+        if 0.3 < kept < 0.97 and moving > 0.9:
+            rate = 1 / float(np.median(np.diff(master.time)))
+            text = f"its velocity repeats in {kept:.0%} of the rows, and its attitude does not: it is held at "
+            text += f"{rate * (1 - kept):.3g} Hz; give it a time of its own, of the rows in which it is new"
+            out.append(Finding("error", "master.velocity", text + " (velocity.time)", "copies"))
     degrees = np.degrees(master.euler)
     for step in (1.0, 0.5, 0.1):
         places = degrees / step

@@ -107,3 +107,10 @@ def test_a_case_ends_in_its_cause_and_its_remedy(case, tmp_path):
         assert old in w.toml, old
         w.toml = w.toml.replace(old, new)
     assert [one.text for one in check(read(w.write(tmp_path))) if one.level == "error"] == []
+
+
+def test_a_lever_arm_that_nobody_gave_is_named_with_its_size(tmp_path):
+    plan = Plan(lever=(0.75, 0, 0), heading=lambda t: np.radians(20 + 60 * np.sin(0.5 * t)))  # 30 deg/s
+    notes = [one.text for one in check(read(fly(plan, 1).write(tmp_path))) if "lever arm of [" in one.text]
+    found, sigma = (float(part) for part in notes[0].split("[")[1].split(",")[0].split(" +- "))
+    assert found == pytest.approx(0.75, abs=3 * sigma) and sigma < 0.1
