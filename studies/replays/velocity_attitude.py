@@ -855,6 +855,7 @@ def study(model: str) -> Study:
     """The replay by this model.  Good: NIS with the delay is consistent."""
 
     def flown(asked: Replay, progress: Progress) -> dict[str, Any]:
+        progress("loading the filter: its C is compiled once on a machine")
         return run(asked.recording, load(model), **asked.settings, progress=progress)
 
     return Study(f"replay {model}", (model,), Replay, flown, report, write,
