@@ -241,7 +241,8 @@ def copy(out):
 
 
 def python(tree, *words):
-    env = {**os.environ, "PYTHONPATH": f"{tree}:{HERE.parent}"}  # before the installation, which is of this checkout
+    # before the installation, which is of this checkout; what SymPy prints of a sum hangs on the seed of hashes
+    env = {**os.environ, "PYTHONPATH": f"{tree}:{HERE.parent}", "PYTHONHASHSEED": "0"}
     return subprocess.run(
         [ROOT / ".venv/bin/python", *words], cwd=tree, env=env, capture_output=True, text=True, check=False
     )
