@@ -1,6 +1,6 @@
 """examples/autopilot.py beside the headers of PX4's ekf2: python -m benchmarks.px4 DIR, or PX4=DIR in the environment
 
-DIR is a checkout of PX4.  Its generated headers are compiled aside, with a matrix class of four lines, and called at
+DIR is a checkout of PX4.  Its generated headers are compiled aside, with a matrix class of a few lines, and called at
 random points; nothing of them is copied.  Errors are true - nominal there, but for the attitude's, which has one sign
 in both: x_PX4 = S x, so that H_PX4 = -H S and A_PX4 = S Phi S.  Of `predict_covariance` A P A' is compared, with no
 noise: what each adds as noise is another formula.
@@ -49,6 +49,10 @@ template <typename S, int M, int N> struct Matrix {
     void setZero() { for (S &one : v) one = 0; }
 };
 }
+namespace math {
+template <typename S> S min(S a, S b) { return a < b ? a : b; }
+template <typename S> S max(S a, S b) { return a < b ? b : a; }
+}
 """
 
 
@@ -87,7 +91,11 @@ class Header:
         (folder / "matrix" / "math.hpp").write_text(MATRIX)
         (folder / f"{self.name}.cpp").write_text(self.program)
         built = folder / self.name
-        subprocess.run(["g++", "-std=c++17", "-O1", "-I", folder, f"{built}.cpp", "-o", built], check=True)
+        command = ["g++", "-std=c++17", "-O1", f"-I{folder}", f"{built}.cpp", "-o", f"{built}"]
+        made = subprocess.run(command, capture_output=True, text=True, check=False)
+        if made.returncode:
+            why = next((line for line in made.stderr.splitlines() if "error:" in line), made.stderr.strip())
+            raise BoresightError(f"{self.path.name} does not compile: {why}")
         nothing = np.zeros((POINTS, 0))
         read = [nothing, *(np.broadcast_to(given[name], (POINTS, m * n)) for name, (m, n) in self.reads)]
         done = subprocess.run([built], input=np.concatenate(read, -1).tobytes(), capture_output=True, check=True)
@@ -121,7 +129,7 @@ def epsilon(one: Header, least: float, side: Any) -> Any:
 
     Older headers add epsilon (sign + 1/2), newer ones epsilon times a sign that is never zero.
     """
-    old = "Scalar(0.5)" in one.text and "std::min" not in one.text
+    old = "Scalar(0.5)" in one.text and "::min" not in one.text
     return np.where(side > 0, least / 1.5, 2 * least) if old else np.full_like(side, least)
 
 
