@@ -10,6 +10,7 @@ A strapdown that gives position, velocity and attitude is held against Newton's 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
+from itertools import product
 from math import inf, isfinite
 from typing import Any
 
@@ -44,7 +45,8 @@ AT_ALL = 1e-15
 JUMP = 1e-15  # of the box of an estimate: what a strapdown adds to it over STEP is less
 LEAST = 1e-9  # of the box of a state in a second: what is smaller measures no row
 NOTHING = 1e-28
-LEFT_OUT = 0.2  # of a row of h: what z has besides, as what follows from an estimate times a long lag
+LEFT_OUT = 0.2  # of a row of h, or of its block: what z has besides, as from an estimate times a long lag
+UNSEEN = 1e-4  # of a row of h: a block that it lacks, as of the radii, of gravity or of the level's turn
 FOURFOLD = 0.26
 ROUND = 0.01  # of what a metre is in rad: an Earth that is taken as a sphere is no fault
 ITERATIONS, SETTLED = 40, 1e-72  # of Newton's method, and what it may leave
@@ -712,14 +714,15 @@ def compare_measurement(model: Model, m: Measurement, H_of: Reference, seen: See
 def check_residual(model: Model, m: Measurement) -> MechanicsCheck | None:
     """z against h, by every error that moves z as feedback takes it out.
 
-    A row of the other sign is wrong, and so is an entry that is off by more than LEFT_OUT of its row.  What is closer
-    is left out of h, or of what follows from an estimate: then None, as where z moves by nothing.
+    A row of the other sign is wrong, and so is an entry that is off by more than LEFT_OUT of its row, or of what is by
+    the same block of states.  A block that one of them lacks is not held from UNSEEN of its row on.  What is closer is
+    left out of h, or of what follows from an estimate: then None, as where z moves by nothing.
     """
     _, feedback = mechanics_of(model)
     if m.z is None or m.h is None or feedback is None:
         return None
     z, h, corrected, scale = compiled(m.z), compiled(m.h), Corrected(model, feedback), box(model)
-    verdict, names = Verdict(), [s.name for s in model.x]
+    verdict, names, lacking = Verdict(), [s.name for s in model.x], ""
 
     def both(here: Values, x: Sequence[Any]) -> Matrix:
         return Matrix([*(z(here)[0] - z(corrected(here, x))[0]), *h(plus(here, model, x))[0]])
@@ -739,17 +742,46 @@ def check_residual(model: Model, m: Measurement) -> MechanicsCheck | None:
                         verdict.entry = f"{row} falls where h grows; z is computed - measured"
                         return verdict.check(model, f"{m.name}_z", "h and feedback")
                 columns, sizes = [names[j] for j in moved], row_sizes(by_h)
+                for row, off, whole in zip(m.rows, h(here)[0], sizes, strict=True):  # H is held where z is zero alone
+                    if not within(size(off) / whole, AT_ALL):
+                        verdict.entry = f"h of {row} is {float(off):.6g} where no error is"
+                        return verdict.check(model, f"{m.name}_z", "h and feedback")
                 verdict.compare(by_z, by_h, m.rows, columns, [scale[j] for j in moved], sizes)
+                wrong, lacks = by_blocks(model, m.rows, by_z, by_h, columns, sizes)
+                if wrong and within(verdict.wrong, LEFT_OUT):
+                    verdict.entry, verdict.wrong = wrong, inf  # however small its part of the row
+                lacking = lacking or lacks
     except LookupError:
         return None
     if verdict.entry and within(verdict.wrong, LEFT_OUT):
-        return None
+        why = f"h does not change as z does: {lacking}"
+        return MechanicsCheck(model.name, f"{m.name}_z", "", why=why) if lacking else None
     if verdict.entry:
         still = [v.name for v in corrected.still if symbols_in(m.z) & set(v.symbols)]
         verdict.entry = f"z before and after feedback: {verdict.entry}" + (
             f"; {', '.join(still)} kept constant; Mechanics.step can state how it changes" if still else ""
         )
     return verdict.check(model, f"{m.name}_z", "h and feedback")
+
+
+def by_blocks(
+    model: Model, rows: Sequence[str], by_z: Matrix, by_h: Matrix, columns: Sequence[str], sizes: Sequence[float]
+) -> tuple[str, str]:
+    """What is off by more than LEFT_OUT of its row and block of states, and what of that one of both lacks."""
+    wrong = lacking = ""
+    scale = dict(zip((s.name for s in model.x), box(model), strict=True))
+    for (i, row), block in product(enumerate(rows), model.states):
+        at = [columns.index(s.name) for s in block.symbols if s.name in columns]
+        parts = [largest(of[i, j] for j in at) for of in (by_z, by_h)]
+        off, j = max(((size(by_z[i, j] - by_h[i, j]), j) for j in at), default=(0.0, 0))
+        if within(off, LEFT_OUT * max(parts)):
+            continue
+        mine, theirs = (f"{float(of[i, j] / scale[columns[j]]):.6g}" for of in (by_z, by_h))
+        if min(parts) > LEAST * sizes[i]:
+            wrong = wrong or f"{row} by {columns[j]}: {mine} stated, {theirs} exact"
+        elif not within(off, UNSEEN * sizes[i]):
+            lacking = lacking or f"{row} by {columns[j]}: {mine} in z, {theirs} in h"
+    return wrong, lacking
 
 
 def wrapped(angle: arb) -> arb:

@@ -46,6 +46,7 @@ from boresight.derive.within import within
 MANY = 3  # points
 FROM_BODY = re.compile(r"(?<!master )\bbody to\b")
 TO_LEVEL = re.compile(rf"\bto (the )?(local )?(level|n|{'|'.join(FRAMES)})\b")
+TO = re.compile(r"\bto\b")
 OF_BODY, OF_LEVEL = (tuple("xyz"),), (*(frame.axes for frame in FRAMES.values()), ("n", "e"), ("e", "n"))
 CLOSE = 1e-3  # of the largest: what keeps a divisor off zero, and radii at the antenna, are no fault
 LESS = re.compile(r"\bz = computed - measured\b")
@@ -62,11 +63,29 @@ def check_residuals(model: Model) -> list[MechanicsCheck]:
         found.append(turned.check(model, "z", "axes of the body or the level, turned in all that it reads"))
     why = "it changes where the axes of the body turn in all that it reads, and where those of the level do"
     found += [MechanicsCheck(model.name, f"{name}_z", "", why=why) for name, stay in stays.items() if stay is False]
+    both = [(m, v) for m in model.measurements for v in signed(model, m)]
+    found += [MechanicsCheck(model.name, f"{m.name}_z", "", why=f"it changes with the sign of {v.name}; q and -q are "
+                             "one attitude") for m, v in both]  # fmt: skip
     if any([taken_off(model, m, less) for m in model.measurements]):
         found.append(less.check(model, "z", "computed - measured"))
     idle = unread(model)
     found += [MechanicsCheck(model.name, "inputs", "", why=f"nothing reads {', '.join(idle)}")] if idle else []
     return found + list(check_rates(model)) + list(check_step(model))
+
+
+def signed(model: Model, m: Measurement) -> Iterator[Variable]:
+    """The attitudes, as quaternions, by whose sign z or h changes."""
+    z = m.z if m.z is not None else m.h
+    read = symbols_in(z) if z is not None else set()
+    for q in (v for v in (*model.inputs, *model.states) if attitude(v, TO) and read & {*v.symbols}):
+        run = compiled(z)
+        with precise():
+            for here in points(model, "z", MANY):
+                other = here | {s: -here[s] for s in q.symbols}
+                change = [wrapped(e) if i in m.angles else e for i, e in enumerate(run(here)[0] - run(other)[0])]
+                if not within(largest(change), NOTHING):
+                    yield q
+                    break
 
 
 def unread(model: Model) -> list[str]:
@@ -119,6 +138,13 @@ def taken_off(model: Model, m: Measurement, verdict: Verdict) -> bool:
             v, times = found[0]
             verdict.entry = verdict.entry or f"{m.name}_z has {times:.6g} times {v.name}; computed - measured has -1"
     return bool(found)
+
+
+def estimated(model: Model) -> list[Variable]:
+    """What feedback returns, or the states."""
+    _, feedback = mechanics_of(model)
+    names = {o.name for o in feedback.outputs} if feedback else set()
+    return [*(v for v in model.inputs if v.name in names), *(model.states if model.kind == "total-state" else ())]
 
 
 # ---------------------------------------------------------------- what a sensor shows over a step
@@ -210,13 +236,15 @@ def compare_rate(model: Model, exact: Exact, p: Measurement, v: Measurement) -> 
 
 
 def stays_in_turned_axes(model: Model, m: Measurement, verdict: Verdict) -> bool | None:
-    """Whether z does, of the body or of the level; None where it reads no attitude of the body."""
+    """Whether z does, of the body or of the level; None where it reads no attitude of the body, nor adds both axes."""
     z = m.z if m.z is not None else m.h
     if z is None:
         return None
     read = symbols_in(z)
     variables = [v for v in (*model.inputs, *model.states) if read & {*v.symbols}]
-    if not any(attitude(v, FROM_BODY) for v in variables):
+    mixed = any(letters(v) in OF_BODY and v.unit == m.unit for v in variables)
+    mixed &= any(letters(v) in OF_LEVEL and v.unit == m.unit for v in variables)
+    if not mixed and not any(attitude(v, FROM_BODY) for v in variables):
         return None
     run, here = compiled(z), points(model, "z", MANY)
     # scale factors, and the lean of single axes, belong to the axes of their sensor

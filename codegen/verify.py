@@ -33,8 +33,11 @@ from boresight.codegen.functions.unit import Unit
 from boresight.codegen.functions.units import units
 from boresight.codegen.generate import generated_folder, known, load_model, model_names, named
 from boresight.codegen.mechanics import MechanicsCheck, check_mechanics
+from boresight.codegen.noises import check_noise
+from boresight.codegen.origins import check_origins
 from boresight.codegen.points import drawn, nearest_zero
 from boresight.codegen.residuals import check_residuals
+from boresight.codegen.scales import check_scales
 from boresight.codegen.unheld import with_unheld
 from boresight.codegen.words import check_words
 from boresight.derive.model import Measurement, Model, Variable
@@ -216,7 +219,8 @@ def laws(model: Model, made: list[Unit]) -> list[MechanicsCheck]:
     checks = check_mechanics(model, references) + check_flown(model, references)
     known = {check.unit for check in checks}
     checks += [check for check in (*check_beside(model), *check_flat(model)) if check.unit not in known]
-    return with_unheld(model, checks + check_residuals(model) + check_words(model))
+    beside = check_residuals(model) + check_origins(model) + check_scales(model) + check_noise(model)
+    return with_unheld(model, checks + beside + check_words(model))
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,8 @@
 
 The card and the meanings of the states are printed in headers and pages.  Read are `C_hat = (I - [e x]) C`, also with
 the factors exchanged, and what an error is: computed - true, estimated - true, a_hat - a, or the other one.  A bias
-that is measured - true is what `strapdown` takes off its sensor.
+that is measured - true is what `strapdown` takes off its sensor.  An axis that ends a name is the same of an error and
+of its estimate, of a bias and of its sensor.
 """
 
 import re
@@ -40,6 +41,8 @@ TURN = re.compile(r"(?P<hat>C_hat\w*) = (?P<before>C\w* )?\(I (?P<sign>[-+]) \[(
 COMPUTED = re.compile(r"\b(computed|estimated|nominal) - true\b|\b(\w+)_hat - \2\b")
 TRUE = re.compile(r"\btrue - (computed|estimated|nominal)\b|\b(\w+) - \2_hat\b")
 SHOWN = re.compile(r"\bmeasured - true\b")
+AXES = ("xyz", "ned", "enu")  # by the last letter of a name
+ASKEW = 0.5  # of what a bias does along its own axis
 OF_ALL = re.compile(r"\bError = ")
 
 
@@ -58,6 +61,7 @@ def check_words(model: Model) -> list[MechanicsCheck]:
         if stated and (blocks or OF_ALL.search(text)):
             count += subtracted(verdict, signs, where, stated, blocks or model.states)
     count += sum(biased(verdict, model, signs.hat, v) for v in signs.corrected.returned if SHOWN.search(v.meaning))
+    count += sum(along_its_axis(verdict, signs, v) for v in signs.corrected.returned if v.norm is None)
     return [verdict.check(model, "words", "the signs of feedback")] if count else []
 
 
@@ -88,10 +92,25 @@ def biased(verdict: Verdict, model: Model, hat: Values, bias: Variable) -> int:
         whole = largest(sensor)
         share = sum((m * s for m, s in zip(mine, sensor, strict=True)), arb(0)) / sum((s * s for s in sensor), arb(0))
         alike = within(largest(mine - share * sensor), EQUAL * whole)
+        if not alike and (other := other_axis(mine, sensor)):
+            s, axis = bias.symbols[other[0]], bias.symbols[other[1]].name.rpartition("_")[2]
+            says = f"{bias.name} says measured - true; strapdown takes {s} off its sensor along {axis}"
+            verdict.entry = verdict.entry or says
+            return 1
         if alike and not within(size(share + 1), EQUAL):
             says = f"{bias.name} says measured - true; strapdown takes it off its sensor {-float(share):.6g} times"
             verdict.entry = verdict.entry or says
     return int(alike)
+
+
+def other_axis(mine: Matrix, sensor: Matrix) -> tuple[int, int] | None:
+    """Of a bias that is taken off its sensor through a matrix: a component, and the axis at which it shows instead."""
+    A = (sensor.T * sensor).solve(-(sensor.T * mine))
+    if not within(largest(mine + sensor * A), EQUAL * largest(mine)):
+        return None
+    off = [(size(A[i, j]) - size(A[j, j]) * ASKEW, j, i) for i in range(A.rows) for j in range(A.cols) if i != j]
+    most, j, i = max(off)
+    return (j, i) if most > 0 else None
 
 
 def sensors(model: Model) -> list[Variable]:
@@ -116,6 +135,7 @@ class Signs:
         self.corrected = Corrected(model, feedback)
         (self.hat,) = points(model, "words", 1)
         self.one = [arb(1)] * model.n
+        self.units: list[Unit] = [unit for block in model.states for unit in unit_of(block)]
         self.returned = [s for v in self.corrected.returned for s in v.symbols]
         with precise():
             self.numbers = slope(lambda x: self.after(x, self.returned), self.one)
@@ -181,7 +201,7 @@ def subtracted(verdict: Verdict, signs: Signs, where: str, stated: int, blocks: 
     count = 0
     for v in (v for v in signs.corrected.returned if v.norm is None):
         by = signs.of(v)
-        alone = dict(moved_alone(signs, by))
+        alone = {i: signs.units[j] for i, j in moved_alone(by)}
         if any(unit_of(v)[i] != own for i, own in alone.items()):
             continue
         for block in blocks:
@@ -199,10 +219,22 @@ def subtracted(verdict: Verdict, signs: Signs, where: str, stated: int, blocks: 
     return count
 
 
-def moved_alone(signs: Signs, by: Matrix) -> Iterator[tuple[int, Unit]]:
-    """The components that one error alone moves, and its unit."""
-    units = [unit for block in signs.model.states for unit in unit_of(block)]
+def along_its_axis(verdict: Verdict, signs: Signs, v: Variable) -> int:
+    """How many numbers of an estimate one error alone moves, of its unit and of its kind of axes: it is of theirs."""
+    by, count = signs.of(v), 0
+    for i, j in moved_alone(by):
+        e, s = signs.states[j], v.symbols[i]
+        mine, theirs = (one.name.rpartition("_")[2] for one in (e, s))
+        if signs.units[j] == unit_of(v)[i] and any({mine, theirs} <= {*axes} for axes in AXES):
+            count += 1
+            if mine != theirs:
+                verdict.entry = verdict.entry or f"{e} is by its name of axis {mine}; feedback takes it off {s}"
+    return count
+
+
+def moved_alone(by: Matrix) -> Iterator[tuple[int, int]]:
+    """The components that one error alone moves, and which."""
     for i in range(by.rows):
         moves = [j for j in range(by.cols) if not within(size(by[i, j]), NOTHING)]
         if len(moves) == 1:
-            yield i, units[moves[0]]
+            yield i, moves[0]

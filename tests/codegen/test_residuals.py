@@ -7,15 +7,21 @@ import pytest
 from conftest import ROOT
 from sympy import Matrix
 
+from boresight import Measurement, variable
 from boresight.codegen.flat import check_flat
-from boresight.codegen.mechanics import Exact, check_feedback
+from boresight.codegen.mechanics import Exact, check_feedback, check_residual
+from boresight.codegen.noises import check_noise
+from boresight.codegen.origins import check_origins
 from boresight.codegen.residuals import check_residuals
+from boresight.codegen.scales import check_scales
 from boresight.codegen.words import check_words
 from boresight.derive.mechanics.rotation import dcm_from_quaternion
+from boresight.derive.models import built_in
 
 sys.path.insert(0, str(ROOT / "examples"))
 import ahrs
 import autopilot
+import gnss_ins
 import gnss_ins_21
 
 AHRS, AUTOPILOT, GNSS = ahrs.SIX, autopilot.AUTOPILOT, gnss_ins_21.GNSS_INS_21
@@ -40,7 +46,8 @@ def function(made, name, output, value):
 
 @pytest.mark.parametrize("made", [AHRS, AUTOPILOT, GNSS], ids=lambda made: made.name)
 def test_of_a_right_model_nothing_is_left_over(made):
-    assert [check for check in check_residuals(made) if check.ok is not True] == []
+    checks = (*check_residuals(made), *check_origins(made), *check_scales(made), *check_noise(made))
+    assert [check for check in checks if check.ok is not True] == []
 
 
 C_b2n = dcm_from_quaternion(ahrs.q.vector)
@@ -52,6 +59,8 @@ TURNED = {
     "a vector of the level for one of the body": (
         lambda: measured(AUTOPILOT, "mag", z=z(AUTOPILOT, "mag").xreplace(dict(zip(shown[1], shown[0], strict=True)))),
         "mag_z"),
+    "a vector of the level beside one of the body": (
+        lambda: measured(AUTOPILOT, "mag", z=shown[0] + shown[1] - autopilot.m_mag.vector), "mag_z"),
     "two axes exchanged": (
         lambda: measured(GNSS, "velocity", z=z(GNSS, "velocity").xreplace(
             dict(zip(gnss_ins_21.lever.symbols[:2], gnss_ins_21.lever.symbols[1::-1], strict=True)))),
@@ -93,6 +102,120 @@ def test_a_sensor_that_step_states_twice_is_named():
     ]
 
 
+# ---------------------------------------------------------------- places, velocities, scales and noise
+
+pos, terrain = autopilot.nav["pos"].vector, autopilot.nav["terrain"].vector
+wind = autopilot.nav["wind"].symbols
+ORIGINS = {
+    "the sign of a ground": ("height", terrain + pos[2:, :] - autopilot.m_height.vector),
+    "no ground": ("height", -pos[2:, :] - autopilot.m_height.vector),
+    "the sign of a wind": ("airspeed", z(AUTOPILOT, "airspeed").xreplace({s: -s for s in wind})),
+    "an axis of a place": ("position", z(AUTOPILOT, "position").xreplace({pos[0]: pos[1], pos[1]: pos[0]})),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("what", ORIGINS)
+def test_a_z_that_hangs_on_an_origin_of_places_or_of_velocities_is_not_held(what):
+    name, value = ORIGINS[what]
+    (check,) = check_origins(measured(AUTOPILOT, name, z=Matrix(value)))
+    assert (check.unit, check.ok) == (f"{name}_z", None)
+
+
+def beacon(*places):
+    """The autopilot with the distance to a constant place, or the difference of two such."""
+    m = variable("measured", "measured", "m", "range to a beacon", -1e4, 1e4)
+    metre = autopilot.constant("metre", "1", "m", "a metre")
+    far = [Matrix([(p - c * metre) ** 2 for p, c in zip(pos, place, strict=True)]) for place in places]
+    value = sum(sign * (sum(of) ** 0.5) for sign, of in zip((1, -1), far, strict=False)) - m.scalar
+    seen = Measurement("beacon", ("range",), "m", "range: z = computed - measured", z=Matrix([value]), at_zero=True)
+    return replace(AUTOPILOT, structs=(*AUTOPILOT.structs, autopilot.Struct("radio", "a beacon", (m,))),
+                   measurements=(*AUTOPILOT.measurements, seen))  # fmt: skip
+
+
+@pytest.mark.parametrize("places", [((7, 5, 3),), ((7, 5, 3), (2e4, 1, 9))])
+def test_a_range_to_constant_places_is_none_of_these_faults(places):
+    made = beacon(*places)
+    assert [check.ok for check in (*check_origins(made), *check_scales(made))] == [True, True]
+
+
+VELOCITY_ATTITUDE = built_in("velocity-attitude")
+SCALES = {
+    "a turn": (VELOCITY_ATTITUDE, "quaternion", lambda z: 2 * z,
+               "for a turn of the measured attitude by 1 rad it grows by 2, not 1"),
+    "a row that is an angle": (AUTOPILOT, "sideslip", lambda z: 2 * z,
+                               "for a turn of the axes by 1 rad beta grows by 2, not 1"),
+    "a speed": (AUTOPILOT, "airspeed", lambda z: 2 * z + autopilot.m_airspeed.vector,
+                "for each m/s of vel tas grows by 2, not 1"),
+    "an optical flow": (AUTOPILOT, "flow", lambda z: 2 * z + autopilot.m_flow.vector,
+                        "the distance at which it sees what passes grows, for each metre of p_d, by 0.5, not 1"),
+    "a direction": (AHRS, "magnetometer", lambda z: 2 * z + ahrs.mag.vector, "the length of the direction is 2, not 1"),
+    "gravity": (AHRS, "accelerometer", lambda z: 2 * z + ahrs.accel.vector,
+                "in parts of 9.8 m/s^2 the force is 2.00204, not 1"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("what", SCALES)
+def test_a_factor_of_a_whole_z_is_not_held(what):
+    made, name, twice, why = SCALES[what]
+    (check,) = check_scales(measured(made, name, z=twice(z(made, name))))
+    assert (check.unit, check.ok, check.why) == (f"{name}_z", None, why)
+
+
+def test_q_and_its_negative_are_one_attitude():
+    half = Matrix([2 * e for e in ahrs.q.symbols[1:]])
+    made = measured(AHRS, "accelerometer", z=half * autopilot.GRAVITY - ahrs.accel.vector)
+    assert "it changes with the sign of q; q and -q are one attitude" in [check.why for check in check_residuals(made)]
+
+
+noise = list(AUTOPILOT.noise)
+states = AUTOPILOT.mechanics.driven
+NOISE = {
+    "twice a density": ({"noise": Matrix([2 * noise[0], *noise[1:]])}, "ng_x is taken 2 times"),
+    "one that stands twice": ({"noise": Matrix([noise[1], *noise[1:]])},
+                              "ng_y stands 2 times; ng_x drives nothing, gyro_noise else does"),
+    "two exchanged": ({"mechanics": replace(AUTOPILOT.mechanics, driven=(
+        *states[:4], (states[4][0], states[5][1]), (states[5][0], states[4][1]), *states[6:]))},
+        "mag_i_noise is along n, e, d, and drives d_mag_b along x, y, z; "
+        "mag_b_noise is along x, y, z, and drives d_mag_i along n, e, d"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("what", NOISE)
+def test_a_noise_that_is_not_what_its_words_say_is_not_held(what):
+    change, why = NOISE[what]
+    assert [(check.ok, check.why) for check in check_noise(replace(AUTOPILOT, **change))] == [(None, why)]
+
+
+def test_two_noises_that_are_called_by_each_other_s_states_are_named():
+    driven = list(GNSS.mechanics.driven)
+    i, j = (
+        next(k for k, (w, _) in enumerate(driven) if w.name == name)
+        for name in ("gyro_scale_noise", "accel_scale_noise")
+    )
+    driven[i], driven[j] = (driven[i][0], driven[j][1]), (driven[j][0], driven[i][1])
+    (check,) = check_noise(replace(GNSS, mechanics=replace(GNSS.mechanics, driven=tuple(driven))))
+    assert check.why.startswith("gyro_scale_noise drives d_accel_scale, and accel_scale_noise what it is called by")
+
+
+BLOCKS = {"the other sign": (-1, False), "twice": (2, False), "left out": (0, None), "as it is": (1, ())}
+
+
+@pytest.mark.parametrize("what", BLOCKS)
+def test_a_small_part_of_h_is_held_too(what):
+    times, ok = BLOCKS[what]
+    made = gnss_ins.GNSS_INS
+    changed = {s: times * s for s in gnss_ins.var.D_BA.symbols}  # 1e-4 of a row
+    for m in made.measurements:
+        check = check_residual(made, replace(m, h=m.h.xreplace(changed)))
+        assert (check.ok if check else ()) is ok
+
+
+def test_h_is_zero_for_no_error_where_z_is_not_too():
+    m = next(m for m in VELOCITY_ATTITUDE.measurements if m.name == "dcm")
+    check = check_residual(VELOCITY_ATTITUDE, replace(m, h=m.h + m.z))
+    assert (check.ok, check.entry[:10], check.entry[-17:]) == (False, "h of n is ", "where no error is")
+
+
 # ---------------------------------------------------------------- a flat Earth
 
 v_n, p_n, dt = autopilot.nav["vel"].vector, autopilot.nav["pos"].vector, autopilot.step
@@ -125,6 +248,22 @@ def test_a_bias_that_strapdown_adds_is_none_of_measured_minus_true():
     added = function(AHRS, "strapdown", "q", lambda q: q.xreplace({s: -s for s in ahrs.bias.symbols}))
     (check,) = check_words(added)
     assert check.entry == "gyro_bias says measured - true; strapdown takes it off its sensor -1 times"
+
+
+def first_two(symbols):
+    return dict(zip(symbols, (symbols[1], symbols[0], symbols[2]), strict=True))
+
+
+def test_an_axis_is_the_same_of_an_error_and_its_estimate():
+    other = function(GNSS, "feedback", "v_n", lambda v: v.xreplace(first_two(gnss_ins_21.dv.symbols)))
+    (check,) = check_words(other)
+    assert check.entry == "dv_e is by its name of axis e; feedback takes it off v_n"
+
+
+def test_an_axis_is_the_same_of_a_bias_and_its_sensor():
+    bias = autopilot.nav["accel_bias"].symbols
+    (check,) = check_words(function(AUTOPILOT, "strapdown", "vel", lambda v: v.xreplace(first_two(bias))))
+    assert check.entry == "accel_bias says measured - true; strapdown takes ba_y off its sensor along x"
 
 
 def test_metres_of_a_latitude_are_metres_to_the_north():
