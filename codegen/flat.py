@@ -23,7 +23,7 @@ from boresight.derive.model import Model, Variable
 from boresight.derive.within import within
 
 AXES = tuple(frame.axes for frame in FRAMES.values())
-GRAVITY = 9.7, 9.9  # m/s^2, near the ground
+GRAVITY: tuple[float, float] = 9.7, 9.9  # m/s^2, near the ground
 LAW = "a body over a flat Earth"
 NEAR = 1e-12  # over STEP what is of the second order is less
 # Of a unit: whether it is of a turn, and whether it is an integral over the step.

@@ -13,7 +13,17 @@ from flint import arb
 
 from boresight.codegen.flat import GRAVITY
 from boresight.codegen.functions.reference import precise
-from boresight.codegen.mechanics import NOTHING, MechanicsCheck, Values, compiled, largest, points, size, slope
+from boresight.codegen.mechanics import (
+    NOTHING,
+    MechanicsCheck,
+    Values,
+    compiled,
+    largest,
+    points,
+    rotation_of,
+    size,
+    slope,
+)
 from boresight.codegen.points import nearest_zero
 from boresight.codegen.residuals import (
     CLOSE,
@@ -30,12 +40,14 @@ from boresight.codegen.residuals import (
 from boresight.derive.expressions import symbols_in
 from boresight.derive.ledger.numbers import Matrix
 from boresight.derive.ledger.witness import hamilton
+from boresight.derive.mechanics.earth import FRAMES
 from boresight.derive.model import Measurement, Model, Variable
 from boresight.derive.units import units
 from boresight.derive.within import within
 
 STARTS, SEARCH, LONGEST = 24, 12, 1.0  # points from which z = 0 is looked for, steps of one search, and rad of a step
 DIRECTION, FORCE = re.compile(r"\bdirection of\b"), re.compile(r"\bspecific force\b")
+G = sum(GRAVITY) / 2
 FLOW = re.compile(r"\boptical flow\b")
 At = Callable[[Values], list[Matrix]]
 
@@ -115,12 +127,32 @@ def by_length(model: Model, m: Measurement, run: At, here: list[Values]) -> Iter
         return
     taken = [v for v, _ in measured(model, m)] if m.z is not None else []
     bare = [values | dict.fromkeys((s for v in taken for s in v.symbols), arb(0)) for values in here]
-    k = constant([float(sum((e * e for e in run(values)[0]), arb(0)).sqrt()) for values in bare])
+    computed = [run(values)[0] for values in bare]
+    k = constant([float(sum((e * e for e in one), arb(0)).sqrt()) for one in computed])
     if k and says is DIRECTION:
         yield k, "the length of the direction is"
     elif k:
-        g = sum(GRAVITY) / 2
-        yield 1.0 if GRAVITY[0] <= k <= GRAVITY[1] else k / g, f"in parts of {g:.3g} m/s^2 the force is"
+        upwards = up(model, m, bare, computed)
+        yield (
+            1.0 if GRAVITY[0] <= upwards * k <= GRAVITY[1] else upwards * k / G,
+            f"upwards, in parts of {G} m/s^2, it is",
+        )
+
+
+def up(model: Model, m: Measurement, here: Sequence[Values], computed: Sequence[Matrix]) -> int:
+    """-1, if a force in axes of the body points downwards in a level whose axes are known; else 1."""
+    z: Any = m.z if m.z is not None else m.h
+    read = symbols_in(z)
+    attitudes = [v for v in (*model.inputs, *model.states) if attitude(v, FROM_BODY) and read & {*v.symbols}]
+    if len(attitudes) != 1:
+        return 1
+    (q,) = attitudes
+    level = next((f.axes for f in FRAMES.values() if f.name in (q.frame or f"{q.meaning} {model.frame}")), None)
+    if level is None:
+        return 1
+    turned = [rotation_of(Matrix([at[s] for s in q.symbols])) * force for at, force in zip(here, computed, strict=True)]
+    signs = [float(force[2, 0]) * (1 if level[2] == "u" else -1) for force in turned]
+    return -1 if all(sign < 0 for sign in signs) else 1
 
 
 def by_passing(

@@ -150,7 +150,9 @@ SCALES = {
                         "the distance at which it sees what passes grows, for each metre of p_d, by 0.5, not 1"),
     "a direction": (AHRS, "magnetometer", lambda z: 2 * z + ahrs.mag.vector, "the length of the direction is 2, not 1"),
     "gravity": (AHRS, "accelerometer", lambda z: 2 * z + ahrs.accel.vector,
-                "in parts of 9.8 m/s^2 the force is 2.00204, not 1"),
+                "upwards, in parts of 9.8 m/s^2, it is 2.00204, not 1"),
+    "the sign of gravity": (AHRS, "accelerometer", lambda z: -z - 2 * ahrs.accel.vector,
+                            "upwards, in parts of 9.8 m/s^2, it is -1.00102, not 1"),
 }  # fmt: skip
 
 
