@@ -13,8 +13,7 @@ from boresight.codegen.functions.reference import precise
 from boresight.codegen.functions.samples import generator
 from boresight.codegen.mechanics import STEP, MechanicsCheck, Verdict, compiled, points, quaternion_rate, rotation_of
 from boresight.codegen.points import nearest_zero
-from boresight.codegen.residuals import FROM_BODY, OF_BODY, TO_LEVEL, attitude, letters
-from boresight.codegen.words import SHOWN
+from boresight.codegen.residuals import FROM_BODY, OF_BODY, SHOWN, TO_LEVEL, attitude, letters
 from boresight.derive.checks import mechanics_of
 from boresight.derive.expressions import symbols_in
 from boresight.derive.ledger.numbers import Matrix, zeros

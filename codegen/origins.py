@@ -24,6 +24,7 @@ from boresight.derive.within import within
 # Of a place that is one number, by its meaning: whether it is counted downwards, upwards, or from the ground.
 DOWN, UP = re.compile(r"\b(down|depth)\b"), re.compile(r"\b(height|altitude|elevation|up|above)\b")
 ABOVE_GROUND, GROUND = re.compile(r"\babove (the )?(ground|terrain)\b"), re.compile(r"\b(ground|terrain)\b")
+NO_PLACE = re.compile(r"\b(bias|error|offset|range|distance|length)\b")
 SIGNS = {"n": 1, "e": 1, "d": 1, "u": -1}
 
 
@@ -64,7 +65,10 @@ def check_origins(model: Model) -> list[MechanicsCheck]:
 def grows(model: Model, v: Variable) -> tuple[int, ...]:
     """By what a number in m may grow as each place that is counted downwards grows by 1; nothing, if it is no place."""
     if ABOVE_GROUND.search(v.meaning):
-        return (0,) if any(GROUND.search(one.meaning) for one in estimated(model) if one is not v) else (0, -1)
+        grounds = [one for one in estimated(model) if one.size == 1 and one.unit == "m" and GROUND.search(one.meaning)]
+        return (0,) if [one for one in grounds if one is not v] else (0, -1)
+    if NO_PLACE.search(v.meaning):
+        return ()
     down, up = DOWN.search(v.meaning), UP.search(v.meaning)
     return (1, 0) if down else (-1, 0) if up else (0, 1, -1) if v in estimated(model) else ()
 

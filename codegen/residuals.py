@@ -49,6 +49,7 @@ TO_LEVEL = re.compile(rf"\bto (the )?(local )?(level|n|{'|'.join(FRAMES)})\b")
 TO = re.compile(r"\bto\b")
 OF_BODY, OF_LEVEL = (tuple("xyz"),), (*(frame.axes for frame in FRAMES.values()), ("n", "e"), ("e", "n"))
 CLOSE = 1e-3  # of the largest: what keeps a divisor off zero, and radii at the antenna, are no fault
+SHOWN = re.compile(r"\bmeasured - true\b")
 LESS = re.compile(r"\bz = computed - measured\b")
 ITERATIONS = 4
 Turn = Callable[[Values], Values]
@@ -109,7 +110,11 @@ def measured(model: Model, m: Measurement) -> list[tuple[Variable, float]]:
     others += [o.value for f in model.functions for o in f.outputs]
     others += [e for one in model.measurements for e in (one.z, one.h, one.H) if e is not None and one is not m]
     others += [sp.Matrix(e) for _, e in model.mechanics.step] if model.mechanics else []
-    read = symbols_in(m.z) - symbols_in(*others)
+    return times_of(model, m, symbols_in(m.z) - symbols_in(*others))
+
+
+def times_of(model: Model, m: Measurement, read: set[sp.Symbol]) -> list[tuple[Variable, float]]:
+    """The inputs of those symbols in the unit and of the size of z, and the number of each by which it changes z."""
     found = []
     for v in model.inputs:
         if not {*v.symbols} <= read or v.size != len(m.rows) or units(v.unit, v.size) != units(m.unit, v.size):
@@ -137,6 +142,10 @@ def taken_off(model: Model, m: Measurement, verdict: Verdict) -> bool:
         if found and not any(within(abs(times + 1), EQUAL) for _, times in found):
             v, times = found[0]
             verdict.entry = verdict.entry or f"{m.name}_z has {times:.6g} times {v.name}; computed - measured has -1"
+        for v, times in times_of(model, m, symbols_in(m.z)) if found else ():
+            if v in estimated(model) and SHOWN.search(v.meaning) and not within(abs(times - 1), EQUAL):
+                says = f"{v.name} says measured - true; {m.name}_z has {times:.6g} times it, not 1"
+                verdict.entry = verdict.entry or says
     return bool(found)
 
 

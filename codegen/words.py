@@ -29,6 +29,7 @@ from boresight.codegen.mechanics import (
     symbols,
     unit_of,
 )
+from boresight.codegen.residuals import SHOWN
 from boresight.derive.checks import mechanics_of
 from boresight.derive.expressions import symbols_in
 from boresight.derive.ledger.numbers import Matrix, eye
@@ -40,7 +41,6 @@ from boresight.derive.within import within
 TURN = re.compile(r"(?P<hat>C_hat\w*) = (?P<before>C\w* )?\(I (?P<sign>[-+]) \[(?P<error>\w+) x\]\)(?P<after> C\w*)?")
 COMPUTED = re.compile(r"\b(computed|estimated|nominal) - true\b|\b(\w+)_hat - \2\b")
 TRUE = re.compile(r"\btrue - (computed|estimated|nominal)\b|\b(\w+) - \2_hat\b")
-SHOWN = re.compile(r"\bmeasured - true\b")
 AXES = ("xyz", "ned", "enu")  # by the last letter of a name
 ASKEW = 0.5  # of what a bias does along its own axis
 OF_ALL = re.compile(r"\bError = ")

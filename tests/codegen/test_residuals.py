@@ -121,6 +121,30 @@ def test_a_z_that_hangs_on_an_origin_of_places_or_of_velocities_is_not_held(what
     assert (check.unit, check.ok) == (f"{name}_z", None)
 
 
+def meant(made, name, text):
+    """The model with another meaning of an input."""
+    return replace(made, structs=tuple(
+        replace(s, fields=tuple(replace(v, meaning=text) if v.name == name else v for v in s.fields))
+        for s in made.structs
+    ))  # fmt: skip
+
+
+def test_a_bias_of_what_is_measured_adds_to_what_is_computed():
+    bias = {s: -s for s in autopilot.nav["mag_b"].symbols}
+    says = meant(AUTOPILOT, "mag_b", "bias of the magnetometer, measured - true")
+    assert all(check.ok for check in check_residuals(says))
+    entries = [
+        c.entry for c in check_residuals(measured(says, "mag", z=z(says, "mag").xreplace(bias))) if c.ok is False
+    ]
+    assert entries == ["mag_b says measured - true; mag_z has -1 times it, not 1"]
+
+
+def test_a_height_above_a_ground_that_nobody_estimates_is_a_height():
+    above = measured(AUTOPILOT, "height", z=-pos[2:, :] - autopilot.m_height.vector)
+    ground = meant(above, "terrain", "a number, down from the origin")
+    assert [check.ok for check in check_origins(ground)] == [True]
+
+
 def beacon(*places):
     """The autopilot with the distance to a constant place, or the difference of two such."""
     m = variable("measured", "measured", "m", "range to a beacon", -1e4, 1e4)
