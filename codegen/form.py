@@ -43,6 +43,11 @@ WORDS = (
     (r"; joseph_predict P \| Phi P; ud_predict U \| V", "; joseph_predict P | Phi P", "; ud_predict U | V"),
     (r" The ud form overwrites v\.", "", "  It overwrites v."),
     (
+        r" Neither ud_predict nor joseph_step reads what Q has",
+        "  joseph_step does not read what Q has",
+        "  ud_predict does not read what Q has",
+    ),
+    (
         r"In double the covariance is flown in symmetric Joseph form, in single precision \(BORESIGHT_FLOAT\) as UD "
         r"factors\.",
         "The covariance is flown in symmetric Joseph form.",

@@ -84,7 +84,9 @@ bs_status vas_ud_init(const bs_real dense[VAS_N_STATES * VAS_N_STATES],
                       bs_real work[VAS_N_WORK]);
 
 /* next = Phi P Phi' + Q. [VAS-C-030]  next must not overlap P; it may be Q.  With BORESIGHT_ROWS it
- * reads of Phi what a step of this model can make other than 0. */
+ * reads of Phi what a step of this model can make other than 0.  Neither ud_predict nor joseph_step
+ * reads what Q has between two states that stay, those behind the first VAS_N_MOVING: it is 0 in
+ * each Q of this model. */
 void vas_joseph_predict(const bs_real P[VAS_N_PACKED],
                         const bs_real Phi[VAS_N_PHI],
                         const bs_real Q[VAS_N_PACKED],

@@ -21,7 +21,7 @@
 #endif
 
 #define VAS_MODEL "velocity-attitude-sensors"
-#define VAS_MODEL_HASH "f4d8e864a3d0884ccc433e4af8ae999e4a4358d9f102b2bda9c750d5621e467f"
+#define VAS_MODEL_HASH "fab4e6c2702bbe1a9cea78d02a212f8a009d8f892233861eec742badaa248227"
 #define VAS_VERSION "0.1.0" /* of the Boresight that printed it */
 #define VAS_VERSION_MAJOR 0
 #define VAS_VERSION_MINOR 1
