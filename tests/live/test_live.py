@@ -2,6 +2,7 @@
 
 import ctypes
 import random
+import shutil
 from dataclasses import replace
 
 import numpy as np
@@ -12,7 +13,7 @@ from judge import judged, met
 from loops import fly_live, sigmas, start
 from simulator import standard
 
-from boresight import BoresightError, Live, generate, load
+from boresight import BoresightError, Live, Record, generate, load
 from boresight.runtime.status import Status
 from boresight.runtime.transfer import sensors
 
@@ -314,3 +315,20 @@ def test_samples_that_stood_still_are_forgotten_and_a_silence_is_reported():
     assert found.nees_end < 40 and "in a row did not fit" in codes(record)
     _, record = flown("no message for 10 s", runs=1)
     assert codes(record).count("that could be waited for was measured for") == 2
+
+
+def test_a_model_whose_transition_follows_exactly_has_a_loop(tmp_path):
+    (tmp_path / "exact.py").write_text(
+        "from dataclasses import replace\nfrom ahrs import SIX\n"
+        'EXACT = replace(SIX, name="ahrs-exact", c_prefix="ax", exact=True)\n'
+    )
+    shutil.copy(ROOT / "examples" / "ahrs.py", tmp_path)
+    generate(f"{tmp_path / 'exact.py'}:EXACT", tmp_path / "exact")
+    loop = Live(load(tmp_path / "exact"), gyro_noise=np.full(3, 1e-3), bias_noise=np.full(3, 1e-5))
+    loop.begin(0, {"q": [1, 0, 0, 0]}, theta=0.1, d_gyro_bias=0.01)
+    record = Record(loop)
+    for k in range(1, 101):
+        loop.sample(10_000 * k, 0.01, gyro=[0.0, 0.0, 0.1])
+    Phi, angle = record.Phi()[-1], 0.1 * (record.time[-1] - 0.02)  # of the body in the middle of the step
+    C = np.array([[np.cos(angle), -np.sin(angle), 0], [np.sin(angle), np.cos(angle), 0], [0, 0, 1]])
+    assert np.abs(Phi - np.block([[np.eye(3), -0.04 * C], [np.zeros((3, 3)), np.eye(3)]])).max() < 1e-6
