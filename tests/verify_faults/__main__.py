@@ -276,10 +276,10 @@ def verified(tree, model, whole):
         document = json.loads(done.stdout)
         return ("refused", document["refused"]) if "refused" in document else judged(document)
     with tempfile.TemporaryDirectory() as out:
-        made = python(tree, "-m", "boresight", "generate", model, "--out", f"{out}/c")
+        made = python(tree, "-m", "boresight.cli", "generate", model, "--out", f"{out}/c")
         if made.returncode:
             return "refused", " ".join(made.stderr.split())
-        done = python(tree, "-m", "boresight", "verify", model, "--generated", f"{out}/c", "--json")
+        done = python(tree, "-m", "boresight.cli", "verify", model, "--generated", f"{out}/c", "--json")
     return judged(json.loads(done.stdout)) if done.returncode in (0, 1, 3) else ("ERROR", " ".join(done.stderr.split()))
 
 
