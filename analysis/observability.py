@@ -301,7 +301,7 @@ def followed(flown: Flown) -> Observed:
     times, sigmas, time, measured = [0.0], [start], 0.0, False
 
     def keep() -> None:
-        if times[-1] == time:
+        if len(times) > 1 and times[-1] == time:  # the first row is the start
             sigmas[-1] = np.sqrt(np.diag(P))
         else:
             times.append(time)

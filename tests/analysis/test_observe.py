@@ -53,6 +53,14 @@ def test_a_state_that_is_shown_has_its_time_and_the_other_stands_alone():
     assert found.worst() == "b alone: 1.00 of its sigma at the start is left"
 
 
+def test_the_start_is_before_a_measurement_that_comes_first():
+    step, read = {"phi": np.eye(2), "q": np.zeros((2, 2)), "dt": 1.0}, ("seen", [1.0], {"h": H1 * [1, 0]})
+    for steps in ([read], [read, step, read]):
+        found = observability.observe(Given("a", "b"), np.eye(2), steps)
+        reads = steps.count(read)
+        assert np.allclose(found.part, [1 / np.sqrt(1 + reads), 1]) and found.times.tolist() == [0, 0, 1][: 1 + reads]
+
+
 def test_without_process_noise_the_covariance_is_that_of_the_information(library):
     zero = {"gyro_noise": np.zeros(3)}
     start, steps = nominal.flight(
