@@ -1205,6 +1205,7 @@ def observe(
         make(out)
     library = library_of(target, folder, grade)
     found, left = {}, []
+    measured: set[str] = set()
     with terminal.working() as working:
         for name in motion or ["still", "straight", "steady turn", "s turn"]:
             working(name)
@@ -1217,7 +1218,9 @@ def observe(
                 sizes = nominal.settings(library, grade) | nominal.sizes(set_ or (), library)
                 (start, steps), x = nominal.flight(library, along, sizes), None
                 left = nominal.not_taken(library, sizes)
+            steps = list(steps)
             found[name] = observability.observe(library, start, steps, x=x)
+            measured |= {step[0] for step in steps if isinstance(step, tuple)}
     text = observability.report(found) + nominal.not_taken_line(left)
     shown = {name: one.document() for name, one in found.items()}
     document = {"model": library.name, "motions": shown, "not_flown": left}
@@ -1225,7 +1228,8 @@ def observe(
         from boresight.analysis.symbolic import never_shown
         from boresight.codegen.generate import load_model
 
-        directions = never_shown.never_shown(load_model(library.name if library.name in model_names() else target))
+        model = load_model(library.name if library.name in model_names() else target)
+        directions = never_shown.never_shown(model, measured=measured)
         document["never_shown"] = never_shown.document(directions)
         text += "\n" + never_shown.lines(directions)
     if out is not None:

@@ -9,7 +9,7 @@ import random
 import signal
 import textwrap
 import threading
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import reduce
@@ -21,6 +21,7 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from boresight.analysis.nominal import MATCHED
+from boresight.derive.mechanics.rotation import TINY_SQUARE
 from boresight.derive.model import Model
 from boresight.derive.named import Named
 
@@ -44,18 +45,19 @@ class NeverShown:
     unsolved: str = ""
 
 
-def never_shown(model: Model, limit_s: float = LIMIT_S) -> list[NeverShown]:
+def never_shown(model: Model, limit_s: float = LIMIT_S, measured: Collection[str] = ()) -> list[NeverShown]:
     """By class of motions, the null vectors of what a model measures.
 
-    model: completed.  limit_s: for each class; what takes longer is unsolved.  Each vector is checked at random points
-    in 30 digits, and their number against the rank there.
+    model: completed.  limit_s: for each class; what takes longer is unsolved.  measured: names of the measurements;
+    without, those of a motion by name, or all.  Each vector is checked at random points in 30 digits, and their number
+    against the rank there.
     """
     moved = {v.name for v in model.inputs} & set(along("straight", model, sp.zeros(3, 1)))
     if model.kind == "error-state" and model.F is not None and moved:
         classes: Sequence[str] = CLASSES
     else:
         classes = (CONSTANT,)
-    return [solved(model, name, limit_s) for name in classes]
+    return [solved(model, name, limit_s, measured) for name in classes]
 
 
 def along(name: str, model: Model, omega_in: sp.Matrix) -> dict[str, sp.Matrix]:
@@ -84,10 +86,10 @@ def along(name: str, model: Model, omega_in: sp.Matrix) -> dict[str, sp.Matrix]:
     }  # fmt: skip
 
 
-def solved(model: Model, name: str, limit_s: float) -> NeverShown:
+def solved(model: Model, name: str, limit_s: float, measured: Collection[str]) -> NeverShown:
     try:
         with limited(limit_s):
-            return NeverShown(name, tuple(vectors(model, name)))
+            return NeverShown(name, tuple(vectors(model, name, measured)))
     except TimeoutError:
         return NeverShown(name, (), f"not solved in {limit_s:g} s")
     except ArithmeticError as error:
@@ -113,10 +115,10 @@ def limited(seconds: float) -> Iterator[None]:
         signal.signal(signal.SIGALRM, before)
 
 
-def vectors(model: Model, name: str) -> list[tuple[tuple[str, str], ...]]:
+def vectors(model: Model, name: str, measured: Collection[str]) -> list[tuple[tuple[str, str], ...]]:
     """The null vectors of a class."""
     x = list(model.x)
-    H, F = powers(model, name)
+    H, F = powers(model, name, measured)
     symbols = sorted(set().union(*(part.free_symbols for part in (*H, *F))), key=str)
     points = [point(model, symbols, k) for k in range(POINTS)]
     with mpmath.workdps(30):
@@ -170,24 +172,29 @@ def orders(H: Sequence[Any], F: Sequence[Any], number: Callable[[int], Any]) -> 
     return out
 
 
-def powers(model: Model, name: str) -> tuple[list[sp.Matrix], list[sp.Matrix]]:
+def powers(model: Model, name: str, measured: Collection[str]) -> tuple[list[sp.Matrix], list[sp.Matrix]]:
     """What stands with the powers of T in H and in F; of a total state with f, N_k by derivatives along f, and none."""
     x = list(model.x)
     slow = set() if name == CONSTANT else {s for v in model.inputs if v.name in SLOW for s in v.symbols}
-    measured = [m for m in model.measurements if m.name in {names[0] for names in MATCHED}]
-    measured = measured or [m for m in model.measurements if m.H is not None]
-    H = sp.Matrix.vstack(*(sp.Matrix(m.H if m.H is not None else sp.Matrix(m.h).jacobian(x))
-                           for m in measured or model.measurements))  # fmt: skip
+    names = set(measured) or {names[0] for names in MATCHED}
+    seen = [m for m in model.measurements if m.name in names] or list(model.measurements)
     rates = sp.Matrix(model.f) if model.f is not None else sp.zeros(len(x), 1)
     F = rates.jacobian(x) if model.f is not None else model.F if model.F is not None else model.Phi
     if F is None:
         raise ArithmeticError("its next is that of a step; give f")
     F = sp.Matrix(F)
-    inputs: dict[Any, Any] = dict.fromkeys(x, sp.Integer(0)) if model.kind == "error-state" else {}
+    flown: dict[Any, Any] = {}
     if name != CONSTANT:
-        known = along(name, model, level_rate(sp.Matrix.vstack(F, H), slow))
-        inputs |= {s: e for v in model.inputs if v.name in known for s, e in zip(v.symbols, known[v.name], strict=True)}
-    F, H, rates = (spelled(part, slow).xreplace(inputs).doit() for part in (F, H, rates))
+        given = [F, *(sp.Matrix(m.h if m.H is None else m.H) for m in seen)]
+        known = along(name, model, level_rate(sp.Matrix([e for part in given for e in part]), slow))
+        flown = {s: e for v in model.inputs if v.name in known for s, e in zip(v.symbols, known[v.name], strict=True)}
+    zero: dict[Any, Any] = dict.fromkeys(x, sp.Integer(0)) if model.kind == "error-state" else {}
+
+    def here(part: sp.Matrix) -> sp.Matrix:
+        return spelled(sp.Matrix(part), slow).xreplace(flown)
+
+    H = sp.Matrix.vstack(*(here(m.h).jacobian(x) if m.H is None else here(m.H) for m in seen))
+    F, H, rates = (without_tiny(part.xreplace(zero).doit()) for part in (here(F), H, here(rates)))
     count = min(ORDERS, len(x))
     if model.f is None:
         return taylor(H, count), taylor(F, count)
@@ -227,6 +234,12 @@ def spelled(matrix: sp.Matrix, slow: set[Any]) -> sp.Matrix:
         rest = {one: one.value for one in names if one not in constant}
         matrix = matrix.xreplace({**constant, **rest})
     return matrix
+
+
+def without_tiny(matrix: sp.Matrix) -> sp.Matrix:
+    """A matrix in which the sine and cosine of the tiny angle, which stands in the C against 0/0, are their limits."""
+    angles = [e for e in matrix.atoms(sp.sin, sp.cos) if e.has(TINY_SQUARE) and not e.free_symbols]
+    return matrix.xreplace({e: e.args[0] if isinstance(e, sp.sin) else sp.Integer(1) for e in angles})
 
 
 def irrational(matrix: sp.Matrix) -> set[Any]:

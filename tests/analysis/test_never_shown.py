@@ -2,12 +2,14 @@
 
 import numpy as np
 import pytest
+import sympy as sp
 from conftest import ROOT
 
-from boresight import load
+from boresight import Measurement, Model, Struct, load, variable
 from boresight.analysis import nominal, observability
 from boresight.analysis.symbolic import never_shown as symbolic
 from boresight.codegen.generate import load_model
+from boresight.derive.mechanics.rotation import quaternion_from_rotation_vector
 from boresight.runtime.simulation import motions
 
 G = 9.80665
@@ -66,3 +68,25 @@ def test_models_of_ones_own_and_what_is_not_solved_is_said():
     late = symbolic.never_shown(load_model("velocity-attitude"), 0.001)
     assert {one.unsolved for one in late} == {"not solved in 0.001 s"}
     assert "straight: not solved in 0.001 s" in symbolic.lines(late)
+
+
+def test_what_a_flight_measures_is_what_the_formulas_are_of():
+    p, v, dt, noise = (variable(name, letter, unit, name, 0.01, 1.0) for name, letter, unit in (
+        ("place", "p", "m"), ("speed", "v", "m/s"), ("dt", "dt", "s"), ("noise", "q", "m/s/sqrt(s)")))  # fmt: skip
+    model = Model("cart", "ca", "a cart", "none", states=(p, v), structs=(Struct("step", "one step", (dt, noise)),),
+                  F=sp.Matrix([[0, 1], [0, 0]]), G=sp.Matrix([0, 1]), noise=noise.vector, dt=dt.scalar,
+                  measurements=(Measurement("velocity", ("speed",), "m/s", "speed", H=sp.Matrix([[0, 1]])),
+                                Measurement("position", ("place",), "m", "place", H=sp.Matrix([[1, 0]]))))  # fmt: skip
+    (alone,), (both,) = (
+        symbolic.never_shown(model, measured=names) for names in (["velocity"], ["velocity", "position"])
+    )
+    assert alone.vectors == ((("p", "1"),),) and not both.vectors
+
+
+def test_no_tiny_angle_is_left_in_a_formula():
+    x = sp.Matrix(sp.symbols("x:3"))
+    q = symbolic.spelled(quaternion_from_rotation_vector(x), set())
+    at_zero = dict.fromkeys(x, sp.Integer(0))
+    value, slope = (symbolic.without_tiny(part.xreplace(at_zero)) for part in (q, q.jacobian(x)))
+    assert value == sp.Matrix([1, 0, 0, 0])
+    assert slope == sp.Matrix.vstack(sp.zeros(1, 3), sp.eye(3) / 2)
