@@ -130,8 +130,11 @@ def settings(model: Any, grade: str | None = None) -> dict[str, Any]:
     return out
 
 
-def sizes(words: Sequence[str], model: Any) -> dict[str, Array]:
-    """Of "NAME NUMBER[, NUMBER ...] UNIT" each the name and the numbers in SI; without a unit they are SI."""
+def sizes(words: Sequence[str], model: Any, negative: bool | None = None) -> dict[str, Array]:
+    """Of "NAME NUMBER[, NUMBER ...] UNIT" each the name and the numbers in SI.
+
+    negative: whether numbers may be; None: of inputs, and not of the sigmas of states and measurements.
+    """
     parts = dict(blocks(model, len(model.states)))
     units = {name: field["unit"] for name, field in model.field.items()}
     units |= {name: described["unit"] for name, described in model.measurements.items()}
@@ -150,6 +153,9 @@ def sizes(words: Sequence[str], model: Any) -> dict[str, Array]:
             raise BoresightError(f"{model.name} has no input or other name {name!r}{did_you_mean(name, units)}; it has "
                                  f"{listed}")  # fmt: skip
         value = amount(rest, units[name], text)
+        may = name not in parts and name not in model.measurements if negative is None else negative
+        if not may and (value < 0).any():
+            raise BoresightError(f"{text!r}: a sigma is not negative")
         if len(value) not in (1, counts[name]):
             raise BoresightError(f"{text!r}: give one number or {counts[name]}")
         many: Array = np.resize(value, counts[name])
@@ -158,19 +164,22 @@ def sizes(words: Sequence[str], model: Any) -> dict[str, Array]:
 
 
 def amount(text: str, si: str, where: str) -> Array:
-    """Numbers with a unit, or in `si` without one."""
+    """Numbers with a unit; in `si` without one, where it is 1, or several units."""
     units = {unit: factor for of_kind in UNITS.values() if si in of_kind for unit, factor in of_kind.items()}
+    units = units or ({} if "," in si else {si: 1.0})
     numbers, _, unit = text.strip().rpartition(" ")
-    if unit not in units:
+    if unit not in units and (si == "1" or not units):
         numbers, unit = text, si
     try:
-        value = np.array([float(part) for part in numbers.split(",")])
+        value = np.array([float(part) for part in numbers.split(",")]) * units.get(unit, 1.0)
     except ValueError:
-        known = f" and one of the units {', '.join(units)}" if units else f", in {si}"
-        raise BoresightError(f"{where!r}: give numbers{known}") from None
+        value = None
+    if value is None or unit not in {*units, si}:
+        known = " and one of the units" if len(units) > 1 else " and the unit" if units else ", in"
+        raise BoresightError(f"{where!r}: give numbers{known} {', '.join(units) or si}")
     if not np.isfinite(value).all():
         raise BoresightError(f"{where!r}: every number must be finite")
-    return value * units.get(unit, 1.0)
+    return value
 
 
 # ---------------------------------------------------------------- start and steps
@@ -221,8 +230,12 @@ def not_taken(model: Any, values: Mapping[str, Any]) -> list[str]:
     return [name for name in model.measurements if name not in SIZES and name not in taken(model, values)]
 
 
-def not_taken_line(left: Sequence[str]) -> str:
-    return f"not flown: {', '.join(left)}; give the sigma, as --set '{left[0]} 1'\n" if left else ""
+def not_taken_line(left: Sequence[str], model: Any) -> str:
+    if not left:
+        return ""
+    unit = model.measurements[left[0]]["unit"]
+    typed = f"{left[0]} 1" if unit == "1" or "," in unit else f"{left[0]} 1 {unit}"
+    return f"not flown: {', '.join(left)}; give the sigma, as --set '{typed}'\n"
 
 
 def rows_of(model: Any, name: str) -> int:

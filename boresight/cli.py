@@ -846,13 +846,18 @@ def budget(
     from boresight.analysis.budget import budget as split
     from boresight.analysis.figures import Sheets
 
+    if estimate and not grade:
+        raise BoresightError("--estimate is of scale factors and axes; give a --grade, which has them")
     if out is not None:
         require("replay")
         make(out)
     library = library_of(target, folder, grade)
     how: dict[str, Any] = {
-        name: nominal.sizes(words or (), library) for name, words in (("uncertain", uncertain), ("offsets", offset))
-    } | {"considered": [*(consider or ()), *(nominal.CALIBRATION if grade and not estimate else ())], "omitted": omit}
+        "uncertain": nominal.sizes(uncertain or (), library, negative=False),
+        "offsets": nominal.sizes(offset or (), library, negative=True),
+        "considered": [*(consider or ()), *(nominal.CALIBRATION if grade and not estimate else ())],
+        "omitted": omit,
+    }
     own, left = ".py:" in motion, []
     if own and (set_ or grade or any(".py:" not in word for word in believe or ())):
         raise BoresightError(
@@ -877,7 +882,7 @@ def budget(
         needed = found.need(wanted, float(nominal.amount(size, unit, need)[0]))
     title = f"{library.name}, {motion}, {found.times[-1]:g} s"
     document = found.document(at or ()) | {"motion": motion, "need": needed, "not_flown": left}
-    text = found.report(at or (), state, title) + nominal.not_taken_line(left)
+    text = found.report(at or (), state, title) + nominal.not_taken_line(left, library)
     if needed is not None:
         text += "\n" + found.need_report(needed)
     if against is not None:
@@ -922,9 +927,12 @@ def other_design(path: Path) -> Any:
     """What `budget --json` printed of another design."""
     try:
         document = json.loads(path.read_text(encoding="utf-8"))
-        if not {"states", "sources", "whole_sigma", "sigma", "mean", "times_s"} <= document.keys():
+        if (
+            not isinstance(document, dict)
+            or not {"states", "sources", "whole_sigma", "sigma", "mean", "times_s"} <= document.keys()
+        ):
             raise ValueError("it is no error budget")
-    except (OSError, ValueError, AttributeError) as error:
+    except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) else error
         raise BoresightError(
             f"{path} cannot be compared ({reason}); write it with 'boresight budget ... --json'"
@@ -1221,7 +1229,7 @@ def observe(
             steps = list(steps)
             found[name] = observability.observe(library, start, steps, x=x)
             measured |= {step[0] for step in steps if isinstance(step, tuple)}
-    text = observability.report(found) + nominal.not_taken_line(left)
+    text = observability.report(found) + nominal.not_taken_line(left, library)
     shown = {name: one.document() for name, one in found.items()}
     document = {"model": library.name, "motions": shown, "not_flown": left}
     if formulas:

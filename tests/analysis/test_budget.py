@@ -44,9 +44,9 @@ def parts(found):
 
 
 WRONG = {
-    "noise": ["gyro_noise 0.05 deg/sqrt(h)", "velocity 0.05"],
+    "noise": ["gyro_noise 0.05 deg/sqrt(h)", "velocity 0.05 m/s"],
     "start": ["dmu 0.1, 0.1, 0.2 deg", "d_gyro_bias 200 deg/h"],
-    "geometry": ["lever_b 3.1, 1, -1"],
+    "geometry": ["lever_b 3.1, 1, -1 m"],
 }
 
 
@@ -294,7 +294,7 @@ def test_known_offsets_add_as_numbers(matching, turning):
 def test_a_wrong_input_of_a_measurement_is_a_known_offset(matching, turning):
     """The filter believes a lever arm that is longer: to first order as if the true one were shorter."""
     true = flown(matching, turning)
-    believed = budget(matching, *true, believed=flown(matching, turning, "lever_b 3.0001, 1, -1")).offset
+    believed = budget(matching, *true, believed=flown(matching, turning, "lever_b 3.0001, 1, -1 m")).offset
     known = budget(matching, *true, offsets={"lever_b": [-1e-4, 0, 0]}).offset
     assert np.abs(known[-1]).max() > 0
     assert believed == pytest.approx(known, rel=1e-3, abs=1e-3 * np.abs(known).max(0).min())
@@ -322,7 +322,7 @@ def test_the_mean_of_a_wrong_parameter_is_the_difference_of_two_motions():
 
 def test_an_unknown_constant_is_what_a_known_one_of_its_size_makes(matching, turning):
     true = flown(matching, turning)
-    known = budget(matching, *true, believed=flown(matching, turning, "lever_b 3.0001, 1, -1")).offset[-1]
+    known = budget(matching, *true, believed=flown(matching, turning, "lever_b 3.0001, 1, -1 m")).offset[-1]
     found = budget(matching, *true, uncertain={"lever_b": [1e-4, 0.0, 0.0]})
     alone = np.sqrt(found.variances[-1, found.sources.index("lever_b")])
     assert alone == pytest.approx(np.abs(known), rel=1e-3)
@@ -604,7 +604,8 @@ def test_the_command_prints_what_the_function_finds(run, tmp_path):
 
 
 def test_beliefs_constants_and_states_by_words(run):
-    words = ("--believe", "gyro_noise 0.01 deg/sqrt(h)", "--uncertain", "lever_b 1 cm", "--offset", "dcm 0.1 mrad",
+    words = ("--believe", "gyro_noise 0.01 deg/sqrt(h)", "--uncertain", "lever_b 1 cm", "--offset", "dcm -0.1 mrad",
+             "--set", "lever_b 2, 0, -1 m", "--set", "tau_noise 0 sqrt(s)",
              "--consider", "d_tau", "--omit", "d_accel_bias", "--at", 5, "--state", "phi_n")  # fmt: skip
     status, out, _ = run(*SHORT, *words, "--motion", "sea 4")
     assert status == 0 and "lever_b" in out and "offset dcm" in out and "at 5 s" in out
@@ -660,6 +661,13 @@ def test_a_flight_of_ones_own_is_a_function(run, tmp_path):
         (("--motion", "s-trun"), "no motion 's-trun'"),
         (("--set", "gyro_nose 1"), "has no input or other name 'gyro_nose' (did you mean 'gyro_noise'?)"),
         (("--set", "gyro_noise 1 m"), "give numbers and one of the units rad/sqrt(s), deg/sqrt(h)"),
+        (("--set", "gyro_noise 0.1"), "give numbers and one of the units rad/sqrt(s), deg/sqrt(h)"),
+        (("--set", "tau_noise 0.1"), "give numbers and the unit sqrt(s)"),
+        (("--need", "heading 0.3"), "give numbers and one of the units rad, mrad"),
+        (("--set", "dmu 1, -1, 1 deg"), "a sigma is not negative"),
+        (("--believe", "dcm -1 mrad"), "a sigma is not negative"),
+        (("--uncertain", "lever_b -5 cm"), "a sigma is not negative"),
+        (("--estimate",), "give a --grade"),
         (("--set", "dmu 1, 2 deg"), "give one number or 3"),
         (("--need", "headng 1 mrad"), "has no state 'headng' (did you mean 'heading'?); it has phi_n, phi_e"),
         (("--need", "dmu 1 mrad"), "dmu is 3 states: name one of dmu_x, dmu_y, dmu_z"),

@@ -156,12 +156,12 @@ def test_a_total_state_goes_on_by_its_own_equation(folder_of):
             loop.predict(**step)
         loop.update("encoder", 4e-4, z=loop.x[:1])  # as expected: the estimate stays on the nominal motion
     assert np.allclose(found.P, loop.P, rtol=1e-9, atol=1e-15) and found.times[-1] == pytest.approx(2.0)
-    assert nominal.sizes(["theta 0.1", "rate 2 rad/s"], model) == {
+    assert nominal.sizes(["theta 0.1 rad", "rate 2 rad/s"], model) == {
         "angle": 0.1,
         "rate": 2.0,
     }  # by its letter, by its name
     with pytest.raises(BoresightError, match="it has states angle, rate; measurements encoder; inputs rod, torque"):
-        nominal.sizes(["phi 1"], model)
+        nominal.sizes(["phi 1 rad"], model)
     with pytest.raises(BoresightError, match=r"pendulum: no state has a sigma at the start; .* --set 'angle 1 rad'"):
         nominal.flight(model, SimpleNamespace(inputs={}), nominal.settings(model))
     with pytest.raises(BoresightError, match="observe: pendulum has a total state"):
@@ -214,7 +214,7 @@ def test_a_measurement_without_a_size_is_named_and_one_with_a_size_is_flown():
     own = SimpleNamespace(measurements={**model.measurements, "wheel": model.measurements["velocity"]})
     sizes = nominal.settings(model)
     assert nominal.not_taken(own, sizes) == ["wheel"]
-    assert nominal.not_taken_line(["wheel"]) == "not flown: wheel; give the sigma, as --set 'wheel 1'\n"
+    assert nominal.not_taken_line(["wheel"], own) == "not flown: wheel; give the sigma, as --set 'wheel 1 m/s'\n"
     assert nominal.taken(own, sizes) == ["velocity", "dcm"]
     assert nominal.taken(own, sizes | {"wheel": 0.1}) == ["velocity", "dcm", "wheel"]
     assert nominal.not_taken(own, sizes | {"wheel": 0.1}) == nominal.not_taken(model, sizes) == []
