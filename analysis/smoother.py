@@ -114,6 +114,8 @@ def smooth(record: Record, *, lag_s: float | None = None) -> Smoothed:
     >>> print(done.sigma[0, 3:].round(4), done.nav["mu"][0].round(4))
     [0.0071 0.0071 0.0071] [-0.0005 -0.0005 -0.0005]
     """
+    if not isinstance(record, Record):
+        raise BoresightError(f"smooth: {record!r} is no record; give Record(loop), or Record.open of its folder")
     if lag_s is not None and not lag_s >= 0:
         raise BoresightError(f"smooth: lag_s is {lag_s}; give 0 or more seconds, or leave it out")
     names, time, piece, x, P = record.names, record.time, record.piece, record.x.copy(), record.P

@@ -274,6 +274,8 @@ def test_a_lag_is_the_smoother_of_the_flight_until_then(vertical):
     assert np.array_equal(none.P[-1], record.P[-1]) and not np.allclose(none.P, whole.P)
     with pytest.raises(BoresightError, match="lag_s is -1"):
         smooth(record, lag_s=-1)
+    with pytest.raises(BoresightError, match="'a folder' is no record; give Record"):
+        smooth("a folder")
 
 
 def test_runs_side_by_side_are_each_by_itself(vertical):
