@@ -25,6 +25,7 @@ from boresight.analysis.linear import (
     blocks,
     gain,
     named,
+    numbers,
     pairs,
     states_of,
     units_of,
@@ -151,8 +152,8 @@ def budget(
     >>> print((1e3 * np.sqrt(found.variances[-1, :, 2])).round(3))  # mrad, of eps_d
     [5.002 4.998 0.073 0.158]
     """
-    spread, known = ({name: np.atleast_1d(np.asarray(value, float)) for name, value in (given or {}).items()}
-                     for given in (uncertain, offsets))  # fmt: skip
+    spread, known = ({name: np.atleast_1d(numbers(name, value, least)) for name, value in (given or {}).items()}
+                     for given, least in ((uncertain, 0.0), (offsets, -np.inf)))  # fmt: skip
     truth = Flown(model, P0, steps, noise, x, (*spread, *known))
     believer = truth if believed is None else Flown(model, *believed, noise, x, ())
     if believer.n != truth.n or len(believer.steps) != len(truth.steps):
@@ -176,7 +177,7 @@ def chosen(model: Any, names: Any, n: int) -> Array | None:
     for name in [names] if isinstance(names, str) else names:
         if name not in states and name not in parts:
             known = (*parts, *states)
-            raise BoresightError(f"budget: there is no state {name!r}{did_you_mean(name, known)}; there are "
+            raise BoresightError(f"budget: there is no state {name!r}{did_you_mean(str(name), known)}; there are "
                                  f"{', '.join(dict.fromkeys(known))}")  # fmt: skip
         out[[states.index(name)] if name in states else parts[name]] = True
     return out

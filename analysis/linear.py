@@ -115,7 +115,7 @@ class Flown:
                 out[i] = self.added(step)
                 continue
             elif isinstance(step, tuple) and len(step) in (3, 4) and isinstance(step[2], Mapping):
-                key = (step[0], *sorted(step[2]))
+                key = (step[0], np.shape(step[2].get("H", ())), *sorted(step[2]))
             else:
                 raise BoresightError(
                     f"budget: {step!r} is no step; give a dict of inputs for a prediction, and a tuple "
@@ -184,7 +184,7 @@ class Flown:
                 raise BoresightError(f"budget: {name} holds a value that is not finite")
         D = self.by_parameter("next", inputs, x, count) if self.total and inputs else {}
         return [
-            Prediction(float(step.get("dt", 1.0)), Phi[k], Q[k], dict(step), x[k],
+            Prediction(numbers("dt", step.get("dt", 1.0), least=0.0).item(), Phi[k], Q[k], dict(step), x[k],
                        {name: one[k] for name, one in D.items()})
             for k, step in enumerate(steps)
         ]  # fmt: skip
@@ -197,6 +197,8 @@ class Flown:
         else:
             self.unknown(inputs, ("z",))
             H = self.call(f"{name}_H", inputs, states)
+        if not np.isfinite(H).all():
+            raise BoresightError(f"budget: H of {name} holds a value that is not finite")
         if H.ndim < 2 or H.shape[-1] != self.n:
             raise BoresightError(f"budget: H of {name} has shape {H.shape}; its last axis must be {self.n} long")
         H = np.broadcast_to(H, (count, *H.shape[-2:]))
@@ -288,6 +290,17 @@ def named(model: Any) -> str:
     return str(getattr(model, "name", None) or "the model")
 
 
+def numbers(what: str, value: Any, least: float = -np.inf) -> Array:
+    """Finite numbers, none below the least."""
+    try:
+        out = np.asarray(value, float)
+    except (TypeError, ValueError):
+        raise BoresightError(f"budget: {what} is {value!r}; give numbers") from None
+    if not (np.isfinite(out) & (out >= least)).all():
+        raise BoresightError(f"budget: {what} is {value}; give finite numbers{' from zero on' if least == 0 else ''}")
+    return out
+
+
 def shaped(what: str, value: Any, shape: tuple[int, ...]) -> Array:
     value = np.asarray(value, float)
     if value.shape != shape:
@@ -324,7 +337,7 @@ def causes(model: Any, start: Any) -> dict[str, Array]:
     """The start by independent causes: as given, or of one covariance the parts that share no correlation."""
     if isinstance(start, Mapping):
         out = {name: np.asarray(P, float) for name, P in start.items()}
-        out = {name: np.diag(P**2) if P.ndim == 1 else P for name, P in out.items()}
+        out = {name: np.diag(numbers(f"sigma of {name}", P, 0.0) ** 2) if P.ndim == 1 else P for name, P in out.items()}
         if not out:
             raise BoresightError("budget: P0 names no cause; give a covariance, or one for each cause by name")
         n = len(next(iter(out.values())))

@@ -341,6 +341,7 @@ def test_the_rows_of_a_measurement_may_have_an_unknown_constant():
 
 
 STILL = {"dt": 1.0, "Phi": np.eye(2), "Q": {"q": np.eye(2)}}
+SEEN = ("m", 1.0, {"H": [[1.0, 0]]})
 
 
 @pytest.mark.parametrize(
@@ -358,12 +359,26 @@ STILL = {"dt": 1.0, "Phi": np.eye(2), "Q": {"q": np.eye(2)}}
         (np.eye(2), [STILL], {"believed": (np.eye(2), [("m", 1.0, {"H": [[1.0, 0]]})])}, "another step than the truth"),
         (np.eye(2), [{**STILL, "Phi": np.full((2, 2), np.nan)}], {}, "Phi holds a value that is not finite"),
         ({"q": np.eye(2), "x": -np.eye(2)}, [STILL], {}, "x has a negative variance"),
+        ({"x": np.array([1.0, -1.0])}, [STILL], {}, "sigma of x is .*; give finite numbers from zero on"),
+        (np.eye(2), [{**STILL, "dt": -1.0}], {}, "dt is -1.0; give finite numbers from zero on"),
+        (np.eye(2), [{**STILL, "dt": "a"}], {}, "dt is 'a'; give numbers"),
+        (np.eye(2), [("m", 1.0, {"H": [[np.nan, 0]]})], {}, "H of m holds a value that is not finite"),
+        (np.eye(2), [SEEN], {"uncertain": {"m": -1.0}}, "m is -1.0; give finite numbers from zero on"),
+        (np.eye(2), [SEEN], {"offsets": {"m": np.nan}}, "m is nan; give finite numbers"),
+        (np.eye(2), [STILL], {"considered": [1]}, "there is no state 1"),
     ],
 )
 def test_bad_input_gets_one_line(start, steps, how, line):
     with pytest.raises(BoresightError, match=line) as told:
         budget(None, start, steps, **how)
     assert "\n" not in str(told.value)
+
+
+def test_a_measurement_may_have_other_rows_in_another_step():
+    two = ("m", 1.0, {"H": np.eye(2)})
+    one = [("m", 1.0, {"H": row}) for row in np.eye(2)[:, None]]
+    assert np.allclose(budget(None, np.eye(2), [STILL, SEEN, STILL, two]).P,
+                       budget(None, np.eye(2), [STILL, SEEN, STILL, *one]).P, rtol=1e-14)  # fmt: skip
 
 
 def test_an_input_that_lacks_or_is_unknown_is_named(matching, turning):
