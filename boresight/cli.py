@@ -874,12 +874,15 @@ def budget(
         if believe:
             how["believed"] = nominal.flight(library, along, given | nominal.sizes(believe, library))
         left = nominal.not_taken(library, given)
-    found = split(library, start, steps, **how)
-    state, needed = [found.states[i] for name in state or () for i in found.places(name)], None
-    if need is not None:
-        wanted, _, size = need.strip().partition(" ")
-        unit = found.units[found.state(wanted)]
-        needed = found.need(wanted, float(nominal.amount(size, unit, need)[0]))
+    with terminal.working() as working:
+        working("each source along the motion")
+        found = split(library, start, steps, **how)
+        state, needed = [found.states[i] for name in state or () for i in found.places(name)], None
+        if need is not None:
+            wanted, _, size = need.strip().partition(" ")
+            unit = found.units[found.state(wanted)]
+            working(f"which source must be smaller, for {need}")
+            needed = found.need(wanted, float(nominal.amount(size, unit, need)[0]))
     title = f"{library.name}, {motion}, {found.times[-1]:g} s"
     document = found.document(at or ()) | {"motion": motion, "need": needed, "not_flown": left}
     text = found.report(at or (), state, title) + nominal.not_taken_line(left, library)
