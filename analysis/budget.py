@@ -408,7 +408,8 @@ class Linear:
                 for name, D in one.D.items():
                     columns[name] = columns.get(name, 0.0) + by @ D
             else:
-                P = P + np.diag(other.variance)[:, None, :]
+                each = without(np.swapaxes(P, 0, 1), other.anew) + other.P
+                P = np.swapaxes(lowered(each, self.ceiling)[0], 0, 1)
         variances = np.einsum("ibi->bi", (C if apart else P)[:n, :, :n])
         for name, part in zip(self.spread, self.of_sizes(columns, self.spread), strict=True):
             variances = variances + squared(name)[:, None] * np.sum(part**2, -1)

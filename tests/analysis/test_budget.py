@@ -548,6 +548,20 @@ def test_retuned_with_a_wrong_belief_keeps_the_rest_of_the_belief(matching, turn
     assert tried[1] == pytest.approx(new.whole[-1], rel=1e-6)
 
 
+@pytest.mark.parametrize("name", ["inflate", "set_block", "enable"])
+def test_retuned_keeps_what_the_filter_gives_its_states(name):
+    def flight(size):
+        step = {**STILL, "Phi": np.array([[1, 1], [0, 1]])}
+        seen = ("m", size**2, SEEN[2])
+        given = (name, 1, [5.0] if name == "inflate" else [[5.0]])
+        return np.eye(2), [step, seen, step, seen, given, step, seen]
+
+    found = budget(None, *flight(1.0))
+    need = found.need("x0", 0.9 * np.sqrt(found.whole[-1, 0]))
+    size = next(one["retuned"] for one in need["sources"] if one["source"] == "m noise")
+    assert np.sqrt(budget(None, *flight(size)).whole[-1, 0]) == pytest.approx(need["limit"], rel=2e-3)
+
+
 def test_the_mean_alone_may_be_beyond_what_is_needed(matching, turning):
     found = budget(matching, *flown(matching, turning), offsets={"dcm": [0, 0, 1e-2]})
     needed = found.need("heading", 1e-4)
