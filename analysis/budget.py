@@ -222,7 +222,9 @@ class Linear:
     ):
         self.truth, self.believer, self.kept, self.dropped = truth, believer, kept, dropped
         self.spread, self.known = spread, known
-        self.n, self.wide = truth.n, believer is not truth
+        # an error state stands for what the mechanics carry; of a total one the filter has nothing where it is omitted
+        self.blind = None if dropped is None or not (truth.total or truth.model is None) else dropped
+        self.n, self.wide = truth.n, believer is not truth or self.blind is not None
         self.ceiling = getattr(truth.model, "ceiling", None)
         both = [truth, believer]
         self.starts = list(dict.fromkeys(name for one in both for name in one.start))
@@ -258,7 +260,10 @@ class Linear:
         if self.truth.total and "Phi" not in one.inputs and differ(one.inputs, other.inputs):
             ends = (each.call("next", step.inputs, one.x) for each, step in ((self.truth, one), (self.believer, other)))
             shift = self.truth.less_turns("next", np.subtract(*ends))
-        A = np.block([[one.Phi, one.Phi - other.Phi], [np.zeros_like(one.Phi), other.Phi]])
+        Phi = other.Phi
+        if self.blind is not None:
+            Phi, shift = np.where(self.blind[:, None], 0.0, Phi), np.where(self.blind, 0.0, shift)
+        A = np.block([[one.Phi, one.Phi - Phi], [np.zeros_like(Phi), Phi]])
         return A, np.concatenate([shift, -shift])
 
     def correction(self, K: Array, one: Update, other: Update) -> tuple[Array, Array]:

@@ -264,6 +264,23 @@ def test_true_covariances_are_those_of_another_recursion(seed):
         assert found.by_source[found.sources.index(name)] == pytest.approx(only, rel=1e-9, abs=1e-20)
 
 
+def test_an_omitted_state_of_a_total_one_follows_the_others_themselves_and_not_their_errors():
+    """A swing whose rate the filter does not have: to the angle's deviation the truth answers, corrected or not."""
+    Phi, Q, H, R = np.array([[0.9, 0.3], [-0.3, 0.9]]), 0.01 * np.eye(2), np.array([[1.0, 0]]), 0.1
+    found = budget(None, np.eye(2), [{"Phi": Phi, "Q": {"q": Q}}, ("m", R, {"H": H})] * 9, omitted=[False, True])
+    C, p = np.zeros((3, 3)), 1.0  # of angle, rate and the filter's angle; of the filter
+    C[:2, :2] = np.eye(2)
+    for _ in range(9):
+        p = Phi[0, 0] ** 2 * p + Q[0, 0]
+        k = p / (p + R)
+        p *= 1 - k
+        A = np.block([[Phi, np.zeros((2, 1))], [k * Phi[:1], (1 - k) * Phi[:1, :1]]])
+        B = np.vstack([np.eye(2), [k, 0]])  # what disturbs the truth is in the measurement too
+        C = A @ C @ A.T + B @ Q @ B.T + np.diag([0, 0, k * R * k])
+    error = np.array([[1.0, 0, -1], [0, 1, 0]])
+    assert pytest.approx(error @ C @ error.T, rel=1e-12) == found.C and found.P[0, 0] == pytest.approx(p)
+
+
 def test_a_wrong_correlation_time_is_propagated_with_the_state_itself():
     """A Gauss-Markov bias that is measured once and believed to last: the error is what the truth has forgotten."""
     lasting, sigma = np.exp(-0.1), 2.0
