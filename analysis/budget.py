@@ -359,9 +359,10 @@ class Linear:
         return self.found(history, P, true, design, columns)
 
     def scaled(self, factors: Mapping[str, Array]) -> Array:
-        """(B, n) true variances at the end where sources are so many times as large, and the filter believes so.
+        """(B, n) true mean squares at the end where sources are so many times as large, and the filter believes so.
 
-        factors: by source (B,); those that are not named stay.  What is added on purpose stays as well.
+        factors: by source (B,); those that are not named stay.  What is added on purpose stays as well, and known
+        offsets, whose effect changes with the gains.
         """
         n, wide = self.n, self.wide
         B = len(next(iter(factors.values())))
@@ -386,10 +387,11 @@ class Linear:
         # between measurements the candidates stand in the middle, so that one product serves all
         P, C = (np.swapaxes(one, 0, 1) for one in (self.carried(begin(self.believer, n)), begin(self.truth, N)))
         apart = self.apart
-        columns = dict[str, Array]()
+        columns, mean = dict[str, Array](), np.zeros((B, N, 1))
         for one, other in pairs(self.truth, self.believer):
             if isinstance(one, Prediction):
-                A, _ = self.transition(one, other)
+                A, shift = self.transition(one, other)
+                mean = A @ mean + shift[:, None]
                 P = through(other.Phi, P)
                 P += np.einsum("bg,gij->ibj", by_part, other.Q[1:])
                 if apart:
@@ -409,16 +411,18 @@ class Linear:
                 if apart:
                     moved = A @ np.swapaxes(C, 0, 1) @ np.swapaxes(A, -1, -2)
                     C = np.swapaxes(moved + by @ (size * one.R) @ np.swapaxes(by, -1, -2), 0, 1)
+                    mean = A @ mean + by @ self.off(one, other)[:, None]
                 columns = {name: A @ column for name, column in columns.items()}
                 for name, D in one.D.items():
                     columns[name] = columns.get(name, 0.0) + by @ D
             else:
                 each = without(np.swapaxes(P, 0, 1), other.anew) + other.P
                 P = np.swapaxes(lowered(each, self.ceiling)[0], 0, 1)
-        variances = np.einsum("ibi->bi", (C if apart else P)[:n, :, :n])
+        out = np.einsum("ibi->bi", (C if apart else P)[:n, :, :n])
         for name, part in zip(self.spread, self.of_sizes(columns, self.spread), strict=True):
-            variances = variances + squared(name)[:, None] * np.sum(part**2, -1)
-        return variances
+            out = out + squared(name)[:, None] * np.sum(part**2, -1)
+        known = sum((part.sum(-1) for part in self.of_sizes(columns, self.known)), mean[:, :n, 0])
+        return out + known**2
 
     def of_sizes(self, columns: Mapping[str, Array], sizes: Mapping[str, Array]) -> list[Array]:
         """By parameter, columns (..., N, p) per unit times their sizes: (..., n, p), zero before one is read."""

@@ -38,7 +38,7 @@ class Budget:
     error state what is left in it.
     design: (T, S, n) of the filter's own P by what it believes; P_variances: (T, n), the diagonal of its P.
     P, C: (n, n) at the end, the filter's and the true one; by_source: (S, n, n), of C.
-    scaled: of factors by source, (B,) each, the true variances (B, n) at the end where the filter knows of them.
+    scaled: of factors by source, (B,) each, the true mean squares (B, n) at the end where the filter knows of them.
     """
 
     model: str
@@ -216,7 +216,7 @@ class Budget:
         names = [name for s, name in enumerate(self.sources) if self.variances[:, s].any() and name != ADDED]
         if out["met"] or room <= 0 or not names:
             return out
-        retuned, least = self.retuned(names, i, room)
+        retuned, least = self.retuned(names, i, limit**2)
         for name in names:
             own = self.variances[-1, self.sources.index(name), i]
             left = whole - own
@@ -225,15 +225,15 @@ class Budget:
                 "source": name, "share": float(own / whole),
                 "as_it_flies": None if flies is None else float(flies), "retuned": retuned[name],
                 "least_as_it_flies": float(np.sqrt(max(left, 0.0) + mean)),
-                "least_retuned": float(np.sqrt(max(least[name], 0.0) + mean)),
+                "least_retuned": float(np.sqrt(max(least[name], 0.0))),
             })  # fmt: skip
         return out
 
     def retuned(self, names: Sequence[str], i: int, room: float) -> tuple[dict[str, float | None], dict[str, float]]:
-        """By source the largest factor at which the variance of state i is within room, or None; and that at zero."""
+        """By source the largest factor at which state i has a mean square within room, or None; and that at zero."""
 
         def tried(factors: Mapping[str, Array]) -> dict[str, Array]:
-            """Variances (G,) of each source with its own factors (G,), the others as they are."""
+            """Mean squares (G,) of each source with its own factors (G,), the others as they are."""
             sizes = [len(one) for one in factors.values()]
             ends = np.cumsum([0, *sizes])
             asked = {}
@@ -257,7 +257,7 @@ class Budget:
             if k + 1 == len(fine):
                 out[name] = float(fine[k])
                 continue
-            part = (room - found[k]) / (found[k + 1] - found[k])  # the variance is nearly a square of the factor
+            part = (room - found[k]) / (found[k + 1] - found[k])  # it is nearly a square of the factor
             out[name] = float(np.sqrt(fine[k] ** 2 + part * (fine[k + 1] ** 2 - fine[k] ** 2)))
         return out, {name: float(found[0]) for name, found in coarse.items()}
 

@@ -579,6 +579,17 @@ def test_retuned_keeps_what_the_filter_gives_its_states(name):
     assert np.sqrt(budget(None, *flight(size)).whole[-1, 0]) == pytest.approx(need["limit"], rel=2e-3)
 
 
+def test_retuned_a_known_offset_comes_through_with_the_new_gains():
+    def flight(size):
+        step = {**STILL, "Phi": np.array([[1, 1], [0, 1]]), "Q": {"q": np.diag([0, 0.01])}}
+        return np.eye(2), [step, ("m", size**2, SEEN[2]), ("v", 0.3, {"H": [[0, 1.0]]})] * 15
+
+    found = budget(None, *flight(1.0), offsets={"m": 0.8})
+    need = found.need("x0", 0.93 * found.rms[-1, 0])
+    size = next(one["retuned"] for one in need["sources"] if one["source"] == "m noise")
+    assert budget(None, *flight(size), offsets={"m": 0.8}).rms[-1, 0] == pytest.approx(need["limit"], rel=2e-3)
+
+
 def test_the_mean_alone_may_be_beyond_what_is_needed(matching, turning):
     found = budget(matching, *flown(matching, turning), offsets={"dcm": [0, 0, 1e-2]})
     needed = found.need("heading", 1e-4)
