@@ -36,6 +36,7 @@ FOLLOWING = ("phi", "psi", "eps", "dv_n")  # blocks that a slave takes over from
 CALIBRATION = ("d_gyro_scale", "d_accel_scale", "d_gyro_axes", "d_accel_axes")  # considered, as `carried` has it
 LEVER_B = (3.0, 1.0, -1.0)  # m
 LATITUDE = 36 * DEG
+MOST = 1_000_000  # steps of a motion
 
 
 @dataclass(frozen=True)
@@ -83,6 +84,8 @@ def check_rates(seconds: float, step_hz: float, update_hz: float) -> None:
     for what, value in (("seconds", seconds), ("step-hz", step_hz), ("update-hz", update_hz)):
         if not 0 < value < np.inf:
             raise BoresightError(f"{what} is {value}; it must be above zero")
+    if seconds * step_hz > MOST:
+        raise BoresightError(f"{seconds:g} s at {step_hz:g} Hz is more than {MOST:,} steps; give fewer seconds")
     ratio = step_hz / update_hz
     if abs(ratio - round(ratio)) > 1e-9 or seconds * update_hz < 1:
         raise BoresightError(f"step-hz {step_hz:g} must be a multiple of update-hz {update_hz:g}, and {seconds:g} s "

@@ -859,10 +859,13 @@ def budget(
         "omitted": omit,
     }
     own, left = ".py:" in motion, []
-    if own and (set_ or grade or any(".py:" not in word for word in believe or ())):
+    functions = [word for word in believe or () if ".py:" in word]
+    if own and (set_ or grade or len(believe or ()) > 1 or functions != (believe or [])):
         raise BoresightError(
-            f"{motion} returns the sizes; change them there, and give --believe a function FILE.py:NAME"
+            f"{motion} returns the sizes; change them there, and give --believe one function FILE.py:NAME"
         )
+    if functions and not own:
+        raise BoresightError(f"--believe {functions[0]} needs a --motion FILE.py:NAME; give sizes by name")
     if own:
         start, steps, how["x"] = own_flight(motion, library)
         if believe:

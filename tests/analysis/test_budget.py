@@ -731,6 +731,8 @@ def test_a_flight_of_ones_own_is_a_function(run, tmp_path):
         (("--need", "heading 0 mrad"), "is not possible; give a size above zero"),
         (("--at", "70"), "there is no time 70 s"),
         (("--grade", "tactcal"), "no grade 'tactcal'"),
+        (("--believe", "own.py:thought"), "--believe own.py:thought needs a --motion FILE.py:NAME"),
+        (("--seconds", "1e9"), "more than 1,000,000 steps; give fewer seconds"),
         (("--seconds", "0"), "seconds is 0.0; it must be above zero"),
         (("--update-hz", "3"), "step-hz 10 must be a multiple of update-hz 3"),
         (("--against", "none.json"), "none.json cannot be compared"),
