@@ -119,6 +119,8 @@ def smooth(record: Record, *, lag_s: float | None = None) -> Smoothed:
     if lag_s is not None and not lag_s >= 0:
         raise BoresightError(f"smooth: lag_s is {lag_s}; give 0 or more seconds, or leave it out")
     names, time, piece, x, P = record.names, record.time, record.piece, record.x.copy(), record.P
+    if lag_s is not None and (names == "predict").any() and not time.any():
+        raise BoresightError("smooth: no prediction has a dt, so that a lag has no meaning; leave lag_s out")
     back = Back(record, x, P)
     if lag_s is None:
         for k in range(len(names) - 2, -1, -1):

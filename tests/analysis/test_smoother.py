@@ -278,6 +278,15 @@ def test_a_lag_is_the_smoother_of_the_flight_until_then(vertical):
         smooth("a folder")
 
 
+def test_a_lag_needs_a_time_that_passes():
+    loop = Filter(Linear(1), {}, np.eye(1))
+    record = Record(loop)
+    loop.predict(phi=np.eye(1), q=np.eye(1))
+    with pytest.raises(BoresightError, match="no prediction has a dt"):
+        smooth(record, lag_s=1.0)
+    assert smooth(record).P.shape == (2, 1, 1)
+
+
 def test_runs_side_by_side_are_each_by_itself(vertical):
     many = smooth(descent(vertical, CompiledFilter, True, (2, 3)))
     assert many.x.shape[1:] == (2, 3, 3) and many.nav["height"].shape[1:] == (2, 3)
