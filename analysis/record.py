@@ -388,7 +388,7 @@ class Record:
             self._chunks.append(came)
         else:
             path = self.folder / f"steps-{len(self._chunks):06d}.parquet"
-            write_chunk(path, self._chunk(*came), self.total)
+            write_chunk(path, self._chunk(*came), self.total, self.states)
             self._chunks.append(path)
 
     def _chunk(self, steps: list[Any], raw: Array, first: int, runs: tuple[int, ...]) -> Chunk:
@@ -779,7 +779,7 @@ def runs_of(numbers: Array, runs: tuple[int, ...]) -> Array:
     return numbers.transpose(0, 1, 3, 2).reshape(count, blocks * width, size)[:, :n].reshape(count, *runs, size)
 
 
-def write_chunk(path: Path, chunk: Chunk, total: bool) -> None:
+def write_chunk(path: Path, chunk: Chunk, total: bool, states: tuple[str, ...]) -> None:
     """A Parquet file of a row per step; what a step has not is null there."""
     import pyarrow
     import pyarrow.parquet as parquet
@@ -798,7 +798,7 @@ def write_chunk(path: Path, chunk: Chunk, total: bool) -> None:
     columns |= {"x": lists(chunk.x, every), "P": lists(chunk.P, every)}
     columns |= {f"nav {name}": lists(value, every) for name, value in chunk.nav.items()}
     first = min(int(table.rows.min()) for table in chunk.tables)
-    described: dict[str, Any] = {"total": total, "runs": chunk.x.shape[1:-1], "tables": []}
+    described: dict[str, Any] = {"total": total, "states": states, "runs": chunk.x.shape[1:-1], "tables": []}
     described["nav"] = {name: value.shape[1:] for name, value in chunk.nav.items()}
     for i, table in enumerate(chunk.tables):
         columns |= {f"{i} {name}": lists(value, table.rows - first) for name, value in table.given.items()}
@@ -831,6 +831,8 @@ def read_chunk(path: Path, states: tuple[str, ...]) -> tuple[Chunk, bool]:
     size = len(table["x"][0]) // int(np.prod(runs, dtype=int))
     if n and size != n:
         raise BoresightError(f"{path} is of a filter of {size} states, and this model has {n}")
+    if n and (names := tuple(described.get("states", states))) != states:
+        raise BoresightError(f"{path} is of a filter with the states {', '.join(names)}, and this model has others")
     tables = []
     for i, t in enumerate(described["tables"]):
         given = {name: values(f"{i} {name}", shape, len(t["rows"])) for name, shape in t["shapes"].items()}

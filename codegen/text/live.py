@@ -45,7 +45,8 @@ OPENED = 0.1  # of the box of a state that others drive: by how much it may err 
 def has_live(model: Model) -> bool:
     """Whether a loop can carry and correct it by itself."""
     names = {f.name for f in model.functions}
-    return has_filter(model) and model.kind == "error-state" and {"strapdown", "feedback"} <= names
+    steps = any(model.dt in v.symbols for v in model.inputs)
+    return steps and has_filter(model) and model.kind == "error-state" and {"strapdown", "feedback"} <= names
 
 
 class Printer(C99CodePrinter):

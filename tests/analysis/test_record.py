@@ -2,6 +2,7 @@
 
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -205,6 +206,8 @@ def test_the_files_hold_the_same_and_memory_does_not_grow(radar, tmp_path, monke
         Record.open(tmp_path, radar)
     with pytest.raises(BoresightError, match="5 states, and this model has 6"):
         Record.open(tmp_path / "flight", load("euler-matching"))
+    with pytest.raises(BoresightError, match=r"of a filter with the states east, north, .*, and this model has others"):
+        Record.open(tmp_path / "flight", SimpleNamespace(states=tuple("abcde")))
 
 
 def test_a_recorded_filter_is_refused_twice_and_goes_on_when_it_is_stopped(radar):
