@@ -9,6 +9,7 @@ from sympy import Matrix, Symbol, atan2, cos, eye, sin, zeros
 
 from boresight import BoresightError
 from boresight.codegen.generate import generate
+from boresight.codegen.text.live import has_live
 from boresight.derive.model import Measurement, Mechanics, Model, Struct, variable
 from boresight.derive.models.euler_matching import euler_matching
 from boresight.runtime.library import load
@@ -85,6 +86,7 @@ def angled(rows):
         ),
         ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("x"),)))}, "the name 'x' has a meaning in C"),
         ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("t12"),)))}, "the name 't12' has a meaning in C"),
+        ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("n"),)))}, "the name 'n' has a meaning in C"),
         ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("sin"),)))}, "the name 'sin' has a meaning in C"),
         (
             {"structs": (*PENDULUM.structs, Struct("tip_z", "named as a function", (named("wind"),)))},
@@ -101,6 +103,8 @@ def test_what_a_state_is_follows_from_what_flies_it():
     assert (PENDULUM.kind, replace(PENDULUM, **DISCRETE).kind) == ("total-state", "total-state")
     assert replace(PENDULUM, **DISCRETE, dt=None).dt is None
     assert (euler_matching().kind, replace(euler_matching(), order=3).kind) == ("error-state", "error-state")
+    discrete = {"F": None, "G": zeros(0, 0), "noise": zeros(0, 0), "Phi": eye(6), "Q": zeros(6, 6)}
+    assert has_live(euler_matching()) and not has_live(replace(euler_matching(), **discrete, dt=None))
 
 
 def test_extend_of_a_total_state_adds_to_f_and_of_an_error_state_to_F():
