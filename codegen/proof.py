@@ -164,9 +164,10 @@ def covered(of: Result) -> str:
 
 
 def deepest(of: Result) -> str:
-    """The deepest entry point and the flash on a Cortex-M4F in float."""
+    """The deepest entry point, the flash and the RAM on a Cortex-M4F in float."""
     stack = max((cost.get(CORES[0], 0) for cost in of["stack"].values()), default=0)
-    return f"{stack} B, {of['flash'].get(CORES[0], 0)} B"
+    ram = of.get("ram", {}).get(CORES[0], 0)
+    return ", ".join(f"{size} B" for size in (stack, of["flash"].get(CORES[0], 0), *([ram] if ram else [])))
 
 
 def nothing(of: Result) -> list[str]:
@@ -214,8 +215,8 @@ COLUMNS = (
     ),
     Column(
         kind="stack",
-        title="stack, flash (M4F, float)",
-        how="the deepest way through the graph of calls; code and constants of the object",
+        title="stack, flash, RAM (M4F, float)",
+        how="the deepest way through the graph of calls; code and constants of the object; what a caller keeps",
         made_of=every,
         text=deepest,
         left=nothing,
@@ -379,6 +380,11 @@ def page_view(folder: Folder, found: dict[str, Result], why: str, make: str) -> 
         "asked": ASKED,
         "cores": CORES,
         "entries": entries(stacks, results.get("golden", {})),
+        "kept": [
+            (name, [of["ram"].get(core, "-") for core in CORES])
+            for name, of in results.get("stack", {}).items()
+            if of.get("ram")
+        ],
         "classes": classes(results.get("golden", {})),
         "library": sorted({name for of in stacks for name in of["library"]}),
         "assumed": ASSUMED,

@@ -9,9 +9,8 @@ from typing import Any
 
 from boresight import BoresightError
 from boresight.codegen.folder import Folder
-from boresight.evidence.stack import built
-from boresight.evidence.targets import GCC, M4F, M7, PRECISIONS, Target, plain, symbol_table
-from boresight.runtime.compiler import run
+from boresight.evidence.stack import built, structs
+from boresight.evidence.targets import GCC, M4F, M7, Target, plain
 
 TELLS = ("model", "precision", "form")  # what two folders share that are compared
 
@@ -76,18 +75,6 @@ def measured(folder: Folder, core: Target, precision: str) -> tuple[Sizes, Sizes
         flash, calls = built(folder, core, precision, Path(out))
         ram = structs(folder, core, precision, Path(out))
     return flash, {plain(entry): calls.deepest(entry) for entry in calls.entries()}, ram
-
-
-def structs(folder: Folder, core: Target, precision: str, out: Path) -> Sizes:
-    """Bytes of the filter and of the live loop, if there are such."""
-    prefix, model = folder.manifest["c_prefix"], folder.manifest["model"].replace("-", "_")
-    words = [word for word in ("filter", "live") if (folder.include / f"{model}_{word}.h").is_file()]
-    lines = [f'#include "{model}_{word}.h"\nchar size_{word}[sizeof({prefix}_{word})];\n' for word in words]
-    (out / "sizes.c").write_text("".join(lines))
-    command = [core.compiler, *core.flags, *PRECISIONS[precision], "-I", folder.include, "-c", out / "sizes.c"]
-    run([*command, "-o", out / "sizes.o"])
-    sizes = {symbol.name: symbol["st_size"] for symbol in symbol_table(out / "sizes.o")}
-    return {f"{prefix}_{word}": sizes[f"size_{word}"] for word in words}
 
 
 def counted(folder: Folder, core: str) -> tuple[Sizes, Sizes]:

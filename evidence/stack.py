@@ -1,4 +1,4 @@
-"""Stack of each entry point by the graph of calls, and what each unit takes of flash, for the cores that it ships to.
+"""Stack of each entry point by the graph of calls, flash of each unit and RAM of what a caller keeps, by core.
 
 gcc writes beside each object what every function puts on the stack and whom it calls.  The stack of an entry point is
 the deepest way through that graph over all units: a bound, whatever is called with.  Functions of the target's own
@@ -12,8 +12,8 @@ from typing import Any
 
 from boresight import BoresightError
 from boresight.codegen.folder import Folder
-from boresight.evidence.targets import CORES, PRECISIONS, WARNINGS, Target, plain, text_size
-from boresight.runtime.compiler import compile_sources
+from boresight.evidence.targets import CORES, PRECISIONS, WARNINGS, Target, plain, symbol_table, text_size
+from boresight.runtime.compiler import compile_sources, run
 
 NODE = re.compile(r'^node: \{ title: "([^"]*)" label: "([^"]*)"', re.MULTILINE)
 EDGE = re.compile(r'^edge: \{ sourcename: "([^"]*)" targetname: "([^"]*)"', re.MULTILINE)
@@ -68,10 +68,24 @@ def built(folder: Folder, core: Target, precision: str, out: Path) -> tuple[dict
     return {unit: text_size(path) for unit, path in objects.items()}, Calls(sorted(out.glob("*.ci")))
 
 
+def structs(folder: Folder, core: Target, precision: str, out: Path) -> dict[str, int]:
+    """Bytes of the filter and of the live loop, if there are such."""
+    prefix, model = folder.manifest["c_prefix"], folder.manifest["model"].replace("-", "_")
+    words = [word for word in ("filter", "live") if (folder.include / f"{model}_{word}.h").is_file()]
+    lines = [f'#include "{model}_{word}.h"\nchar size_{word}[sizeof({prefix}_{word})];\n' for word in words]
+    (out / "sizes.c").write_text("".join(lines))
+    command = [core.compiler, *core.flags, *PRECISIONS[precision], "-I", folder.include, "-c", out / "sizes.c"]
+    run([*command, "-o", out / "sizes.o"])
+    sizes = {symbol.name: symbol["st_size"] for symbol in symbol_table(out / "sizes.o")}
+    return {f"{prefix}_{word}": sizes[f"size_{word}"] for word in words}
+
+
 def stack(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
-    """By unit: of each entry point its stack by target, in bytes; the unit's flash; of both by -Os.  `library` names
-    what of the target's library is called and not counted."""
-    found: dict[str, dict[str, Any]] = {unit.name: {"stack": {}, "flash": {}, "library": []} for unit in folder.units}
+    """By unit: of each entry point its stack by target, in bytes; the unit's flash; of both by -Os; RAM of the struct
+    of its name.  `library` names what of the target's library is called and not counted."""
+    found: dict[str, dict[str, Any]] = {
+        unit.name: {"stack": {}, "flash": {}, "ram": {}, "library": []} for unit in folder.units
+    }
     for core in CORES:
         for precision in PRECISIONS:
             if precision == "double" and not core.double:
@@ -81,6 +95,8 @@ def stack(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
             flash, calls = built(folder, core, precision, place)
             for unit, size in flash.items():
                 found[unit]["flash"][name] = size
+            for unit, size in structs(folder, core, precision, place).items():
+                found[unit]["ram"][name] = size
             for entry in calls.entries():
                 of = found[calls.unit[entry]]
                 of["stack"].setdefault(plain(entry), {})[name] = calls.deepest(entry)
