@@ -260,11 +260,7 @@ def check_names(model: "Model") -> None:
         for name, part in table.items():
             if not NAME.match(name):
                 fail(part, f"{name!r} cannot be a name in C; write letters, digits and '_'")
-            own = (
-                f"{OF_FILTER} {OF_LOOPS if model.loops else ''}"
-                if kind(part) == "struct"
-                else "n" * (table is by_field)
-            )
+            own = f"{OF_FILTER} {OF_LOOPS if model.loops else ''}" if kind(part) == "struct" else ""
             if table is by_unit and {"strapdown", "feedback"} <= {f.name for f in model.functions}:
                 own += f" {OF_LIVE} {IN_LIVE if kind(part) == 'struct' else ''}"
             reserved = f"{TAKEN} {own}".split()

@@ -3,7 +3,7 @@
 from collections import ChainMap
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
-from functools import partial, reduce
+from functools import reduce
 from itertools import pairwise
 from math import prod
 from typing import Any
@@ -116,6 +116,8 @@ def _evaluate(expression, point: Point) -> Value:
 
 def _applied(name: str, arguments: list, point: Point) -> Value:
     if name not in OPERATORS:
+        if name in ("max", "min") and name not in point.values:
+            return numbers.extreme(name, *arguments)
         return point.values[name](*arguments)
     try:
         return OPERATORS[name](*arguments)
@@ -134,7 +136,6 @@ OPERATORS: dict[str, Callable] = {
     "cross": lambda a, b: skew(a) * b,
     "entry": lambda M, i, j: M[int(i) - 1, int(j) - 1],
     "norm": numbers.norm,
-    **{name: partial(numbers.extreme, name) for name in ("max", "min")},
     "conj": lambda q: vector(q[0], -q[1], -q[2], -q[3]),
     "exp": lambda A: A.exp() if isinstance(A, Matrix) else arb(A).exp(),
 }

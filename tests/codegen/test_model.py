@@ -86,7 +86,6 @@ def angled(rows):
         ),
         ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("x"),)))}, "the name 'x' has a meaning in C"),
         ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("t12"),)))}, "the name 't12' has a meaning in C"),
-        ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("n"),)))}, "the name 'n' has a meaning in C"),
         ({"structs": (*PENDULUM.structs, Struct("wind", "", (named("sin"),)))}, "the name 'sin' has a meaning in C"),
         (
             {"structs": (*PENDULUM.structs, Struct("tip_z", "named as a function", (named("wind"),)))},
