@@ -678,6 +678,22 @@ def accel_in_other_axes_than_the_gyro(w):
     w.columns["accel"] = w.columns["accel"][:, [1, 0, 2]] * [1, -1, 1]
 
 
+@fault("20 rows are zero: failed reads.*bad_rows")
+def failed_reads_are_zeros(w):
+    for name in ("gyro", "accel"):
+        w.columns[name][np.append(np.arange(60, 2400, 126), 1301)] = 0
+
+
+@fault("9 rows are zero: failed reads")
+def failed_reads_of_the_gyro(w):
+    w.columns["gyro"][1200:1290:10] = 0
+
+
+@fault("5 rows are at 0, 0: a receiver without a fix")
+def rows_without_a_fix(w):
+    w.columns["position"][[3, 4, 80, 81, 82]] = 0
+
+
 def complaints(path):
     """What the check calls wrong, or warns of: one text a finding."""
     from boresight import BoresightError

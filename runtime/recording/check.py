@@ -30,6 +30,7 @@ NAMES = {
     "path": "the position is not the sum of the velocity, or goes against it",
     "gravity": "in the master's axes the specific force is not gravity",
     "turns": "the slave does not turn as its master",
+    "zeros": "rows of zeros that a failed read left",
     "copies": "samples or rows that repeat the one before",
     "interpolated": "samples between which a line was drawn",
     "saturated": "an axis that stays at the end of its range",
@@ -60,6 +61,7 @@ def check(recording: Recording) -> list[Finding]:
     out += [Finding("note", "recording", note) for note in recording.notes]
     out += _check_time("imu", recording.imu.time, gap_level="error")
     out += _check_finite("imu", gyro=recording.imu.gyro, accel=recording.imu.accel)
+    out += [_zeros(where, *rows) for where, rows in recording.failed.items()]
     master = recording.master
     if master:
         out += _check_time("master", master.time, gap_level="warning")
@@ -70,7 +72,9 @@ def check(recording: Recording) -> list[Finding]:
     parts = [recording.imu.time, recording.imu.gyro, recording.imu.accel]
     parts += [part for part in vars(master).values() if part is not None] if master else []
     times = [recording.imu.time] + ([master.time] if master else [])
-    if all(np.isfinite(part).all() for part in parts) and all((np.diff(time) > 0).all() for time in times):
+    if recording.failed and "zeros" not in recording.allow:
+        pass  # what zeros are beside motion would be named as something else
+    elif all(np.isfinite(part).all() for part in parts) and all((np.diff(time) > 0).all() for time in times):
         if (spoilt := wild(*recording.imu.rates())).any():
             many = "1 sample is" if spoilt.sum() == 1 else f"{spoilt.sum()} samples are"
             text = f"{many} beyond any sensor's range, first row {np.argmax(spoilt)}: spoilt"
@@ -166,6 +170,16 @@ def _check_time(where: str, time: Array, gap_level: Literal["warning", "error"])
     if not 0.1 <= 1 / dt <= 20000:
         out.append(Finding("error", where, f"a rate of {1 / dt:.4g} Hz: is the unit of time right?", "rate"))
     return out
+
+
+def _zeros(where: str, count: int, first: int) -> Finding:
+    many = "1 row is" if count == 1 else f"{count} rows are"
+    text = {
+        "imu": "zero: failed reads, which no sensor in gravity gives",
+        "master": "at 0, 0: a receiver without a fix",
+    }
+    advice = 'bad_rows = "drop" leaves them out'
+    return Finding("error", where, f"{many} {text[where]}, the first in row {first}; {advice}", "zeros")
 
 
 def _check_finite(where: str, **parts: Array | None) -> list[Finding]:

@@ -180,10 +180,11 @@ def _read(
     since = at.epoch("imu.time", described.imu.time) if described.imu.time and not described.imu.rate else 0
     notes = [f"times count from {times.shown(since)}, if the file's count from 1970"] if since else []
     left_out: list[str] = []
-    imu = _imu(described, at, since, notes, left_out)
+    failed: dict[str, tuple[int, int]] = {}
+    imu = _imu(described, at, since, notes, left_out, failed)
     master = None
     if described.master:
-        master = _master(described, source(described.master), imu.time, since, notes, left_out)
+        master = _master(described, source(described.master), imu.time, since, notes, left_out, failed)
     left_out = [line for held in tables.values() for line in held.left_out] + left_out
     span = [
         times.instant(value, since, f"{found}: {key}") if value is not None else None
@@ -228,6 +229,7 @@ def _read(
         allow=(*described.allow, *allow),
         noise=described.noise.model_dump(exclude_none=True) if described.noise else {},
         stops=_stops(found, described, since, imu.dt),
+        failed=failed,
         temperature=_temperature(described.imu, at, since),
     )
 
@@ -490,7 +492,17 @@ def _advice(values: Array) -> str:
 # ---------------------------------------------------------------- sections
 
 
-def _imu(described: "Description", at: _Source, since: int, notes: list[str], left_out: list[str]) -> Inertial:
+def _failed(rows: Array, where: str, dropped: bool, failed: dict[str, tuple[int, int]]) -> Array:
+    """The rows (N,) of zeros, and a line of them where they are not dropped."""
+    if rows.any() and not dropped:
+        failed[where] = int(rows.sum()), int(np.argmax(rows))
+    return rows
+
+
+def _imu(
+    described: "Description", at: _Source, since: int, notes: list[str], left_out: list[str],
+    failed: dict[str, tuple[int, int]],
+) -> Inertial:  # fmt: skip
     part = described.imu
     kinds = ("angular rate", "acceleration") if part.kind == "rates" else ("angle", "velocity")
     if part.kind == "increments" and part.time_marks == "point":
@@ -521,7 +533,9 @@ def _imu(described: "Description", at: _Source, since: int, notes: list[str], le
         values = _own_intervals(at, part, time, values, notes)
     with np.errstate(invalid="ignore"):  # an infinite value is `check`'s to report
         gyro, accel = (value @ to_frd.T for value in values.values())
-    keep = rows.kept(part, "imu", described.bad_rows == "drop", time, np.hstack([gyro, accel]), left_out)
+    drop = described.bad_rows == "drop"
+    zero = _failed(rows.zero(gyro, accel), "imu", drop, failed)
+    keep = rows.kept(part, "imu", drop, time, np.hstack([gyro, accel]), zero, left_out)
     # Samples at instants are joined once they are all there; until then only their tags count.
     marks = "end" if part.time_marks == "point" else part.time_marks
     return Inertial("rates" if part.interval else part.kind, marks, time[keep], gyro[keep], accel[keep])
@@ -625,8 +639,9 @@ def _near(own: Array, time: Array) -> Array:
 
 
 def _master(
-    described: "Description", at: _Source, slave: Array, since: int, notes: list[str], left_out: list[str]
-) -> Master:
+    described: "Description", at: _Source, slave: Array, since: int, notes: list[str], left_out: list[str],
+    failed: dict[str, tuple[int, int]],
+) -> Master:  # fmt: skip
     part = described.master
     assert part is not None
     to_ned = _framed(at, "master.navigation", frames.navigation_to_ned, part.navigation)
@@ -693,8 +708,13 @@ def _master(
     euler[lost] = np.nan
     master = Master(time, euler, v_n, position)
     master = master if whole.all() else master.cut(whole)
+    drop = described.bad_rows == "drop"
+    nowhere: Array = np.zeros(len(master.time), bool)
+    if master.position is not None and part.position is not None and part.position.unit not in UNITS["length"]:
+        nowhere |= ~np.any(master.position[:, :2], axis=1)
+    nowhere = _failed(nowhere if not np.all(nowhere) else ~nowhere, "master", drop, failed)
     values = np.hstack([values for values in (master.euler, master.v_n, master.position) if values is not None])
-    keep = rows.kept(part, "master", described.bad_rows == "drop", master.time, values, left_out)
+    keep = rows.kept(part, "master", drop, master.time, values, nowhere, left_out)
     return master if keep.all() else master.cut(keep)
 
 

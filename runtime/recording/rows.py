@@ -104,10 +104,34 @@ def wild(gyro: Array, accel: Array) -> Array:
 # ---------------------------------------------------------------- rows that are no samples
 
 
-def kept(part: "Timed", where: str, drop_bad: bool, time: Array, values: Array, left_out: list[str]) -> Array:
+def zero(gyro: Array, accel: Array) -> Array:
+    """(N,) whether a read failed and left zeros: in both sensors, in the accelerometer, or in the gyro alone.
+
+    Coarse increments are zero as well: what failed is far from what is read before and behind, a gyro's by its noise.
+    """
+    out: Array = _dropped(accel, 0.0) | _dropped(gyro, 8.0)
+    return out if not out.all() else ~out
+
+
+def _dropped(values: Array, noise: float) -> Array:
+    size = np.abs(values).max(axis=1)
+    read = np.flatnonzero(size)
+    if len(read) < 2:
+        return np.zeros(len(size), bool)
+    k = np.searchsorted(read, np.arange(len(size))).clip(1, len(read) - 1)
+    least = float(np.abs(values[values != 0]).min())
+    beside = np.minimum(size[read[k - 1]], size[read[k]])
+    usual = float(np.median(np.abs(np.diff(values[read], axis=0)).max(axis=1)))
+    out: Array = (size == 0) & (beside > max(noise * usual, 3 * least))
+    return out
+
+
+def kept(
+    part: "Timed", where: str, drop_bad: bool, time: Array, values: Array, failed: Array, left_out: list[str]
+) -> Array:
     """(N,) bool: the rows that are samples; what is left out is counted, one line a kind.
 
-    time: (N,) s; values: (N, m) all quantities of the section.
+    time: (N,) s; values: (N, m) all quantities of the section; failed: (N,) rows of zeros that a failed read left.
     """
     keep: Array = np.ones(len(time), bool)
 
@@ -121,6 +145,7 @@ def kept(part: "Timed", where: str, drop_bad: bool, time: Array, values: Array, 
     if drop_bad:
         finite = np.isfinite(time) & np.isfinite(values).all(axis=1)
         without(~finite[keep], "{} rows that are not finite are left out (bad_rows)")
+        without(failed[keep], "{} rows of zeros are left out (bad_rows)")
         without(alone(time[keep]), "{} rows whose tags stand off their neighbours are left out (bad_rows)")
         if where == "imu" and getattr(part, "kind", "") == "rates":
             without(

@@ -111,6 +111,7 @@ class Recording:
     noise: what the description has of the noises, by name and with their units, as "0.15 deg/sqrt(h)".
     stops: what the description has of the stops, as settings of the replay: "rest" s, "window" samples, "sway_factor",
     "latitude_deg".
+    failed: how many rows of a section ("imu", "master") are zeros that a failed read left, and the first of them.
     temperature: (N, 2) s and degC (or K) of the slave, where the file has it.
     allow: names of findings that are no errors here.
     """
@@ -127,6 +128,7 @@ class Recording:
     allow: tuple[str, ...] = ()
     noise: Mapping[str, str] = field(default_factory=dict)
     stops: Mapping[str, Any] = field(default_factory=dict)
+    failed: Mapping[str, tuple[int, int]] = field(default_factory=dict)
     temperature: Array | None = None
 
 
