@@ -694,6 +694,21 @@ def rows_without_a_fix(w):
     w.columns["position"][[3, 4, 80, 81, 82]] = 0
 
 
+@fault("gyro: front stuck at one value from 20.020 s on")
+def one_gyro_axis_stuck_from_20_s(w):
+    w.columns["gyro"][1000:, 0] = w.columns["gyro"][1000, 0]
+
+
+@fault("accel: down stuck at one value from 20.020 s to 30.000 s")
+def one_accel_axis_stuck_for_10_s(w):
+    w.columns["accel"][1000:1500, 2] = w.columns["accel"][1000, 2]
+
+
+@fault("gyro: front and right and down stuck at one value from 0.020 s to 10.000 s")
+def gyro_stuck_for_the_first_10_s(w):
+    w.columns["gyro"][:500] = w.columns["gyro"][0]
+
+
 def complaints(path):
     """What the check calls wrong, or warns of: one text a finding."""
     from boresight import BoresightError

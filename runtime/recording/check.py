@@ -33,6 +33,7 @@ NAMES = {
     "zeros": "rows of zeros that a failed read left",
     "copies": "samples or rows that repeat the one before",
     "interpolated": "samples between which a line was drawn",
+    "stuck": "an axis that keeps one value while the others move",
     "saturated": "an axis that stays at the end of its range",
     "rounded": "angles of the master without their digits",
     "clock": "the clocks of slave and master are apart, or one of them steps",

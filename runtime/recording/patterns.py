@@ -65,11 +65,40 @@ def of_samples(imu: Inertial) -> list[Finding]:
                 f"{rate * (1 - alone):.3g} Hz; give it a time of its own, of the rows in which it is new ({name}.time)"
             )
             out.append(Finding("error", f"imu.{name}", text, "copies"))
+    if between <= 0.3:
+        out = _stuck(imu, values, same) + out
     out += [] if copied or between > 0.3 else _twice(imu, values)
     unit = rate if imu.kind == "increments" else 1.0  # as delivered: the steps of a converter are none of dv / dt
     for name, sensor in (("gyro", imu.gyro), ("accel", imu.accel)):
         for axis, label in enumerate(frames.AXES):
             out += _clipped(f"imu.{name}", label, sensor[1:, axis][~same.all(axis=1)], name, unit)
+    return out
+
+
+def _stuck(imu: Inertial, values: Array, same: Array) -> list[Finding]:
+    """Axes of a noisy sensor that keep one value, to the last digit, through more than LONGEST rows."""
+    found: dict[tuple[str, int, int], list[str]] = {}
+    for k in range(values.shape[1]):
+        ends = np.flatnonzero(~np.concatenate([[False], same[:, k], [False]]))
+        longest = int(np.argmax(np.diff(ends)))
+        first, last = int(ends[longest]), int(ends[longest + 1]) - 1
+        rail = values[first, k] in (values[:, k].min(), values[:, k].max()) and last + 1 < len(values)
+        moving: Array = np.ones(len(same), bool)
+        moving[max(0, first - 1) : last + 1] = False
+        bend = np.diff(values[:, k], 2)[moving[1:] & moving[:-1]]
+        if last - first < LONGEST or rail or len(bend) < LONGEST or same[moving, k].mean() > 0.2:
+            continue
+        # second differences of white noise go to and fro, those of a motion do not
+        if bend[1:] @ bend[:-1] < -0.3 * (bend @ bend):
+            found.setdefault((("gyro", "accel")[k // 3], first, last), []).append(frames.AXES[k % 3])
+    out = []
+    for (name, first, last), labels in found.items():
+        until = "on" if last + 1 == len(values) else f"to {imu.time[last]:.3f} s"
+        text = (
+            f"{' and '.join(labels)} stuck at one value from {imu.time[first]:.3f} s {until}, while it was noisy before"
+        )
+        text = text.replace("before", "behind") if first == 0 else text
+        out.append(Finding("error", f"imu.{name}", text + ": cut the recording there (from, to)", "stuck"))
     return out
 
 
