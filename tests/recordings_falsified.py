@@ -709,6 +709,21 @@ def gyro_stuck_for_the_first_10_s(w):
     w.columns["gyro"][:500] = w.columns["gyro"][0]
 
 
+@fault("sorted as text.*sort the rows by number")
+def rows_sorted_as_text(w):
+    w.columns["t"] = np.round(w.columns["t"] + 70, 2)
+    w.columns["tm"] = w.columns["tm"] + 70
+    order = sorted(range(len(w.columns["t"])), key=lambda k: f"{w.columns['t'][k]:.2f}")
+    for name in ("t", "gyro", "accel"):
+        w.columns[name] = w.columns[name][order]
+
+
+@fault("milliseconds.* without their leading zeros")
+def milliseconds_without_leading_zeros(w):
+    ms = np.round(w.columns["t"] * 1000).astype(int)
+    w.columns["t"] = np.array([float(f"{one // 1000}.{one % 1000}") for one in ms])
+
+
 def complaints(path):
     """What the check calls wrong, or warns of: one text a finding."""
     from boresight import BoresightError

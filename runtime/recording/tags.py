@@ -24,6 +24,8 @@ def disorder(time: Array, where: str = "time") -> str:
     usual = float(np.median(step[step > 0])) if (step > 0).any() else 0.0
     if digits := coarse(time):
         return f'the tags have lost digits: {digits}; write them in double precision, or say clock = "regular"'
+    if back.any() and (text := unpadded(time)):
+        return f"{back.sum()} tags go backwards after {listed(time[:-1][back])}: {text}"
     lone = alone(time)
     spoilt = (
         f"{lone.sum()} tags stand off their neighbours (row {', '.join(map(str, np.flatnonzero(lone)[:3]))}): spoilt"
@@ -52,10 +54,46 @@ def disorder(time: Array, where: str = "time") -> str:
     shuffled = np.abs(time - ordered) > 0
     if not same.any() and (np.diff(ordered) > 0.5 * usual).all() and (np.abs(step[back]) < 100 * usual).all():
         return f"{first}: {shuffled.sum()} rows are out of order; sort the rows"
+    if (np.abs(np.diff(ordered) - usual) < 0.6 * usual).all():
+        text = f"sorted they run on without a gap: the rows are in {back.sum() + 1} blocks out of order"
+        by_text = " as text is, 10 before 9" if as_text(time) else ""
+        return f"{first}: {text}{by_text and ', sorted' + by_text}; sort the rows by number"
     lost = float(-step[back].min() + usual)
     steps = ", ".join(set_by(time[k], step[k] - usual) for k in np.flatnonzero(back)[:3])
     text = f"the clock was set back, by {lost:.6g} s; cut the recording there (from, to), do not sort"
     return f"{first}: {text}; or, if nothing is missing, steps = [{steps}] in {where}"
+
+
+def as_text(time: Array) -> bool:
+    """Whether tags (N,) are in the order of their digits."""
+    texts = [f"{t:.9f}" for t in time]
+    return texts == sorted(texts)
+
+
+def unpadded(time: Array) -> str:
+    """Whether behind the point of tags (N,) s stand counts of ms or us without leading zeros: 0.010 as 0.10."""
+    whole, row = np.unique(np.floor(time + 1e-7), return_inverse=True)
+    count = np.bincount(row)
+    if len(whole) < 3 or (np.diff(row) < 0).any():
+        return ""
+    each = int(np.median(count))
+    begin = np.concatenate([[0], np.cumsum(count)[:-1]])
+    nth = np.arange(len(time)) - begin[row]
+    nth[row == 0] += each - count[0]  # the first second may be cut
+    for name, places in (("milliseconds", 3), ("microseconds", 6)):
+        ticks = np.round((time - whole[row]) * 10**places).astype(np.int64)
+        # what the digits may have counted: 0.1 is 1, 10 or 100 ms
+        possible = [np.where(ticks % 10**k == 0, ticks // 10**k, -(10**9)) for k in range(places)]
+        meant = (nth + 0.5) / each * 10**places
+        off = np.abs(np.stack(possible) - meant)
+        told = np.take_along_axis(np.stack(possible), off.argmin(axis=0)[None], axis=0)[0]
+        rebuilt = whole[row] + told / 10**places
+        steps = np.diff(rebuilt) * each
+        if (steps > 0).all() and np.mean(np.abs(steps - 1) < 0.5) > 0.98:
+            text = f"{name} stand behind the point without their leading zeros, 0.{10 ** (places - 2)} for "
+            text += f"{0.01:.{places}f}"
+            return f"{text}; write {places} digits, or say rate and start in place of the tags"
+    return ""
 
 
 SPANS = {"the time of a day begins at midnight": 86400.0, "the time of a week begins on Sunday": 604800.0,
