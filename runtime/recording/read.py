@@ -40,6 +40,10 @@ def find(path: str | Path) -> Path:
     for candidate in (Path(path), *([Path(folder) / path] if folder else [])):
         if candidate.is_file() or (candidate / "metadata.yaml").is_file():
             return candidate
+    if Path(path).is_dir():
+        inside = sorted(one.name for one in Path(path).glob("*.toml"))
+        hint = f"did you mean {Path(path) / inside[0]}?" if len(inside) == 1 else f"name one of {', '.join(inside)}"
+        raise BoresightError(f"{path}: a folder; {hint if inside else 'there is no description (.toml) in it'}")
     where = f"here or under {folder}" if folder else "here"
     raise BoresightError(f"{path}: no such file {where}; give its path, or set BORESIGHT_DATA to its folder")
 

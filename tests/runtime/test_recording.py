@@ -394,6 +394,15 @@ def test_a_gap_of_the_master_is_a_warning_with_its_time(describe):
 
 def test_a_missing_file_an_undescribed_one_and_a_broken_one(tmp_path):
     refused(tmp_path / "none.npz", "none.npz", "no such file", "BORESIGHT_DATA")
+    folder = tmp_path / "folder"
+    folder.mkdir()
+    refused(folder, "a folder", "no description")
+    for name, words in (
+        ("a.toml", ["a folder; did you mean", "folder/a.toml?"]),
+        ("b.toml", ["one of a.toml, b.toml"]),
+    ):
+        (folder / name).touch()
+        refused(folder, *words)
     np.savez(tmp_path / "unknown.npz", time=np.arange(3), gyro=np.zeros((3, 3)), accel=np.zeros((3, 3)))
     refused(tmp_path / "unknown.npz", "not described", "unknown.toml")
     (tmp_path / "broken.npz").write_bytes(b"not a zip")
