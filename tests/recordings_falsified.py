@@ -724,6 +724,21 @@ def milliseconds_without_leading_zeros(w):
     w.columns["t"] = np.array([float(f"{one // 1000}.{one % 1000}") for one in ms])
 
 
+def course(w):
+    return np.arctan2(w.columns["velocity"][:, 1], w.columns["velocity"][:, 0])
+
+
+@fault("heading is the course of the velocity")
+def heading_is_the_course(w):
+    w.columns["attitude"][:, 2] = course(w)
+
+
+@fault("heading is the course of the velocity")
+def heading_is_the_course_of_one_that_crabs(w):
+    w.columns = fly(Plan(crab=lambda t: np.radians(8 * np.sin(0.3 * t) + 4)), 1).columns
+    w.columns["attitude"][:, 2] = np.round(course(w), 4)
+
+
 def complaints(path):
     """What the check calls wrong, or warns of: one text a finding."""
     from boresight import BoresightError

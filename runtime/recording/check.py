@@ -497,6 +497,8 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
     out += motion.check_jumps(master.time + delay, slave, turn, kept)
     if any(one.level == "error" for one in out):
         return out + gravity
+    if course := motion.check_course(master, slave, turn, kept):
+        return course + out + gravity
     surplus, steady = (slave - turn).sum(axis=0) / dt.sum(), turn.sum(axis=0) / dt.sum()
     slave, turn = slave - slave.mean(axis=0), turn - turn.mean(axis=0)
     for axis, name in enumerate(("front", "right", "down")):

@@ -161,6 +161,31 @@ def crab(master: Master, heading: Array) -> tuple[float, float]:
     return float(np.angle(mean)), float(np.abs(mean))
 
 
+def check_course(master: Master, slave: Array, turn: Array, kept: Array) -> list[Finding]:
+    """A heading that is the course of the velocity, and so no heading: it goes with it where the slave does not.
+
+    slave, turn: (K, 3) rad, turns of both over the master's intervals `kept` (K,).
+    """
+    if master.v_n is None:
+        return []
+    fast = np.hypot(*master.v_n[:, :2].T) > 1
+    crab = np.angle(np.exp(1j * (np.arctan2(master.v_n[:, 1], master.v_n[:, 0]) - master.euler[:, 2])))
+    moving = fast[kept] & fast[kept + 1]
+    if moving.sum() < 40:
+        return []
+    away, slave = np.diff(np.unwrap(crab))[kept][moving], slave[moving] - slave[moving].mean(axis=0)
+    off = turn[moving, 2] - turn[moving, 2].mean()
+    off = off - slave @ np.linalg.lstsq(slave, off, rcond=None)[0]  # but for a mounting and a scale
+    size = float(np.sqrt(np.mean(off**2)))
+    # a car keeps its course: its heading differs from what the slave turns by a gyro's white noise at most
+    once = float(off[1:] @ off[:-1]) / max(float(off @ off), 1e-300)
+    if np.sqrt(np.mean(away**2)) > 0.1 * size or size < 1e-4 or abs(once) < 0.25:
+        return []
+    text = f"its heading is the course of the velocity in every row (apart by {np.median(np.abs(crab[fast])) / DEG:.1g}"
+    text += f" deg), and the slave turns otherwise, by {size / DEG:.2g} deg a row: a receiver's course is no heading"
+    return [Finding("error", "master.attitude", text, "heading")]
+
+
 def counted_from_east(master: Master) -> str:
     """What a yaw of the other sign is counted from besides, by the course."""
     mean, steady = crab(master, -master.euler[:, 2])
