@@ -739,6 +739,39 @@ def heading_is_the_course_of_one_that_crabs(w):
     w.columns["attitude"][:, 2] = np.round(course(w), 4)
 
 
+@fault("bias drifts by .* as of one that warms up")
+def gyro_warms_up(w):
+    w.columns["gyro"] += np.outer(1 - np.exp(-w.columns["t"] / 15), np.array([1.5, -1, 2.5]) * DEG)
+
+
+@fault("high-pass of about [4-7]")
+def gyro_behind_a_high_pass_of_5_s(w):
+    slow = np.zeros(3)
+    for k, rate in enumerate(w.columns["gyro"].copy()):
+        slow += (rate - slow) / 250
+        w.columns["gyro"][k] -= slow
+
+
+@fault("running mean of about [6-9]")
+def gyro_less_its_running_mean(w):
+    t, angle = w.columns["t"], np.cumsum(w.columns["gyro"], axis=0) / 50
+    late = np.stack([np.interp(t - 8, t, one) for one in angle.T], axis=-1)
+    w.columns["gyro"] -= (angle - late) / 8
+
+
+@fault("rates of roll, pitch and yaw")
+def rates_of_euler_angles(w):
+    plan = Plan(
+        roll=lambda t: np.radians(25 * np.sin(0.9 * t)), pitch=lambda t: np.radians(20 * np.sin(0.7 * t + 1)),
+        heading=lambda t: np.radians(20 + 2.5 * t + 30 * np.sin(0.3 * t)),
+    )  # fmt: skip
+    w.columns = fly(plan, 1).columns
+    t = np.append(0, w.columns["t"])
+    angles = np.stack([plan.roll(t), plan.pitch(t), plan.heading(t)], axis=-1)
+    noise = 1e-4 * np.random.default_rng(4).standard_normal(w.columns["gyro"].shape)
+    w.columns["gyro"] = np.diff(angles, axis=0) * 50 + noise
+
+
 def complaints(path):
     """What the check calls wrong, or warns of: one text a finding."""
     from boresight import BoresightError

@@ -8,6 +8,7 @@ from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.frames import AXES
 from boresight.runtime.recording.types import Inertial, Master
+from boresight.runtime.units import DEG
 
 FITS = 0.1  # of what is to be explained, that may be left
 
@@ -131,6 +132,52 @@ def of_attitude(slave: Array, master: Master, kept: Array) -> str:
         if rest < best:
             best, found = rest, name
     return found
+
+
+MISSED = 1.5 * DEG  # rms of the sums of turns, up to which what a constant leaves is noise and a bias that wanders
+
+
+def of_bias(dt: Array, slave: Array, turn: Array, angles: Array, least: float = 0.25) -> str:
+    """What makes the slave turn more than its master where that is no constant: "" where a constant is as good.
+
+    dt (K,) s; slave, turn, angles (K, 3) rad: of the slave, of its master, and the change of the master's Euler angles.
+    Their sums must differ by `least` of it where it is undone; a mounting is left free.
+    """
+    from scipy.signal import lfilter
+
+    since, usual = np.cumsum(dt), float(np.median(dt))
+    one, angle = np.ones_like(since), np.cumsum(turn, axis=0)
+
+    def rest(of: Array, *more: Array) -> tuple[float, Array]:
+        total, found = 0.0, []
+        for axis in range(3):
+            X = np.column_stack([angle[:, (axis + 1) % 3], angle[:, (axis + 2) % 3], one, since, *more])
+            size = np.linalg.norm(X, axis=0) + 1e-300
+            y = np.cumsum(slave[:, axis]) - of[:, axis]
+            parts, *_ = np.linalg.lstsq(X / size, y, rcond=1e-9)
+            found.append((parts / size)[4:])
+            total += float(np.sum((y - X / size @ parts) ** 2))
+        return total, np.array(found)
+
+    whole, _ = rest(angle)
+    if whole < len(dt) * MISSED**2:
+        return ""
+    left = {"the rates of roll, pitch and yaw stand there, of Euler angles, and not those of the body":
+            rest(np.cumsum(angles, axis=0))[0]}  # fmt: skip
+    for tau in np.geomspace(max(1.0, 2 * usual), 2 * since[-1], 25):
+        fading = np.exp(-since / tau)
+        a = 1 - np.exp(-usual / tau)
+        slow = np.cumsum(lfilter([a / 2, a / 2], [1, a - 1], turn, axis=0), axis=0)
+        left[f"slow turns are missing, as behind a high-pass of about {tau:.2g} s"] = rest(angle - slow, fading)[0]
+        mean = np.stack([np.interp(since - tau, since, part) for part in angle.T], axis=-1)
+        text = f"slow turns are missing, as where a running mean of about {tau:.2g} s was taken off"
+        mean = np.cumsum((angle - mean) * dt[:, None], axis=0) / tau
+        left[text] = rest(angle - mean, np.minimum(since, tau) ** 2)[0]
+        size, found = rest(angle, fading)
+        shown = ", ".join(f"{one:+.2f}" for one in np.degrees(found[:, 0] / tau * (fading[0] - fading[-1])))
+        left[f"its bias drifts by [{shown}] deg/s (front, right, down), as of one that warms up"] = size
+    best = min(left, key=left.__getitem__)
+    return best if left[best] < least * whole else ""
 
 
 def of_halves(slave: Array, turn: Array, time: Array) -> str:

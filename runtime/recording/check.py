@@ -530,10 +530,12 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
     biased = np.abs(beyond_mounting(surplus, steady)).max() > 1 * DEG
     if biased and not calibrated and not any(one.name == "turns" for one in out):
         shown = ", ".join(f"{x:+.3f}" for x in np.degrees(surplus))
-        text = (
-            f"it turns by [{shown}] deg/s (front, right, down) more than its master: models take a gyro bias of up to "
-            "1 deg/s; take what is known of it off first, as [calibration] gyro_bias in the axes of imu.body"
-        )
+        text = f"it turns by [{shown}] deg/s (front, right, down) more than its master"
+        if cause := causes.of_bias(dt, slave, turn, _of_angles(master, kept)):
+            text = f"{text}, and by no constant: {cause}; no gyro_bias mends that"
+        else:
+            text += ": models take a gyro bias of up to 1 deg/s; take what is known of it off first, as [calibration] "
+            text += "gyro_bias in the axes of imu.body"
         out.append(Finding("error", "imu.gyro", text, "bias"))
     wrong_axes = [one.text.split(":")[0].split(" ")[-1] for one in out if one.level == "error" and one.name == "turns"]
     if wrong_axes == ["down"] and slope_of(turn[:, 2], slave[:, 2]).slope < -0.8:
@@ -543,6 +545,11 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
     if any(one.level == "error" for one in out):
         otherwise = _turned_otherwise(imu, master) if wrong_axes else []
         return otherwise + out + gravity
+    if cause := causes.of_bias(dt, slave, turn, _of_angles(master, kept), 0.05):
+        level: Literal["warning", "error"] = "warning" if cause.startswith("its bias") else "error"
+        out.insert(0, Finding(level, "imu.gyro", f"it turns otherwise than its master: {cause}", "bias"))
+        if level == "error":
+            return out + gravity
     if order := motion.another_sequence(imu, master):
         text = f"the slave's turns fit angles that are applied as {order}, and not as yaw, pitch, roll"
         out.append(Finding("error", "master.attitude", text + "; write quaternions, or angles of an aircraft", "order"))
@@ -551,6 +558,12 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
     if any(one.level == "error" and one.name == "heading" for one in off):
         return off + out  # the force in the master's axes is turned with it
     return off + gravity + out
+
+
+def _of_angles(master: Master, kept: Array) -> Array:
+    """(K, 3) rad, by how much roll, pitch and yaw change over the master's intervals `kept`."""
+    change: Array = np.diff(np.unwrap(master.euler, axis=0), axis=0)[kept]
+    return change
 
 
 def _turned_otherwise(imu: Inertial, master: Master) -> list[Finding]:
@@ -572,6 +585,8 @@ def _turned_otherwise(imu: Inertial, master: Master) -> list[Finding]:
         return [Finding("error", "imu.gyro", text, "turns")]
     if imu.kind == "rates" and (text := causes.of_rate(imu.time, imu.gyro, master.time, whole)):
         return [Finding("error", "imu.time", text, "turns")]
+    if text := causes.of_bias(dt, slave, turn, _of_angles(master, kept), 0.05):
+        return [Finding("error", "imu.gyro", f"it turns otherwise than its master: {text}", "turns")]
     if text := causes.of_halves(slave, turn, ends):
         advice = ": what was logged has changed there; cut the recording there (from, to)"
         return [Finding("error", "imu.gyro", text + advice, "turns")]
