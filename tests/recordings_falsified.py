@@ -772,6 +772,31 @@ def rates_of_euler_angles(w):
     w.columns["gyro"] = np.diff(angles, axis=0) * 50 + noise
 
 
+@fault("navigation axes already")
+def accel_in_navigation_axes(w):
+    w.columns["accel"] = attitudes_of_imu(w).apply(w.columns["accel"])
+
+
+@fault("counted from the first row")
+def attitude_counted_from_its_first_row(w):
+    turned = attitudes(w)
+    w.columns["attitude"] = (turned[0].inv() * turned).as_euler("ZYX")[:, ::-1]
+
+
+@fault(r"down wraps at about (5\.99|6) deg/s")
+def gyro_wraps(w):
+    w.columns["gyro"] = (w.columns["gyro"] + 6 * DEG) % (12 * DEG) - 6 * DEG
+
+
+@fault("of ECEF")
+def velocity_in_ecef(w):
+    lat, lon = w.columns["position"][:, :2].T
+    north = np.stack([-np.sin(lat) * np.cos(lon), -np.sin(lat) * np.sin(lon), np.cos(lat)], axis=-1)
+    east = np.stack([-np.sin(lon), np.cos(lon), 0 * lon], axis=-1)
+    axes = np.stack([north, east, np.cross(north, east)], axis=1)
+    w.columns["velocity"] = np.einsum("kij,ki->kj", axes, w.columns["velocity"])
+
+
 def complaints(path):
     """What the check calls wrong, or warns of: one text a finding."""
     from boresight import BoresightError

@@ -221,6 +221,9 @@ def of_velocity(master: Master) -> str:
     swapped = np.column_stack([lon, lat * np.cos(lon[0]), np.zeros_like(lat)]) * (6371e3 + height[0])
     swapped[:, 2] = -height
     C, v = rotation.matrix_from_euler(master.euler), master.v_n
+    # the Earth's axes turned to north, east and down: about z by the longitude, about y by latitude and a right angle
+    south = np.stack([0 * lat, -lat - np.pi / 2, lon], axis=-1)
+    earth = np.einsum("kji,kj->ki", rotation.matrix_from_euler(south), v)
     tried = {
         "a velocity of the body declared as one of navigation (axes)": (place, np.einsum("kij,kj->ki", C, v)),
         "a velocity of navigation declared as one of the body (axes)": (place, np.einsum("kji,kj->ki", C, v)),
@@ -230,6 +233,7 @@ def of_velocity(master: Master) -> str:
         "latitude and longitude are exchanged": (swapped, v),
         "the sign of the latitude is lost": (place * [-1, 1, 1], v),
         "the sign of the longitude is lost": (place * [1, -1, 1], v),
+        "the velocity is one of the Earth's axes, x, y, z of ECEF, declared as NED": (place, earth),
         "north of the velocity has the other sign": (place, v * [-1, 1, 1]),
         "east of the velocity has the other sign": (place, v * [1, -1, 1]),
     }

@@ -86,7 +86,8 @@ def check(recording: Recording) -> list[Finding]:
         out += _check_imu(recording.imu, master)
         if master and not any(one.name == "still" for one in still):
             out += _check_master(master)
-            out += _check_pair(recording.imu, master, calibrated="gyro_bias" in recording.reference)
+            pair = _check_pair(recording.imu, master, calibrated="gyro_bias" in recording.reference)
+            out += _counted_from_first(master, pair) + pair
     out = _proposed(out, recording)
     out = [
         Finding("warning", f.where, f"{f.text} (allowed: {f.name})", f.name) if f.name in recording.allow else f
@@ -499,6 +500,8 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
         return out + gravity
     if course := motion.check_course(master, slave, turn, kept):
         return course + out + gravity
+    if master.v_n is not None and (text := motion.force_level(imu, master)):
+        return [Finding("error", "imu.accel", text, "gravity"), *out]
     surplus, steady = (slave - turn).sum(axis=0) / dt.sum(), turn.sum(axis=0) / dt.sum()
     slave, turn = slave - slave.mean(axis=0), turn - turn.mean(axis=0)
     for axis, name in enumerate(("front", "right", "down")):
@@ -558,6 +561,20 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
     if any(one.level == "error" and one.name == "heading" for one in off):
         return off + out  # the force in the master's axes is turned with it
     return off + gravity + out
+
+
+def _counted_from_first(master: Master, found: list[Finding]) -> list[Finding]:
+    """What explains errors of axes where the first attitude is zero, or right angles by the change of axes."""
+    first = np.abs(np.degrees(master.euler[0]))
+    zero = (
+        np.abs(np.append(first[:2], (first[2] + 45) % 90 - 45)).max() < 1e-6 and np.ptp(master.euler[:9], axis=0).any()
+    )
+    if not zero or not {"heading", "gravity", "turns"} & {one.name for one in found if one.level == "error"}:
+        return []
+    text = (
+        "its first row is 0, 0, 0, and what follows does not fit: angles counted from the first row (tared); it takes"
+    )
+    return [Finding("error", "master.attitude", text + " roll and pitch from gravity, heading from north", "heading")]
 
 
 def _of_angles(master: Master, kept: Array) -> Array:

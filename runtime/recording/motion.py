@@ -146,9 +146,8 @@ def check_jumps(time: Array, slave: Array, turn: Array, kept: Array) -> list[Fin
     if len(groups) <= 3 and all(len(group) == 1 for group in groups):
         k = groups[0][0]
         text = f"it steps by [{{:.1f}}, {{:.1f}}, {{:.1f}}] deg at {time[kept[k] + 1]:.2f} s".format(*(-off[k] / DEG))
-        text += (
-            f" and {len(groups) - 1} times more, and the slave does not: it was aligned anew; cut it there (from, to)"
-        )
+        text += f" and {len(groups) - 1} times more, and the slave does not: it was aligned anew, or the slave moved in"
+        text += " its mount; cut it there (from, to)"
         return [Finding("error", "master.attitude", text, "turns")]
     return []
 
@@ -313,6 +312,27 @@ def force_elsewhere(imu: Inertial, master: Master) -> str:
         return ""
     text = f"the accelerometers lie in other axes than the gyros, turned by {best} deg about down"
     return text + ": the gyros turn as the master"
+
+
+def force_level(imu: Inertial, master: Master) -> str:
+    """Whether the specific force is in navigation axes already, and not in those of the body."""
+    assert master.v_n is not None
+    _, end, _, dvel = imu.increments
+    every = max(1, round(1 / float(np.median(np.diff(master.time)))))
+    inside = (master.time > end[0]) & (master.time < end[-1])
+    time, v, euler = master.time[inside][::every], master.v_n[inside][::every], master.euler[inside][::every]
+    if len(time) < 20:
+        return ""
+    seconds = np.diff(time)[:, None]
+    summed = np.cumsum(dvel, axis=0)
+    felt = np.diff(np.stack([np.interp(time, end, part) for part in summed.T], axis=-1), axis=0) / seconds
+    known = np.diff(v, axis=0) / seconds
+    C = rotation.matrix_from_euler(euler)
+    off = [known, felt - known, np.einsum("kij,kj->ki", (C[1:] + C[:-1]) / 2, felt) - known]
+    moved, level, body = (float(np.sum((one - one.mean(axis=0))[:, :2] ** 2)) for one in off)
+    if level > 0.2 * min(moved, body) or moved < 0.01 * len(felt):
+        return ""
+    return "it is the change of the master's velocity as it stands: in navigation axes already, declared as of the body"
 
 
 def _compass(imu: Inertial, master: Master) -> list[Finding]:

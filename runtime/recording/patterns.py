@@ -71,6 +71,7 @@ def of_samples(imu: Inertial) -> list[Finding]:
     unit = rate if imu.kind == "increments" else 1.0  # as delivered: the steps of a converter are none of dv / dt
     for name, sensor in (("gyro", imu.gyro), ("accel", imu.accel)):
         for axis, label in enumerate(frames.AXES):
+            out += _wrapped(f"imu.{name}", label, sensor[:, axis], name, unit)
             out += _clipped(f"imu.{name}", label, sensor[1:, axis][~same.all(axis=1)], name, unit)
     return out
 
@@ -140,6 +141,20 @@ def of_axes(gyro: Array) -> str:
         if any(np.array_equal(gyro[:, i], sign * gyro[:, j]) for sign in (1, -1)):
             return f"{frames.AXES[i]} and {frames.AXES[j]} are the same numbers: one column named twice?"
     return ""
+
+
+def _wrapped(where: str, axis: str, values: Array, name: str, unit: float) -> list[Finding]:
+    """An axis that goes on at the other end of its range: a count of too few bits."""
+    top, end = float(values.max()), float(values.min())
+    span = top - end
+    if (np.abs(np.diff(values)) > 0.8 * span).sum() < 2 or abs(top + end) > 0.05 * span:
+        return []
+    whole = np.unwrap(values, period=span)
+    if np.abs(np.diff(whole)).max() > 0.3 * span or np.sum(np.abs(whole) > 0.6 * span) < 4:
+        return []
+    size = f"{span / 2 * unit / DEG:.3g} deg/s" if name == "gyro" else f"{span / 2 * unit:.3g} m/s^2"
+    text = f"{axis} wraps at about {size} and goes on with the other sign: the range is too small, or the bits too few"
+    return [Finding("error", where, text + "; cut the recording there (from, to)", "saturated")]
 
 
 def _clipped(where: str, axis: str, values: Array, name: str, unit: float) -> list[Finding]:

@@ -86,8 +86,8 @@ def unpadded(time: Array) -> str:
         possible = [np.where(ticks % 10**k == 0, ticks // 10**k, -(10**9)) for k in range(places)]
         meant = (nth + 0.5) / each * 10**places
         off = np.abs(np.stack(possible) - meant)
-        told = np.take_along_axis(np.stack(possible), off.argmin(axis=0)[None], axis=0)[0]
-        rebuilt = whole[row] + told / 10**places
+        counts = np.take_along_axis(np.stack(possible), off.argmin(axis=0)[None], axis=0)[0]
+        rebuilt = whole[row] + counts / 10**places
         steps = np.diff(rebuilt) * each
         if (steps > 0).all() and np.mean(np.abs(steps - 1) < 0.5) > 0.98:
             text = f"{name} stand behind the point without their leading zeros, 0.{10 ** (places - 2)} for "
