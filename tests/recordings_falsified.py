@@ -797,6 +797,16 @@ def velocity_in_ecef(w):
     w.columns["velocity"] = np.einsum("kij,ki->kj", axes, w.columns["velocity"])
 
 
+@fault("attitude: it repeats in 75%.*held at")
+def attitude_held_at_1_hz(w):
+    w.columns["attitude"] = w.columns["attitude"][np.arange(len(w.columns["tm"])) // 4 * 4]
+
+
+@fault("no rate is ever below zero")
+def signs_of_the_gyro_lost(w):
+    w.columns["gyro"] = np.abs(w.columns["gyro"])
+
+
 def complaints(path):
     """What the check calls wrong, or warns of: one text a finding."""
     from boresight import BoresightError

@@ -137,6 +137,8 @@ def of_axes(gyro: Array) -> str:
     if still.any():
         axis = int(np.argmax(still))
         return f"{frames.AXES[axis]} is {gyro[0, axis]:.4g} all the time, and the others change: a dead axis?"
+    if (gyro >= 0).all():
+        return "no rate is ever below zero: the signs are lost, or a bit of them"
     for i, j in ((0, 1), (0, 2), (1, 2)):
         if any(np.array_equal(gyro[:, i], sign * gyro[:, j]) for sign in (1, -1)):
             return f"{frames.AXES[i]} and {frames.AXES[j]} are the same numbers: one column named twice?"
@@ -202,6 +204,16 @@ def of_master(imu: Inertial, master: Master) -> list[Finding]:
         rate = 1 / float(np.median(np.diff(master.time)))
         text = f"{held:.0%} of its rows repeat the one before: it is held at {rate * (1 - held):.3g} Hz"
         out.append(Finding("error", "master", f'{text}; repeats = "drop" in master keeps each row once', "copies"))
+    each = master.euler[1:] == master.euler[:-1]
+    still, _ = _together(each)
+    # of rounded angles each repeats for itself
+    if 0.3 < still < 0.97 and not held and still > 0.95 * float(each.mean(axis=0).max()):
+        rate = 1 / float(np.median(np.diff(master.time)))
+        text = (
+            f"it repeats in {still:.0%} of the rows, and the rest does not: it is held at {rate * (1 - still):.3g} Hz"
+        )
+        text += "; give it a time of its own, of the rows in which it is new (attitude.time)"
+        out.append(Finding("error", "master.attitude", text, "copies"))
     if master.v_n is not None and not held:
         kept, _ = _together((master.v_n[1:] == master.v_n[:-1]) | (master.v_n[1:] == 0))
         moving = float((master.v_n[1:] != 0).any(axis=1).mean())
