@@ -57,6 +57,7 @@ bench: $(BENCH)/.installed
 	$(BENCH)/bin/python -m benchmarks.autopilot
 	@test -z "$(PX4)" || PX4="$(PX4)" $(BENCH)/bin/python -m benchmarks.px4
 	$(BENCH)/bin/python -m benchmarks.growth
+	$(BENCH)/bin/python -m benchmarks.record
 	-$(BENCH)/bin/python -m benchmarks.instructions
 	-$(BENCH)/bin/python -m benchmarks.gpu
 	$(BENCH)/bin/python -m benchmarks.runs --page docs/how-to/fly-many-runs.md

@@ -1,15 +1,12 @@
 """What a record holds of each step, beside what the filter did."""
 
-import time
 from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from conftest import ROOT, optimised
 
 from boresight import BoresightError, CompiledFilter, Epoch, Filter, Record, load, smooth
-from boresight.runtime import compiler
 
 RADAR = {"gusts": [0.5, 0.01]}
 
@@ -313,31 +310,3 @@ def test_a_recorded_flight_has_the_bits_of_one_that_is_not(radar):
             echo(loop, rng)
         ends.append((loop.x, loop.P))
     assert record is None and all(np.array_equal(a, b) for a, b in zip(*ends, strict=True))
-
-
-def test_it_takes_at_most_15_percent_of_the_flight_of_the_example(folder_of, monkeypatch, quickly):
-    """Of GNSS/INS in 20 runs, as examples/fly_gnss_ins.py flies it, by the C over blocks of runs as it ships."""
-    monkeypatch.syspath_prepend(ROOT / "examples")
-    import fly_gnss_ins as example
-
-    with optimised(compiler.FLAGS, quickly[1]):  # what is not in lanes is compiled, and not flown
-        library = load(folder_of(f"{ROOT / 'examples' / 'gnss_ins.py'}:GNSS_INS"))
-    monkeypatch.setattr(example, "SECONDS", 40)
-
-    def recorded(*args, **words):
-        loop = CompiledFilter(*args, **words)
-        Record(loop)
-        return loop
-
-    with optimised(compiler.FLAGS, quickly[1]):
-        example.fly(library)  # the C of many runs is compiled when it is first called
-    took = {"plain": np.inf, "recorded": np.inf}
-    for _ in range(25):  # others may have the processor: the least of a few
-        for name, kind in (("plain", CompiledFilter), ("recorded", recorded)):
-            monkeypatch.setattr(example, "CompiledFilter", kind)
-            begin = time.process_time()
-            example.fly(library)
-            took[name] = min(took[name], time.process_time() - begin)
-        if took["recorded"] < 1.15 * took["plain"]:
-            break
-    assert took["recorded"] < 1.15 * took["plain"], took
