@@ -6,8 +6,8 @@ Only the command line reads what is kept.  Tests and evidence call `compute`, or
 import hashlib
 import json
 import os
-import re
 import sys
+import tomllib
 from collections.abc import Callable
 from contextlib import suppress
 from importlib.metadata import version
@@ -62,9 +62,11 @@ def files_of(paper: str) -> tuple[Path, ...]:
 
 def has_own_model(paper: str) -> bool:
     """Whether a paper of one's own is tied to a model of one's own: nobody knows what that file reads."""
-    from boresight.derive.papers.own import text_of
-
-    return any(re.search(r"^\s*name\s*=.*\.py:", text_of(path), re.MULTILINE) for path in files_of(paper)[:1])
+    try:
+        model = [tomllib.loads(path.read_text(encoding="utf-8")).get("model") for path in files_of(paper)[:1]]
+    except (OSError, ValueError):  # which is refused in words where the paper is read
+        return True
+    return any(isinstance(one, dict) and ":" in str(one.get("name", "")) for one in model)
 
 
 def name_of(paper: str) -> str:
