@@ -88,6 +88,29 @@ def marks(forms: Iterable[Relation], found: Iterable[Difference], which: str) ->
     return result
 
 
+def deciding(equation: Equation) -> set[int]:
+    """The indices of the steps in which what the print has otherwise first stands.
+
+    From the result back along the lines that each passage takes, for as long as one of them holds the marked part.
+    """
+    found = differences(equation.read(), equation.derived)
+    steps, deciders = equation.derivation.steps, set[int]()
+    for relation, places in zip(equation.derived, marks(equation.derived, found, "derived"), strict=True):
+        for side, *path in places:
+            part = relation.sides[side]
+            for index in path:
+                part = children(part)[index]
+            holding = {
+                i for i, step in enumerate(steps) for one in step.formulas for s in one.sides if _standing(s, part)
+            }
+            row = {i for i in holding if steps[i].result}
+            while row:
+                last = min(row)
+                row = equation.derivation.taken(last) & holding
+                deciders |= set() if row else {last}
+    return deciders
+
+
 def _standing(node, part) -> list[Place]:
     """Where `part` stands in the node."""
     if node == part:

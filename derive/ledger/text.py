@@ -86,10 +86,8 @@ class _Text(Writer):
 
     def grid(self, rows):
         rows = [[self._flat(cell) for cell in row] for row in rows]
-        widths = [max(map(_width, column)) for column in zip(*rows, strict=True)]
-        lines = [
-            "  ".join(cell + " " * (w - _width(cell)) for cell, w in zip(row, widths, strict=True)) for row in rows
-        ]
+        widths = [max(map(cells, column)) for column in zip(*rows, strict=True)]
+        lines = ["  ".join(cell + " " * (w - cells(cell)) for cell, w in zip(row, widths, strict=True)) for row in rows]
         if len(lines) == 1:
             return f"[{lines[0]}]"
         edges = ["⎡⎤", *["⎢⎥"] * (len(lines) - 2), "⎣⎦"]
@@ -102,7 +100,7 @@ class _Text(Writer):
         return cell
 
     def _extent(self, line: str) -> int:
-        return sum(_width(self.grids[ord(c) - FIRST][0]) if ord(c) >= FIRST else _width(c) for c in line)
+        return sum(cells(self.grids[ord(c) - FIRST][0]) if ord(c) >= FIRST else cells(c) for c in line)
 
     def laid_out(self, pieces: list[tuple[str, str]], width: int) -> str:
         lines = [""]
@@ -138,10 +136,10 @@ class _Text(Writer):
         for c in line:
             block = self.grids[ord(c) - FIRST] if ord(c) >= FIRST else [c]
             top = middle - (len(block) - 1) // 2
-            empty = " " * _width(block[0])
+            empty = " " * cells(block[0])
             rows = [row + (block[i - top] if 0 <= i - top < len(block) else empty) for i, row in enumerate(rows)]
         return rows
 
 
-def _width(text: str) -> int:
+def cells(text: str) -> int:
     return sum(not combining(c) for c in text)

@@ -66,7 +66,7 @@ NAME = re.compile(r"\[[^\]\s]+ x\]|(?:[^\W\d_]|∂)[\w'\u0300-\u036f]*(?:\([kn][
 
 
 TYPED = re.compile(r"`([^`]+)`")
-REFERENCE = re.compile(rf"(?<![\w)])\({NUMBER}\)|\[\d+\]")  # (8), and the note [1]
+REFERENCE = re.compile(rf"(?<![\w)])\({NUMBER}\)")  # (8)
 
 
 def is_name(text: str) -> bool:
@@ -89,7 +89,7 @@ class Page:
     """sections: the equations, or what else the page is of.  front, back: what stands before them and after.
 
     lead: the paragraphs under the title.  anchors: what is written in prose, and the section that it names.
-    letters: those whose names stand in the prose.
+    letters: those whose names stand in the prose.  name: what the titles of its sections begin with.
     """
 
     title: str
@@ -99,3 +99,4 @@ class Page:
     back: tuple[Section, ...] = ()
     anchors: Mapping[str, str] = field(default_factory=dict)
     letters: tuple[Quantity, ...] = ()
+    name: str = ""

@@ -73,7 +73,9 @@ def latex_page(page: Page) -> str:
 
 
 def _section(section: Section, level: str, page: Page) -> str:
-    title = tex(section.title.removeprefix(f"{page.title} ")) + rf"\quad {section.status}" * bool(section.status)
+    title = tex(section.title.removeprefix(f"{page.name or page.title} ")) + rf"\quad {section.status}" * bool(
+        section.status
+    )
     room = 16 if any(isinstance(block, Table) for block in section.blocks) else 9
     head = [rf"\room{{{room}\baselineskip}}\{level}{{{title}}}"] if section.title else []
     anchor = [rf"\label{{{section.anchor}}}"] if section.anchor else []

@@ -36,7 +36,7 @@ def _rendered(template: str, page: Page) -> str:
         "typed": typed,
         "prose": written,
         "cell": lambda value: prose(value, {}, page.letters) if isinstance(value, str) else letters(value),
-        "short": lambda title: title.removeprefix(f"{page.title} "),
+        "short": lambda title: title.removeprefix(f"{page.name or page.title} "),
         "first_word": lambda text: re.split(r"\W", text)[0],
     }
     environment.tests |= {

@@ -1,7 +1,7 @@
 """The page of a paper, of some of its equations, or of a derivation."""
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Set
 from dataclasses import replace
 from shlex import quote
 from types import MappingProxyType
@@ -10,7 +10,7 @@ from typing import Any
 from mpmath import nstr
 from sympy import Symbol
 
-from boresight.derive.ledger.differences import Place, differences, marks
+from boresight.derive.ledger.differences import Place, deciding, differences, marks
 from boresight.derive.ledger.dimensions import grids
 from boresight.derive.ledger.entries import LONG, Entry, apart, entry_of, findings, letter_units, numbers_of
 from boresight.derive.ledger.equation import Derivation, Equation, Line, Passage, Quantity, Relation
@@ -34,46 +34,48 @@ def paper_page(paper: Paper, functions: Functions) -> Page:
     if paper.folder:  # nothing stands on it that is not its own
         bare = sum(not equation.derivation.steps for equation in paper.equations)
         steps = f"{bare} without a derivation" if bare else steps
-    conventions = paper.conventions if paper.folder else (*CONVENTIONS, *paper.conventions)
     return replace(
         page,
-        lead=(f"{paper.reference}.", f"{counted(paper.equations)}: {counts(entries)}; {steps}."),
+        title=paper.reference,
+        lead=(f"{paper.name}: {counted(paper.equations)}: {counts(entries)}; {steps}.",),
         front=(
-            Section("Conventions", (*map(Prose, conventions), *STATUSES)),
+            Section("Conventions", (*conventions(paper), *STATUSES)),
             Section("Notation", (notation(paper),)),
         ),
-        back=(*((Section("Beside the equations", beside),) if beside else ()), *maps(paper), *page.back),
+        back=((Section("Beside the equations", beside),) if beside else ()) + maps(paper),
     )
 
 
-def equations_page(title: str, chosen: Iterable[tuple[Paper, Equation]], functions: Functions) -> Page:
-    """Equations of one paper or of several; the conditions of their numbers stand once, at the end."""
+def equations_page(name: str, chosen: Iterable[tuple[Paper, Equation]], functions: Functions) -> Page:
+    """Equations of one paper or of several; behind them their letters, and each paper's conventions."""
     chosen = list(chosen)
-    sections = [equation_section(paper, equation, functions) for paper, equation in chosen]
-    conditions = list(dict.fromkeys(text for p, _ in chosen for text in (p.conditions.text, p.point.text)))
-    numbered: dict[str, str] = {}
-
-    def referred(text: str) -> str:
-        for condition in conditions:
-            if condition in text:
-                note = numbered.setdefault(condition, f"[{len(numbered) + 1}]")
-                text = text.replace(f"at {condition}", note)
-        return text
-
-    shown = tuple(
-        replace(s, blocks=tuple(replace(b, text=referred(b.text)) if isinstance(b, Prose) else b for b in s.blocks))
-        for s in sections
-    )
-    letters = dict.fromkeys(p for p, _ in chosen)
-    notes = tuple(Prose(f"At {text}.", note) for text, note in numbered.items())
+    papers = list(dict.fromkeys(p for p, _ in chosen))
+    back: list[Section] = []
+    for paper in papers:
+        of_paper = f" of {paper.name}" if len(papers) > 1 else ""
+        used = [quantity for p, equation in chosen if p is paper for quantity in letters_in(equation)]
+        back.append(Section(f"Notation{of_paper}", (notation(paper, used),)))
+        back.append(Section(f"Conventions{of_paper}", conventions(paper)))
     return Page(
-        title,
-        shown,
-        back=(Section("Conditions", notes, "conditions"),) if notes else (),
-        anchors=({e.label: anchor(e) for _, e in chosen if e.numbered} if len(letters) == 1 else {})
-        | dict.fromkeys(numbered.values(), "conditions"),
-        letters=tuple(quantity for one in letters for quantity in (*one.quantities(), *one.letters())),
+        name,
+        tuple(equation_section(paper, equation, functions) for paper, equation in chosen),
+        back=tuple(section for section in back if section.blocks),
+        anchors={e.label: anchor(e) for _, e in chosen if e.numbered} if len(papers) == 1 else {},
+        letters=tuple(quantity for one in papers for quantity in (*one.quantities(), *one.letters())),
+        name=name,
     )
+
+
+def conventions(paper: Paper) -> tuple[Prose, ...]:
+    """Those of all papers, but for one of a reader's own, and then its own."""
+    return tuple(map(Prose, paper.conventions if paper.folder else (*CONVENTIONS, *paper.conventions)))
+
+
+def letters_in(equation: Equation) -> list[Quantity]:
+    """Those of its print, of what is derived, and of its steps."""
+    relations = (*equation.printed, *equation.derived, *(one for s in equation.derivation.steps for one in s.formulas))
+    names = {symbol.name for relation in relations for side in relation.sides for symbol in side.free_symbols}
+    return [quantity for quantity in equation.alphabet if quantity.symbol.name in names]
 
 
 def equation_section(paper: Paper, equation: Equation, functions: Functions) -> Section:
@@ -83,7 +85,8 @@ def equation_section(paper: Paper, equation: Equation, functions: Functions) -> 
     blocks += [*forms(paper, equation, entry, letters), *evidence(paper, equation, entry)]
     if entry.note:
         blocks.append(Prose(entry.note, "Note"))
-    blocks += steps(equation.derivation, letters, paper.witness.parts, dropped(paper, equation))
+    decided = deciding(equation) if entry.status == "erratum" else set()
+    blocks += steps(equation.derivation, letters, paper.witness.parts, dropped(paper, equation), decided)
     for model, names in functions.get(f"{equation.paper} ({equation.number})", {}).items():
         blocks.append(Prose(", ".join(names), f"In C of {model}", code=True))
     # a number in Greek letters is set by no typewriter face of LaTeX; then all of the paper is judged
@@ -226,13 +229,15 @@ def steps(
     letters: tuple[Quantity, ...],
     parts: Mapping[str, str] = NOTHING,
     sizes: Mapping[int, str] = NOTHING,
+    decided: Set[int] = frozenset(),
 ) -> tuple[Block, ...]:
-    """parts: the errors of claims, in words; sizes: by step, how large what it drops is."""
+    """parts: the errors of claims, in words; sizes: by step, how large what it drops is; decided: those to mark."""
     blocks: list[Block] = []
     for i, step in enumerate(derivation.steps):
         done, claim = _done(step, letters), _claimed(step, parts)
         claim = "" if claim == done else claim + (f"; at most {sizes[i]} is dropped" if i in sizes else "")
-        blocks.append(Prose(f"{done}: {step.why}." + (f" ({claim})" if claim else ""), f"{i + 1}."))
+        label = f"{i + 1}. Decides" if i in decided else f"{i + 1}."
+        blocks.append(Prose(f"{done}: {step.why}." + (f" ({claim})" if claim else ""), label))
         if step.formulas:
             blocks.append(Formulas(_forms(step.formulas, letters)))
     return tuple(blocks)
@@ -244,7 +249,8 @@ def _done(step: Line, letters: tuple[Quantity, ...]) -> str:
         return step.name.replace("first-order", "first order")
     of, using = step.passage.of, step.passage.using
     about = _about(step.passage, letters) if letters else ""
-    return step.name + f" {_row(of)}" * bool(of) + about + (", with " + " and ".join(map(_row, using)) if using else "")
+    name = step.name.removesuffix(" line") if _row(of).startswith("line") else step.name
+    return name + f" {_row(of)}" * bool(of) + about + (", with " + " and ".join(map(_row, using)) if using else "")
 
 
 ABOUT = {"expand": " in ", "leave out": " ", "solve": " for ", "find the minimum": " along "}
@@ -274,12 +280,12 @@ def _claimed(step: Line, parts: Mapping[str, str]) -> str:
     return order + small + f", {claim.condition}" * bool(claim.condition)
 
 
-def notation(paper: Paper) -> Table:
-    """Letters, meaning, unit: the unit is what stands behind the last comma of the meaning.
+def notation(paper: Paper, letters: Iterable[Quantity] | None = None) -> Table:
+    """Letters, by default all of the paper; the unit is what stands behind the last comma of the meaning.
 
     Letters of one meaning share a row, unless it refers to the row before.
     """
-    letters = (*paper.quantities(), *paper.letters())
+    letters = (*paper.quantities(), *paper.letters()) if letters is None else tuple(letters)
     rows: dict[str, list[Form]] = {}
     for quantity in {quantity.symbol.name: quantity for quantity in letters}.values():
         if quantity.function or quantity.kind == "block":
@@ -330,6 +336,7 @@ STATUSES = (
     Prose("the sides differ by a remainder that falls fourfold when the errors are halved", "first-order"),
     Prose("it gives a letter its meaning, and no other equation of the paper contradicts it", "definition"),
     Prose("read literally with the paper's own definitions it is refuted, or it has no meaning", "erratum"),
+    Prose("of the derivation of an erratum, the first step that has what the print has otherwise", "decides"),
 )
 CONVENTIONS = (
     "C_b2n turns components in b into components in n; papers write it with b below and n above.",

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from itertools import zip_longest
 from textwrap import fill, indent, wrap
 
-from boresight.derive.ledger.text import columns, text_relation
+from boresight.derive.ledger.text import cells, columns, text_relation
 from boresight.derive.pages.blocks import TYPED, Block, Form, Formulas, Page, Pair, Prose, Section, Table
 
 INDENT = 4  # of a formula
@@ -13,8 +13,10 @@ INDENT = 4  # of a formula
 def text_page(page: Page) -> str:
     """One section stands alone; of several the title and the paragraphs under it stand before them."""
     several = len(page.sections) > 1 or not page.sections[0].title
-    head = [f"{page.title}\n{'=' * len(page.title)}", *(fill(text, columns()) for text in page.lead)] if several else []
-    return "\n\n".join([*head, *(_section(section) for section in (*page.sections, *page.back))]) + "\n"
+    title = fill(page.title, columns())
+    rule = "=" * max(map(len, title.split("\n")))
+    head = [f"{title}\n{rule}", *(fill(text, columns()) for text in page.lead)] if several else []
+    return "\n\n".join([*head, *map(_section, (*page.front, *page.sections, *page.back))]) + "\n"
 
 
 def _section(section: Section) -> str:
@@ -38,7 +40,8 @@ def _block(block: Block) -> str:
 def _prose(block: Prose) -> str:
     label = block.label and (block.label if block.label[-1] in ".]" else f"{block.label}:") + " "
     hang = 2 + (label[:1].isdigit() or label[:1] == "[")
-    return fill(label + TYPED.sub(r"\1", block.text), columns(), subsequent_indent=" " * hang, break_long_words=False)
+    text = label + TYPED.sub(r"\1", block.text)
+    return fill(text, columns(), subsequent_indent=" " * hang, break_long_words=False, break_on_hyphens=False)
 
 
 def _form(form: Form) -> str:
@@ -49,7 +52,7 @@ def _table(block: Table) -> str:
     """Columns as wide as their longest cell, but for the one of prose, which wraps where the line would be too long."""
     places = [i for i in range(len(block.head)) if i not in block.drawn]
     rows = [[_cell(row[i]) for i in places] for row in (block.head, *block.rows)]
-    widths = [max(1, *map(len, column)) for column in zip(*rows, strict=True)]
+    widths = [max(1, *map(cells, column)) for column in zip(*rows, strict=True)]
     if block.prose is not None:
         prose = places.index(block.prose)
         others = sum(widths) - widths[prose] + 2 * (len(widths) - 1)
@@ -59,9 +62,12 @@ def _table(block: Table) -> str:
 
 
 def _wrapped(row: Iterable[str], widths: list[int]) -> list[str]:
-    cells = [wrap(cell, width) or [""] for cell, width in zip(row, widths, strict=True)]
-    lines = zip_longest(*cells, fillvalue="")
-    return ["  ".join(f"{part:{w}}" for part, w in zip(line, widths, strict=True)).rstrip() for line in lines]
+    parts = [wrap(cell, width) or [""] for cell, width in zip(row, widths, strict=True)]
+    lines = zip_longest(*parts, fillvalue="")
+    return [
+        "  ".join(part + " " * (w - cells(part)) for part, w in zip(line, widths, strict=True)).rstrip()
+        for line in lines
+    ]
 
 
 def _cell(cell: str | tuple[Form, ...]) -> str:

@@ -1,6 +1,7 @@
 """Derivations for people: the terminal, LaTeX, HTML, made from the equations and the ledger."""
 
 from collections.abc import Iterable
+from dataclasses import replace
 from types import MappingProxyType
 
 from boresight import BoresightError
@@ -21,7 +22,8 @@ def render(paper: Paper, number: str | None = None, format: str = "text", functi
     """
     if number is None:
         return write(paper_page(paper, functions), format)
-    return write(equations_page(paper.name, [(paper, paper.equation(number))], functions), format)
+    page = equations_page(paper.name, [(paper, paper.equation(number))], functions)
+    return write(replace(page, title=paper.reference), format)
 
 
 def render_equations(
