@@ -147,7 +147,7 @@ def key(derive: Path = DERIVE, files: tuple[Path, ...] = ()) -> str:
     digest = hashlib.sha256(repr(sys.version_info[:2]).encode())
     for name in ("sympy", "mpmath", "python-flint", "jinja2"):
         digest.update(f"{name} {version(name)}\n".encode())
-    sources = sorted(path for end in ("py", "j2") for path in derive.rglob(f"*.{end}"))
+    sources = sorted(path for end in ("py", "j2", "toml", "tex") for path in derive.rglob(f"*.{end}"))
     for path in (Path(__file__), *sources, *sorted(generated().glob("*/manifest.json")), *files):
         content = path.read_bytes() if path.is_file() else b""
         digest.update(f"{path.name} {len(content)}\n".encode() + content)

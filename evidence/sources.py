@@ -1,7 +1,9 @@
 """What evidence is made of beside the generated folders, and a hash of what each result depends on."""
 
 import hashlib
+import json
 import re
+import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,6 +12,7 @@ from boresight.codegen.folder import Folder, folders
 from boresight.codegen.reach import Texts
 from boresight.codegen.stamp import GENERATOR, PACKAGE, hashed, reached
 from boresight.derive.papers import DERIVATIONS, PAPERS
+from boresight.derive.papers.displays import displays
 
 HERE = Path(__file__).resolve().parent
 MAPS = re.compile(r"boresight\.derive\.papers\.\w+\.maps\b")
@@ -23,15 +26,26 @@ class Derivations:
     name: str
 
     def reached(self, *judges: str) -> set[Path]:
-        """What its module imports of derive, and the modules of evidence that judge it with what those import; not the
-        maps to the models that make C from it, which no judge reads."""
-        paper = PACKAGE / "derive" / "papers" / self.name.replace("-", "_") / "paper.py"
+        """Its modules with what they and the reader of its files import of derive, and the modules of evidence that
+        judge it with what those import."""
         own = {HERE / f"{name}.py" for name in judges}
-        begin = {path.resolve() for path in (paper, *own)}
+        begin = {path.resolve() for path in (*self.place.glob("[!m]*.py"), self.place.parent / "built_in.py", *own)}
         return {path for path in reached(begin, MAPS) if path.is_relative_to(PACKAGE / "derive")} | own
 
+    @property
+    def place(self) -> Path:
+        return PACKAGE / "derive" / "papers" / self.name.replace("-", "_")
+
+    @property
+    def written(self) -> str:
+        """What its files say: no comment, and not the maps to the models that make C from it, which no judge reads."""
+        tables = [tomllib.loads(path.read_bytes().decode()) for path in sorted(self.place.glob("*.toml"))]
+        prints = [displays(path) for path in self.place.glob("*.tex")]
+        printed = [(one.number, one.latex, one.source) for shown in prints for one in shown]
+        return json.dumps([[{**table, "model": None} for table in tables], printed])
+
     def hash(self, *judges: str) -> str:
-        return hashed(self.reached(*judges))
+        return hashlib.sha256(f"{hashed(self.reached(*judges))}\n{self.written}".encode()).hexdigest()
 
 
 @dataclass(frozen=True)

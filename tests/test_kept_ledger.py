@@ -70,9 +70,9 @@ def test_a_change_of_a_source_or_a_library_ends_what_is_kept(folder, calls, tmp_
     assert calls == [PAPER, PAPER]
     copy = Path(shutil.copytree(kept_ledger.DERIVE, tmp_path / "derive"))
     assert kept_ledger.key(copy) == kept_ledger.key()
-    for changed in ("ledger/judge.py", "papers/kang_2025/witness.py"):
+    for changed in ("ledger/judge.py", "papers/kang_2025/witness.py", "papers/delay_error/derivation.toml"):
         before = kept_ledger.key(copy)
-        (copy / changed).write_text((copy / changed).read_text().replace("return", "return  ", 1))
+        (copy / changed).write_text((copy / changed).read_text() + "\n")
         assert kept_ledger.key(copy) != before
 
 

@@ -89,6 +89,7 @@ def test_sdist_and_wheel_hold_the_package_and_an_installed_one_flies(built, tmp_
     wanted = {
         "codegen/templates/src/UNIT.c.j2", "derive/model.py", "codegen/templates/src/stationary_detector.c.j2",
         "derive/pages/templates/page.html.j2", "runtime/random.c", "runtime/recording/built_in/fog_mems_transfer.toml",
+        "derive/papers/delay_error/derivation.toml",
         "runtime/gpu/run.h", "runtime/gpu/runs.c", "studies/sea_state/many.c",
         "runtime/recording/built_in/template.toml", "studies/euler_table/table.py", "examples/pendulum.py",
         "examples/fly_gnss_ins.py", "evidence/trace.py", "cli.py", "py.typed",

@@ -135,8 +135,7 @@ def _entry(paper: Paper, equation: Equation) -> Entry:
     if ours.status == "refuted":
         raise BoresightError(
             f"{equation.paper} {equation.label}: the derived form itself is refuted, {ours.why}; "
-            f"check {paper.folder or 'derive/papers/' + paper.name.replace('-', '_')}/"
-            f"{'derivation.toml' if paper.folder else 'derived.py'}"
+            f"check {paper.folder or 'derive/papers/' + paper.name.replace('-', '_')}/derivation.toml"
         )
     verdict = judge(paper, equation, equation.read())
     status = "erratum" if verdict.status == "refuted" else verdict.status

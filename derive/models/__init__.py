@@ -21,9 +21,10 @@ MODELS = (
 
 
 def built_in(name: str) -> "Model":
-    """The model of one of MODELS, made anew."""
-    if name not in MODELS:
-        raise ValueError(f"no model {name!r}")
-    stem = name.replace("-", "_")
-    made: Model = getattr(import_module(f"{__name__}.{stem}"), stem)()
+    """The model of one of MODELS, made anew, or, as phi-error.phi_error_ned, that of another function beside it."""
+    model, _, function = name.partition(".")
+    if model not in MODELS:
+        raise ValueError(f"no model {model!r}")
+    stem = model.replace("-", "_")
+    made: Model = getattr(import_module(f"{__name__}.{stem}"), function or stem)()
     return made

@@ -4,12 +4,14 @@ A paper of one's own is a folder: `papers.own` reads it.
 """
 
 from collections.abc import Callable
+from functools import cache
 from importlib import import_module
 from pathlib import Path
+from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from boresight import BoresightError
-from boresight.derive.papers.files import holds_paper
+from boresight.derive.papers.files import FILES, holds_paper
 
 if TYPE_CHECKING:
     from boresight.derive.ledger.paper import Paper
@@ -27,6 +29,10 @@ def paper(name: str, load: Callable[[str], Any] | None = None) -> "Paper":
     load: makes the model of a name, for a folder that is tied to one; without, it is not looked at.
     """
     if name in (*PAPERS, *DERIVATIONS):
+        if (Path(__file__).parent / name.replace("-", "_") / FILES[0]).is_file():
+            from boresight.derive.papers.built_in import built_in
+
+            return built_in(name, python(name))
         found: Paper = import_module(f"{__name__}.{name.replace('-', '_')}.paper").PAPER
         return found
     if not is_folder(name):
@@ -39,6 +45,12 @@ def paper(name: str, load: Callable[[str], Any] | None = None) -> "Paper":
     found = tied(Path(name), load) if load else own(Path(name))
     OWN[found.name] = found
     return found
+
+
+@cache
+def python(name: str) -> Callable[[str], ModuleType]:
+    """The modules of a paper that comes with Boresight, by their names."""
+    return lambda module: import_module(f"{__name__}.{name.replace('-', '_')}.{module}")
 
 
 def is_folder(name: str) -> bool:

@@ -2,13 +2,12 @@
 
 import ast
 import re
-import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, NoReturn
+from typing import Any, ClassVar
 from unicodedata import normalize
 
 from flint import arb
@@ -23,22 +22,16 @@ from boresight.derive.ledger.frames import plain as plain_frames
 from boresight.derive.ledger.judge import differs, names
 from boresight.derive.ledger.numbers import Matrix, digits
 from boresight.derive.ledger.paper import Paper, Stated, Witness
-from boresight.derive.ledger.reader import UnreadError, plain, read
+from boresight.derive.ledger.reader import plain
 from boresight.derive.ledger.witness import draw, scaled
-from boresight.derive.papers.files import FILES, STEPS
-from boresight.derive.papers.own_steps import Steps
+from boresight.derive.papers.displays import ASIDE, Display, aside
 from boresight.derive.papers.scenarios import Scenario, scenario
+from boresight.derive.papers.source import TABLE, TEXT, VALUE, Keys, Source, several
 from boresight.derive.papers.value_frames import frame_of_value
 from boresight.derive.papers.values import TIMES, ValueOfLetterError, Values, check, parsed
 from boresight.derive.units import unit as unit_of
 from boresight.errors import did_you_mean
 
-TOML, PRINT = FILES
-KEYS = {
-    "": {"title", "authors", "conventions", "witness", "sizes", "computed", "letters", "equations", "model"},
-    "letters": {"latex", "value", "meaning", "unit", "frame", "shape"},
-    "equations": {"note", "small", "planted"},
-}
 NAME = r"[A-Za-z]\w*'?"  # of a frame
 POINTS = 4  # of the stated sizes, from which a remainder's size is taken
 
@@ -46,87 +39,6 @@ POINTS = 4  # of the stated sizes, from which a remainder's size is taken
 def own(folder: Path) -> Paper:
     """The paper of a folder, by itself.  Raises BoresightError with file, line and column of what is wrong in it."""
     return Folder(folder).paper()
-
-
-# ---- Files -----------------------------------------------------------------------------------------------------------
-
-
-def text_of(path: Path) -> str:
-    try:
-        return path.read_text(encoding="utf-8")
-    except OSError as error:
-        raise BoresightError(f"{path}: cannot be read ({error.strerror}); it is one of the paper's files") from None
-    except UnicodeDecodeError as error:
-        raise BoresightError(f"{path}: byte {error.start} is not UTF-8; save the file as UTF-8") from None
-
-
-def refuse(path: Path, text: str, at: int, what: str) -> NoReturn:
-    """At a character of the file's text, counted from 0."""
-    line, column = text.count("\n", 0, at) + 1, at - text.rfind("\n", 0, at)
-    raise BoresightError(f"{path}:{line}:{column}: {what}")
-
-
-@dataclass(frozen=True)
-class Display:
-    """One equation of printed.tex: its number, its LaTeX, and where in the file that begins and ends."""
-
-    number: str
-    latex: str
-    begins: int
-    ends: int
-    lines: tuple[int, int]
-
-
-ENVIRONMENT = re.compile(
-    r"\\begin\{(?P<name>equation|align|gather|multline|displaymath|eqnarray)\*?\}(?P<body>.*?)\\end\{(?P=name)\*?\}"
-    r"|\\\[(?P<square>.*?)\\\]|\$\$(?P<dollars>.*?)\$\$",
-    re.DOTALL,
-)
-# What an equation says beside its formula: an order, further terms, a condition in words to the end of the row.
-ASIDE = re.compile(
-    r"\+\s*\\mathcal\s*(?:\{\s*O\s*\}|O)\s*(?:\\left\s*)?\((?:[^()]|\([^()]*\))*\)"
-    r"|\+\s*\\[cl]?dots(?=\s*(?:\\\\|\\end|$))"
-    r"|(?:,|\\q?quad|\\[,;]|\s)*\\(?:text|mbox|textrm)\s*\{\s*(?:for|if|where|when|with|as|at|in)\b[^{}]*\}"
-    r"(?:(?!\\\\|\\end).)*",
-    re.DOTALL,
-)
-LABEL = re.compile(r"\\(?:tag|label)\{(?:eqn?:)?([^{}]*)\}")
-
-
-def aside(latex: str) -> str:
-    """What an equation says beside its formula, for the list of what is not held; "" where there is nothing."""
-    texts = []
-    for found in ASIDE.finditer(latex):
-        text = re.sub(r"\\(?:text|mbox|textrm|mathcal)\s*\{?([^{}]*?)\}", r"\1", found[0]).replace(r"\cdots", "...")
-        texts.append(" ".join(re.sub(r"\\(?:q?quad|left|right|[,;])", " ", text).strip(" ,+\n").split()))
-    return f"what the print says beside the formula, '{', '.join(texts)}'" if texts else ""
-
-
-def displays(path: Path) -> Iterator[Display]:
-    """The displayed equations of a LaTeX file, each with its tag or its label.  Raises BoresightError."""
-    text = text_of(path)
-    bare = re.sub(r"(?<!\\)%.*", lambda comment: " " * len(comment[0]), text)
-    known: dict[str, int] = {}
-    for found in ENVIRONMENT.finditer(bare):
-        body = next(part for part in ("body", "square", "dollars") if found[part] is not None)
-        at, inside = found.start(body), found[body]
-        marks = {mark[0].startswith(r"\tag"): mark[1] for mark in LABEL.finditer(inside)}
-        number = marks.get(True, marks.get(False, "")).strip().strip("()")
-        line = text.count("\n", 0, found.start()) + 1
-        if not number:
-            refuse(path, text, found.start(), r"the equation has no number: add \tag{1}, as the paper numbers it")
-        if number in known:
-            refuse(path, text, found.start(), f"two equations are called {number}; line {known[number]} has the first")
-        known[number] = line
-        inside = re.sub(rf"{LABEL.pattern}|\\nonumber|\\notag", lambda mark: " " * len(mark[0]), inside)
-        inside = re.sub(r"(\\(?:begin|end)\{)(?:split|alignedat)\}", r"\1aligned}", inside)
-        lines = (line, text.count("\n", 0, found.end()) + 1)
-        inside = inside.rstrip().rstrip(".,;").rstrip()
-        if found["name"] in ("align", "eqnarray", "gather"):
-            inside = rf"\begin{{aligned}}{inside}\end{{aligned}}"
-        yield Display(number, inside.strip(), at, found.end(body), lines)
-    if not known:
-        refuse(path, text, 0, r"no equation is displayed; write \begin{equation} ... \tag{1} \end{equation}")
 
 
 # ---- The paper -------------------------------------------------------------------------------------------------------
@@ -157,84 +69,26 @@ class Bound(Mapping):
         return len({**self.given.letters, **self.defined})
 
 
-class Folder:
+class Folder(Source):
     """What a folder says, read once."""
 
+    KEYS: ClassVar[Keys] = {
+        "": {**Source.KEYS[""], "sizes": TABLE},
+        "letters": {**Source.KEYS["letters"], "value": VALUE, "frame": TEXT},
+        "equations": {**Source.KEYS["equations"], "planted": TEXT},
+    }
+
     def __init__(self, folder: Path):
-        self.folder = folder
-        self.toml, self.print = folder / TOML, folder / PRINT
-        self.text = text_of(self.toml)
-        try:
-            self.data: dict[str, Any] = tomllib.loads(self.text)
-        except tomllib.TOMLDecodeError as error:
-            place = re.search(r" \(at line (\d+), column (\d+)\)", str(error))
-            where = f":{place[1]}:{place[2]}" if place else ""
-            raise BoresightError(f"{self.toml}{where}: {str(error).partition(' (at ')[0]}") from None
+        super().__init__(folder)
         self.units: dict[str, str] = {}  # by letter
         self.frames: dict[str, str] = {}
         self.shown: dict[str, set[str]] = {}  # frames as the paper writes them -> those of the values
-        self.check_keys()
-
-    def refuse(self, what: str, *keys: str, column: int | None = None) -> NoReturn:
-        """Where the innermost of these keys stands in paper.toml, or at a column of its value."""
-        begin = 0
-        for key in keys:
-            quoted = rf"(?:\"{re.escape(key)}\"|'{re.escape(key)}'|{re.escape(key)})"
-            found = re.compile(rf"^\s*\[[^\]\n]*?{quoted}\]|(?:^|[{{,])\s*{quoted}\s*=\s*(['\"]?)", re.MULTILINE)
-            if place := found.search(self.text, begin):
-                start = place.end() - len(place[0].lstrip(" \n\t{,"))
-                begin = start if column is None and key == keys[-1] else place.end()
-        refuse(self.toml, self.text, begin + (column or 0), what)
-
-    def check_keys(self) -> None:
-        for key in self.data:
-            self.known("", key, key)
-        for table in ("letters", "equations"):
-            entries = self.data.get(table, {})
-            if not isinstance(entries, dict):
-                self.refuse(f"{table} is no table", table)
-            for name, entry in entries.items():
-                if not isinstance(entry, dict):
-                    self.refuse(f"{name} is no table; write {{ latex = '...', value = \"...\" }}", table, name)
-                for key in entry:
-                    self.known(table, key, table, name, key)
-        for key in ("title", "witness"):
-            if not isinstance(self.data.get(key), str):
-                raise BoresightError(f'{self.toml}: {key} is missing; write {key} = "..." at the top')
-        self.typed(self.data.get("authors", ""), str, "a text", "authors")
-        for sentence in self.typed(self.data.get("conventions", []), list, "a list of sentences", "conventions"):
-            self.typed(sentence, str, "a list of sentences", "conventions")
-        self.typed(self.data.get("sizes", {}), dict, "a table", "sizes")
-        self.typed(self.data.get("computed", {}), dict, "a table", "computed")
-        self.typed(self.data.get("model", {}), dict, "a table", "model")
         computed = self.data.get("computed", {})
         for name, frame in computed.items():
             self.typed(frame, str, "the frame that it stands for", "computed", name)
             if not re.fullmatch(NAME, frame) or frame in computed:
                 self.refuse(f"{name} stands for {frame!r}, which is no frame" + " of its own" * (frame in computed),
                             "computed", name)  # fmt: skip
-        for name, entry in self.data.get("letters", {}).items():
-            if not name.strip():
-                self.refuse("a letter has no name", "letters")
-            for key in entry.keys() - {"shape", "value"}:
-                self.typed(entry[key], str, "a text", "letters", name, key)
-            self.typed(entry.get("value", ""), (str, int, float), "a text", "letters", name, "value")
-        for number, entry in self.data.get("equations", {}).items():
-            for key in entry.keys() - {"small"}:
-                self.typed(entry[key], str, "a text", "equations", number, key)
-            self.typed(entry.get("small", []), list, 'a list, as ["step"]', "equations", number, "small")
-        if not self.data.get("letters"):
-            raise BoresightError(f"{self.toml}: no letter is declared; write a table [letters]")
-
-    def typed(self, value: Any, kind: Any, what: str, *path: str) -> Any:
-        if not isinstance(value, kind):
-            self.refuse(f"{path[-1]} must be {what}", *path)
-        return value
-
-    def known(self, table: str, key: str, *path: str) -> None:
-        if key not in KEYS[table]:
-            self.refuse(f"no key {key!r} here{did_you_mean(key, KEYS[table])}; there are "
-                        f"{', '.join(sorted(KEYS[table]))}", *path)  # fmt: skip
 
     @cached_property
     def scenario(self) -> Scenario:
@@ -265,20 +119,28 @@ class Folder:
         found: dict[str, ast.expr] = {}
         for name, entry in self.data["letters"].items():
             if "value" in entry:
-                try:
-                    found[normalize("NFC", name)] = parsed(str(entry["value"]))
-                except ValueOfLetterError as error:
-                    self.refuse(str(error), "letters", name, "value", column=error.column)
+                found[normalize("NFC", name)] = self.expression(str(entry["value"]), "letters", name, "value")
         for name in self.data["letters"]:
             if normalize("NFC", name) in found:
-                try:
-                    check(normalize("NFC", name), found, self.scenario)
-                except ValueOfLetterError as error:
-                    self.refuse(str(error), "letters", name, "value", column=error.column)
+                self.check(normalize("NFC", name), found, "letters", name, "value")
         if self.scenario.moves:
             still = [n for n, tree in found.items() if not timed(tree, found)]
             found |= {dotted(n): parsed_rate(n) for n in still if dotted(n) not in found}
         return found
+
+    def expression(self, text: str, *place: str) -> ast.expr:
+        """A value, as it is written there."""
+        try:
+            return parsed(text)
+        except ValueOfLetterError as error:
+            self.refuse(str(error), *place, column=error.column)
+
+    def check(self, name: str, letters: Mapping[str, ast.expr], *place: str) -> None:
+        """That a letter has a value by the scenario."""
+        try:
+            check(name, letters, self.scenario)
+        except ValueOfLetterError as error:
+            self.refuse(str(error), *place, column=error.column)
 
     def quantity(self, name: str, entry: Mapping[str, Any], at: Values) -> Quantity:
         """Raises BoresightError."""
@@ -413,38 +275,14 @@ class Folder:
     @cached_property
     def prints(self) -> dict[str, tuple[Display, tuple[Relation, ...]]]:
         found, letters = {}, self.quantities
-        for display in displays(self.print):
-            try:
-                found[display.number] = display, read((ASIDE.sub("", display.latex),), letters)
-                if any(len(relation.sides) < 2 for relation in found[display.number][1]):
-                    refuse(self.print, text_of(self.print), display.begins, f"({display.number}) sets nothing equal")
-            except UnreadError as error:
-                self.unread(display, error)
+        for one in self.displays:
+            found[one.number] = one, self.read(one, [ASIDE.sub("", latex) for latex in one.latex], letters)
         for name in {name for _, relations in found.values() for name in names(relations)}:
             if block := BLOCK.fullmatch(name):
                 rows, columns = int(block["rows"]), int(block["columns"])
                 self.bound[name] = parsed(f"eye({rows})" if block["what"] == "I" else f"zeros({rows}, {columns})")
-        for number in self.data.get("equations", {}):
-            if number not in found:
-                near = did_you_mean(number, found)
-                self.refuse(f"{PRINT} has no equation {number!r}{near}; it has {', '.join(found)}", "equations", number)
+        self.check_numbers(found)
         return found
-
-    def unread(self, display: Display, error: UnreadError) -> NoReturn:
-        """At the place of the file up to which the reader has read: its text has no spaces."""
-        text = text_of(self.print)
-        body, read_so_far = text[display.begins : display.ends], error.text[: error.at].replace("&", "")
-        places = (
-            i
-            for start in (0, *(row.end() for row in re.finditer(r"\\\\", body)))
-            for i in range(start, len(body))
-            if not body[i].isspace() and plain(body[start:i]).replace("&", "") == read_so_far
-        )
-        what = f"cannot read {error.text[error.at : error.at + 20]!r} in ({display.number})"
-        if error.at >= len(error.text):
-            refuse(self.print, text, display.ends, f"({display.number}) ends before a formula is whole")
-        why = error.why or f"no letter of {TOML} is written so, and it is no sign that is read"
-        refuse(self.print, text, display.begins + next(places, 0), f"{what}: {why}")
 
     @cached_property
     def defined(self) -> dict[str, str]:
@@ -464,26 +302,23 @@ class Folder:
 
     def equations(self, name: str) -> tuple[Equation, ...]:
         found = []
-        steps = Steps(self.folder / STEPS, self.scenario.errors)
-        if unknown := [number for number in steps.data if number not in self.prints]:
-            steps.refuse(unknown[0], 0, f"{PRINT} has no such equation; it has {', '.join(self.prints)}")
         for number, (display, relations) in self.prints.items():
             more = self.data.get("equations", {}).get(number, {})
-            lines = steps.of(number, self.quantities)
+            lines = self.steps.of(number, self.quantities, self.scenario.errors)
             results = tuple(line.relation for line in lines if line.result and line.relation is not None)
             used = names([relation for line in lines for relation in line.formulas])
             for part in more.get("small", ()):
                 if part not in self.scenario.errors:
                     near = did_you_mean(part, self.scenario.errors)
                     self.refuse(f"{self.scenario.name} has no error {part!r}{near}", "equations", number, "small")
-            spelled = plain(display.latex)
+            spelled = " ".join(map(plain, display.latex))
             here = [one for one in self.used if plain(one.latex) in spelled]
             planted = f"Planted: {more['planted']}." if "planted" in more else ""
             found.append(
                 Equation(
                     paper=name,
                     number=number,
-                    latex=(display.latex,),
+                    latex=display.latex,
                     lines=display.lines,
                     printed=relations,
                     derived=results or relations,
@@ -551,13 +386,15 @@ class Folder:
         def odd_units() -> tuple[str, ...]:
             return tuple(f"The units of ({number}) do not fit: {why}." for number, _, why in misfits(made)[1])
 
-        left_out = {number: text for number, (display, _) in self.prints.items() if (text := aside(display.latex))}
+        left_out = {
+            number: text for number, (display, _) in self.prints.items() if (text := aside(r" \\ ".join(display.latex)))
+        }
         errors = self.felt
         sizes = (f"{owned.parts[one]} {size_text(getattr(self.sizes, one), owned.units[one])}" for one in errors)
         text = ", ".join(sizes) or owned.words
         made = Paper(
             name=name,
-            reference=self.data["title"] + f", {self.data.get('authors')}" * ("authors" in self.data),
+            reference=self.reference,
             make_equations=lambda: self.equations(name),
             quantities=lambda: self.used,
             witness=Witness(owned.base, values, owned.sizes, errors, owned.words, owned.parts, left_out),
@@ -630,11 +467,6 @@ def dotted_latex(latex: str) -> tuple[str, ...]:
     if error := re.fullmatch(r"(\\[Dd]elta)(?![A-Za-z])\s*(.+)", stem):
         found += [rf"\dot{{{error[1]}}} {error[2]}{rest}", rf"{error[1]} \dot{{{error[2]}}}{rest}"]
     return tuple(dict.fromkeys(found))
-
-
-def several(unit: str) -> bool:
-    """Whether a unit is a list of them, or those of a matrix by its rows and columns."""
-    return "," in unit or " by " in unit or " times " in unit
 
 
 def per_second(unit: str) -> str:

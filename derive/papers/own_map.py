@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 from boresight.derive.ledger.equation import Equation, Quantity, letter
 from boresight.derive.ledger.map import Map, Match, Row
 from boresight.derive.ledger.paper import Paper
+from boresight.derive.papers.maps import AS, made
 from boresight.derive.papers.own import Folder
-from boresight.derive.papers.values import ValueOfLetterError, check, parsed
 from boresight.errors import BoresightError, did_you_mean
 
 if TYPE_CHECKING:
@@ -21,8 +21,6 @@ if TYPE_CHECKING:
 Load = Callable[[str], "Model"]
 KEYS = {"name", "states", "noises", "measurements", "inputs", "matches"}
 OURS = re.compile(r"(?P<sign>-?)\s*(?P<name>\w+)")
-MATCH = re.compile(r"(?P<what>F|G)|(?P<of>[Hz]) of (?P<names>\w+(?:\s*,\s*\w+)*)|(?P<output>\w+\.\w+)")
-AS = '"F", "G", "H of MEASUREMENT", "z of MEASUREMENT" or "FUNCTION.OUTPUT"'
 
 
 def tied(folder: Path, load: Load) -> Paper:
@@ -58,7 +56,7 @@ class OwnMap:
         try:
             self.model = load(str(folder.folder / name) if ":" in name else name)
         except BoresightError as error:
-            raise BoresightError(f"{folder.toml}: model: {error}") from None
+            raise BoresightError(f"{folder.toml.path}: model: {error}") from None
 
     @cached_property
     def values(self) -> dict[str, ast.expr]:
@@ -75,11 +73,9 @@ class OwnMap:
             turn = re.fullmatch(r"q_(\w+?)_wxyz", name)
             same = f"quaternion(C_{turn[1]})" if turn and f"C_{turn[1]}" in known else name if name in known else ""
             if text := given.get(name, same):
-                letters = {**self.folder.bound, input_letter(name): parsed_at(self.folder, name, text)}
-                try:
-                    check(input_letter(name), letters, self.folder.scenario)
-                except ValueOfLetterError as error:
-                    self.folder.refuse(str(error), "model", "inputs", name)
+                value = self.folder.expression(text, "model", "inputs", name)
+                letters = {**self.folder.bound, input_letter(name): value}
+                self.folder.check(input_letter(name), letters, "model", "inputs", name)
                 shape = self.folder.shape_of(input_letter(name), name, self.folder.drawn(letters))
                 if prod(shape) == size:
                     found[input_letter(name)] = letters[input_letter(name)]
@@ -118,7 +114,7 @@ class OwnMap:
         return Row(found["name"], found["name"], f"{found['sign']}1")
 
     def match(self, number: str, text: str, equations: tuple[Equation, ...]) -> Match:
-        folder, found = self.folder, MATCH.fullmatch(text.strip())
+        folder, found = self.folder, made(text)
         numbers = [equation.number for equation in equations]
         if number not in numbers:
             near = did_you_mean(number, numbers)
@@ -132,20 +128,12 @@ class OwnMap:
         if len(alone) != 1:
             folder.refuse(f"({number}) has {len(alone)} letters alone on its left; give an equation with one, which is "
                           "what the model makes", "model", "matches", number)  # fmt: skip
-        of = tuple(re.split(r"\s*,\s*", found["names"])) if found["of"] else ()
+        what, of = found
         measured = [one.name for one in self.model.measurements]
         if unknown := [one for one in of if one not in measured]:
             folder.refuse(f"{self.model.name} has no measurement {unknown[0]!r}{did_you_mean(unknown[0], measured)}; "
                           f"it has {', '.join(measured)}", "model", "matches", number)  # fmt: skip
-        return Match(number, alone[0], found["what"] or found["of"] or found["output"], of)
-
-
-def parsed_at(folder: Folder, name: str, text: str) -> ast.expr:
-    """Raises BoresightError."""
-    try:
-        return parsed(text)
-    except ValueOfLetterError as error:
-        folder.refuse(str(error), "model", "inputs", name, column=error.column)
+        return Match(number, alone[0], what, of)
 
 
 def latex_of(name: str) -> str:

@@ -10,10 +10,15 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
+from sympy import Function, ImmutableMatrix, Integer, Symbol
+
 from boresight.derive.ledger import ellipsoid
 from boresight.derive.ledger.equation import Relation
+from boresight.derive.ledger.free import of, rotation
 from boresight.derive.ledger.numbers import Matrix, cos, digits, exact, eye, pi, sin, sqrt, zeros
-from boresight.derive.ledger.witness import angles, attitude, degrees, finite_rotation, rotation_vector, vector
+from boresight.derive.ledger.paper import Stated, Witness
+from boresight.derive.ledger.witness import angles, attitude, degrees, finite_rotation, rotation_vector, uniform, vector
+from boresight.derive.papers.kang_2025.results import attitude_matrix
 
 WORKING = 120  # digits: least squares of angles of 1e-7 rad lose 28
 SAMPLES = 8  # of a period: the mean of what has no fifth harmonic is exact
@@ -233,3 +238,59 @@ def _moments(hull: Hull, plain: Hull) -> dict[str, Any]:
             **dict.fromkeys((*MOVING, "q_s", "q_c"), zero),
         },
     }
+
+
+# ---- What the letters are by their nature, and the function that flies -----------------------------------------------
+
+
+def _level(*two) -> Matrix:
+    return vector(*two, 0)
+
+
+def _random(generator) -> dict:
+    """Second moments of any size: three columns each."""
+    share = 1 / sqrt(exact(2))
+
+    def columns(count: int, sized) -> list[tuple]:
+        return [tuple(sized() for _ in range(count)) for _ in range(3)]
+
+    return {
+        ("e", "ė"): columns(2, lambda: vector(*uniform(generator, 1))),
+        MOVING: columns(len(MOVING), lambda: uniform(generator, 1)[0]),
+        ("q_s", "q_c"): [(share, exact(0)), (exact(0), share)],
+    }
+
+
+STRUCTURE = {
+    **dict.fromkeys(("C_e",), rotation),
+    "C_ψ": of("ψ", lambda psi: finite_rotation([0, 0, psi])),
+    "I": lambda generator: eye(3),
+    "0": lambda generator: zeros(9, 1),
+    "e_0": of("r_0|p_0", _level),
+    "ė_0": of("ṙ_0|ṗ_0", _level),
+    "v": of("v_n|v_e", _level),
+    "a": of("a_n|a_e", _level),
+    "μ̂_0": of("μ̂_x|μ̂_y|μ̂_z", vector),
+    "φ̂_0": of("μ̂_x|μ̂_y|φ̂_d", vector),
+    "random": _random,
+    "mean": lambda generator: {
+        **dict.fromkeys(("e", "ė"), zeros(3, 1)),
+        **dict.fromkeys((*MOVING, "q_s", "q_c"), exact(0)),
+    },
+}
+
+
+def flown() -> dict[str, object]:
+    """H of the master's attitude, in these letters."""
+    return {"H": attitude_matrix(entries("C", 3, 3), entries("ω", 3)).as_immutable()}
+
+
+def entries(name: str, rows: int, columns: int = 1) -> ImmutableMatrix:
+    """The matrix of a letter's entries, for a function that takes them one by one."""
+    entry, symbol = Function("entry"), Symbol(name, commutative=False)
+    return ImmutableMatrix(rows, columns, lambda i, j: entry(symbol, Integer(i + 1), Integer(j + 1)))
+
+
+WITNESS = Witness(Base, values, Conditions(), ERRORS, "finite rotations", PARTS)
+SIZES = Stated(CONDITIONS, CONDITIONS_TEXT, 4)
+POINT = Stated(CONDITIONS, CONDITIONS_TEXT)

@@ -1,0 +1,219 @@
+"""A paper that comes with Boresight: its files, with a witness in Python and what that alone can compute.
+
+witness.py gives WITNESS, SIZES, POINT, STRUCTURE and, where steps name \\flown{...}, `flown`; consequences.py, if there
+is one, `evidence` and `findings`.
+"""
+
+import re
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import fields, replace
+from functools import cache, cached_property
+from pathlib import Path
+from types import ModuleType
+from typing import Any, ClassVar
+from unicodedata import normalize
+
+from sympy import Function
+
+from boresight.derive.ledger.equation import Derivation, Equation, Meaning, Quantity, Reading, letter
+from boresight.derive.ledger.paper import Paper
+from boresight.derive.ledger.reader import read
+from boresight.derive.papers.displays import Display
+from boresight.derive.papers.maps import maps
+from boresight.derive.papers.source import ANY, NAMES, TABLE, TEXT, Keys, Source, several
+from boresight.derive.papers.toml import Toml
+from boresight.errors import BoresightError, did_you_mean
+
+SPELLINGS = (list, "a list of LaTeX")
+
+
+@cache
+def built_in(name: str, python: Callable[[str], ModuleType]) -> Paper:
+    """The paper of a folder beside this file; python: its modules by their names."""
+    return BuiltIn(name, python).paper()
+
+
+class BuiltIn(Source):
+    KEYS: ClassVar[Keys] = {
+        "": {**Source.KEYS[""], "meant": NAMES, "units": TABLE, "frames": TABLE, "meanings": TABLE,
+             "model": (list, "a table [[model]]")},
+        "letters": {**Source.KEYS["letters"], "kind": TEXT, "function": ANY, "spellings": SPELLINGS},
+        "equations": {
+            **Source.KEYS["equations"], "unit": TEXT, "defines": NAMES, "introduces": NAMES, "leads_to": NAMES,
+            "meant": NAMES, "readings": ANY, "meanings": NAMES, "conventions": NAMES, "as_vector": ANY,
+            "left_out": TEXT, "unflown": TEXT,
+        },
+    }  # fmt: skip
+
+    def __init__(self, name: str, python: Callable[[str], ModuleType]):
+        self.name, self.python = name, python
+        super().__init__(Path(__file__).parent / name.replace("-", "_"))
+        self.computed = python(self.data["witness"].removesuffix(".py"))
+
+    @cached_property
+    def consequences(self) -> ModuleType | None:
+        there = (self.folder / "consequences.py").is_file()
+        return self.python("consequences") if there else None
+
+    # ---- letters
+
+    def letter(self, toml: Toml, name: str, row: Mapping[str, Any]) -> Quantity:
+        symbol = normalize("NFC", name)
+        if "latex" not in row:
+            toml.refuse(f"{name} has no latex: write latex = '...', as it is printed", "letters", name)
+        unit = row.get("unit", "")
+        meaning = ", ".join(filter(None, (row.get("meaning", ""), "" if several(unit) else unit)))
+        shape = row.get("shape", ())
+        shape = (shape,) if isinstance(shape, int) else tuple(shape)
+        return letter(symbol, row["latex"], row.get("kind", ""), meaning, shape, row.get("function", False))
+
+    @cached_property
+    def quantities(self) -> tuple[Quantity, ...]:
+        return tuple(self.letter(self.toml, name, row) for name, row in self.letter_rows.items())
+
+    @cached_property
+    def units(self) -> dict[str, str]:
+        """Of kinds of letters, and of letters, with several units."""
+        rows = {**self.letter_rows, **self.steps.letters}
+        own = {normalize("NFC", name): row["unit"] for name, row in rows.items() if several(row.get("unit", ""))}
+        return {**self.data.get("units", {}), **own}
+
+    @cached_property
+    def by_name(self) -> dict[str, Quantity]:
+        return {quantity.symbol.name: quantity for quantity in self.quantities}
+
+    @cached_property
+    def step_letters(self) -> tuple[Quantity, ...]:
+        """Those of the derivations alone, and those which they spell otherwise: rows of LaTeX alone."""
+        return tuple(self.step_letter(name, row) for name, row in self.steps.letters.items())
+
+    def step_letter(self, name: str, row: Mapping[str, Any]) -> Quantity:
+        for key in row:
+            self.steps.toml.known(self.KEYS["letters"], key, "letters", name, key)
+        known = self.by_name.get(normalize("NFC", name))
+        if known and row.keys() == {"latex"}:
+            return replace(known, latex=row["latex"])
+        return self.letter(self.steps.toml, name, row)
+
+    def letters_of(self, number: str) -> tuple[Quantity, ...]:
+        """The letters as an equation means them: later ones take precedence where the page spells two alike."""
+        spelled = (
+            replace(self.by_name[normalize("NFC", name)], latex=latex)
+            for name, row in self.letter_rows.items()
+            for latex in row.get("spellings", ())
+        )
+        own = self.equation_rows.get(number, {}).get("meant", ())
+        meant = (*self.named(self.data.get("meant", ()), "meant"), *self.named(own, "equations", number, "meant"))
+        return (*(one for one in self.quantities if not one.function), *spelled, *meant)
+
+    def named(self, names: Iterable[str], *place: str) -> tuple[Quantity, ...]:
+        found = []
+        for name in names:
+            if normalize("NFC", name) not in self.by_name:
+                self.refuse(f"no letter {name!r}{did_you_mean(name, self.by_name)}", *place)
+            found.append(self.by_name[normalize("NFC", name)])
+        return tuple(found)
+
+    # ---- equations
+
+    def equations(self) -> tuple[Equation, ...]:
+        """In the order of the print; where nothing is printed, of the derivations."""
+        flown: Callable[[], Mapping[str, object]] = getattr(self.computed, "flown", dict)
+        shown = {display.number: display for display in self.displays} if self.print.is_file() else {}
+        numbers = shown or dict.fromkeys(self.steps.numbers, Display("", (), 0, 0, (0, 0)))
+        self.check_numbers(numbers)
+        made, parts = flown(), [part.name for part in fields(self.computed.WITNESS.base)]
+        return tuple(self.equation(number, display, parts, made) for number, display in numbers.items())
+
+    def equation(self, number: str, display: Display, parts: list[str], flown: Mapping[str, object]) -> Equation:
+        """The derived form is what the steps marked `result` say, and where none is, the print after its readings; what
+        has no print is derived here, and its print is what is derived."""
+        row, place = self.equation_rows.get(number, {}), ("equations", number)
+        form = self.read(display, display.latex, self.letters_of(number))
+        if row.get("as_vector"):
+            vee = Function("vee", commutative=False)
+            form = tuple(replace(r, sides=(r.sides[0], vee(r.sides[1]), *r.sides[2:])) for r in form)
+        steps = self.steps.of(number, (*self.quantities, *self.step_letters), parts, flown)
+        results = tuple(step.relation for step in steps if step.result and step.relation is not None)
+        defines, introduces = (
+            tuple(one.symbol for one in self.named(row.get(key, ()), *place, key)) for key in ("defines", "introduces")
+        )
+        equation = Equation(
+            paper=self.name,
+            number=number,
+            latex=display.latex,
+            lines=display.source,
+            printed=form or results,
+            derived=form,
+            derivation=Derivation(steps),
+            readings=tuple(self.reading(number, one) for one in row.get("readings", ())),
+            defines=defines,
+            introduces=introduces,
+            meanings=tuple(self.meaning(name, *place, "meanings") for name in row.get("meanings", ())),
+            conventions=tuple(row.get("conventions", ())),
+            leads_to=tuple(row.get("leads_to", ())),
+            note=row.get("note", ""),
+            unit=units(row.get("unit", "1")),
+            small=tuple(row.get("small", ())),
+            quantities=self.quantities,
+            step_letters=self.step_letters,
+        )
+        return replace(equation, derived=results or equation.read())
+
+    def reading(self, number: str, row: Mapping[str, str]) -> Reading:
+        def side(key: str) -> Any:
+            try:
+                (relation,) = read((row[key],), (*self.quantities, *self.step_letters))
+            except (BoresightError, KeyError) as error:
+                self.refuse(f"a reading of ({number}) has no {key}: {error}", "equations", number, "readings")
+            return relation.sides[0]
+
+        return Reading(side("printed"), side("meant"), row.get("why", ""))
+
+    def meaning(self, name: str, *place: str) -> Meaning:
+        table = self.data.get("meanings", {})
+        if name not in table:
+            self.refuse(f"no meaning {name!r}{did_you_mean(name, table)}", *place)
+        senses = tuple((sense, tuple(letters.items())) for sense, letters in table[name]["senses"].items())
+        return Meaning(senses, table[name].get("stated_in", ""))
+
+    # ---- all of it
+
+    def paper(self) -> Paper:
+        spelled = "meant" in self.data or any("spellings" in row for row in self.letter_rows.values())
+        beside = self.consequences
+
+        def of_equations(key: str) -> dict[str, str]:
+            return {number: row[key] for number, row in self.equation_rows.items() if key in row}
+
+        return Paper(
+            name=self.name,
+            reference=self.reference,
+            make_equations=self.equations,
+            quantities=lambda: self.quantities,
+            witness=replace(self.computed.WITNESS, left_out=of_equations("left_out")),
+            conditions=self.computed.SIZES,
+            point=self.computed.POINT,
+            evidence=beside.evidence if beside else lambda number: "",
+            findings=beside.findings if beside else tuple,
+            letters=lambda: self.step_letters,
+            letters_of=self.letters_of if spelled else None,
+            structure=self.computed.STRUCTURE,
+            units=self.units,
+            computed=self.data.get("computed", {}),
+            frames=self.data.get("frames", {}),
+            conventions=tuple(self.data.get("conventions", ())),
+            maps=maps(self.toml, self.steps.macros) if "model" in self.data else (),
+            unflown=of_equations("unflown"),
+        )
+
+
+def units(text: str) -> str | tuple[str, ...]:
+    """Of all rows, or of each in turn: 3 m/s, 2 rad."""
+    if "," not in text:
+        return text
+    found: list[str] = []
+    for part in text.split(", "):
+        count = re.match(r"(\d+) ", part)
+        found += [part[count.end() :]] * int(count[1]) if count else [part]
+    return tuple(found)
