@@ -95,6 +95,11 @@ class BuiltIn(Source):
             return replace(known, latex=row["latex"])
         return self.letter(self.steps.toml, name, row)
 
+    @property
+    def alike(self) -> bool:
+        """Whether the page spells letters alike, or one in several ways."""
+        return "meant" in self.data or any("spellings" in row for row in self.letter_rows.values())
+
     def letters_of(self, number: str) -> tuple[Quantity, ...]:
         """The letters as an equation means them: later ones take precedence where the page spells two alike."""
         spelled = (
@@ -129,7 +134,8 @@ class BuiltIn(Source):
         """The derived form is what the steps marked `result` say, and where none is, the print after its readings; what
         has no print is derived here, and its print is what is derived."""
         row, place = self.equation_rows.get(number, {}), ("equations", number)
-        form = self.read(display, display.latex, self.letters_of(number))
+        letters = self.letters_of(number) if self.alike else self.quantities
+        form = self.read(display, display.latex, letters)
         if row.get("as_vector"):
             vee = Function("vee", commutative=False)
             form = tuple(replace(r, sides=(r.sides[0], vee(r.sides[1]), *r.sides[2:])) for r in form)
@@ -180,7 +186,6 @@ class BuiltIn(Source):
     # ---- all of it
 
     def paper(self) -> Paper:
-        spelled = "meant" in self.data or any("spellings" in row for row in self.letter_rows.values())
         beside = self.consequences
 
         def of_equations(key: str) -> dict[str, str]:
@@ -197,7 +202,7 @@ class BuiltIn(Source):
             evidence=beside.evidence if beside else lambda number: "",
             findings=beside.findings if beside else tuple,
             letters=lambda: self.step_letters,
-            letters_of=self.letters_of if spelled else None,
+            letters_of=self.letters_of if self.alike else None,
             structure=self.computed.STRUCTURE,
             units=self.units,
             computed=self.data.get("computed", {}),

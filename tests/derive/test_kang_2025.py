@@ -16,7 +16,7 @@ from boresight.derive.ledger.judge import judge, witness_point
 from boresight.derive.ledger.numbers import Matrix, digits, exact, largest, middle, norm
 from boresight.derive.ledger.witness import draw, scaled, skew, vector
 from boresight.derive.papers import paper
-from boresight.derive.papers.kang_2025 import consequences, printed, results
+from boresight.derive.papers.kang_2025 import consequences, results
 from boresight.derive.papers.kang_2025.witness import ERRORS, Base, Conditions, motion
 from boresight.derive.papers.kang_2025.witness import values as values_at
 
@@ -144,7 +144,7 @@ def test_only_minus_and_only_the_body_rate_satisfy_5(sign, frame):
     term = five.derived[0].sides[1].args[1]
     late = negative(term) if sign > 0 else term
     if frame == "n":
-        letters = {q.symbol.name: q.symbol for q in printed.quantities()}
+        letters = {q.symbol.name: q.symbol for q in PAPER.quantities()}
         late = Relation((late, late)).replaced({letters["ω_nb_b"]: letters["ω_nb_n"]}).sides[0]
     status = judge(PAPER, five, (Relation((five.printed[0].sides[0], total(seen, late))),)).status
     assert status == ("first-order" if (sign, frame) == (-1, "b") else "refuted")
@@ -260,19 +260,19 @@ def test_findings_and_evidence_say_what_was_computed(entries):
 def test_text_and_tables_stand_at_their_lines():
     lines = source(PAPER.name)
     for line, text in (
-        printed.RATE_OF_N,
-        printed.WHEN,
-        printed.BETWEEN,
-        printed.RESIDUALS,
-        printed.HEIGHT,
-        printed.GRADES_RUN,
-        printed.GRADES_READ,
-        printed.AT_REST,
-        printed.ROLLING,
+        consequences.RATE_OF_N,
+        consequences.WHEN,
+        consequences.BETWEEN,
+        consequences.RESIDUALS,
+        consequences.HEIGHT,
+        consequences.GRADES_RUN,
+        consequences.GRADES_READ,
+        consequences.AT_REST,
+        consequences.ROLLING,
     ):
         assert text in lines[line - 1], text
     for (first, last), table in (
-        (printed.TABLE_1_LINES, printed.TABLE_1),
-        (printed.TABLE_2_LINES, printed.TABLE_2),
+        (consequences.TABLE_1_LINES, consequences.TABLE_1),
+        (consequences.TABLE_2_LINES, consequences.TABLE_2),
     ):
         assert [tuple(line.split("\t")) for line in lines[first - 1 : last]] == list(table)

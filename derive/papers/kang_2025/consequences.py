@@ -8,7 +8,6 @@ from boresight.derive.ledger.ellipsoid import WORKING
 from boresight.derive.ledger.evaluate import DIGITS
 from boresight.derive.ledger.numbers import Matrix, cos, digits, exact, eye, norm, sin
 from boresight.derive.ledger.witness import attitude, draw, skew, vector
-from boresight.derive.papers.kang_2025.printed import AT_REST, ROLLING, TABLE_1, TABLE_2
 from boresight.derive.papers.kang_2025.witness import (
     CONDITIONS,
     DEGREE,
@@ -23,6 +22,35 @@ from boresight.derive.papers.kang_2025.witness import (
     after,
     motion,
     values,
+)
+
+# The text beside the equations: line, and what it says.
+RATE_OF_N = (78, "지구 자전 각속도와 transport rate의 합")  # w_in: the Earth's rate and the transport rate together
+WHEN = (88, r"그 이전인 $k - \delta t_d$ 시점에 측정된 값")  # the master's data is that of k - dt_d
+BETWEEN = (88, "이전 측정치 정합인 $k-1$ 사이")  # k and k-1 are updates of the filter
+RESIDUALS = (104, r"z_v, z_{DCM} 은 각각 필터의 측정치로 사용되는 속도 오차, 자세 오차이다")
+HEIGHT = (115, "a, f 는 각각 파도의 파고와 주기를 의미하며, 주기는 0.1 Hz로")  # a: wave height; f: "period", 0.1 Hz
+GRADES_RUN = (115, "해상상태 1등급부터 6등급까지")  # simulated: 1 to 6
+GRADES_READ = (162, "등급 0~2에서는")  # read off Fig. 3: 0 to 2
+AT_REST, ROLLING = (173, "1.90°"), (173, "0.15°")  # heading error left on the bench, of 2 deg
+
+TABLE_1_LINES = (120, 125)
+TABLE_1 = (
+    ("1", "0.01", "0.1", "Calm(rippled)"),
+    ("2", "0.1", "0.1", "Smooth(wavelets)"),
+    ("3", "0.5", "0.1", "Slight"),
+    ("4", "1.25", "0.1", "Moderate"),
+    ("5", "2.5", "0.1", "Rough"),
+    ("6", "4", "0.1", "Very rough"),
+)
+TABLE_2_LINES = (130, 135)
+TABLE_2 = (
+    ("Monte #", "times", "20"),
+    ("Misalignment error", "deg", "2"),
+    ("Navigation update rate", "Hz", "100"),
+    ("Filter update rate", "Hz", "1"),
+    ("Time delay", "ms", "5-10 (random)"),
+    ("Simulation time", "min", "1"),
 )
 
 

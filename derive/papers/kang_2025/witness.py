@@ -14,7 +14,9 @@ from typing import Any
 from boresight.derive.ledger import ellipsoid, navigation
 from boresight.derive.ledger.ellipsoid import WORKING
 from boresight.derive.ledger.equation import Relation
+from boresight.derive.ledger.free import of, rotation, skew_symmetric
 from boresight.derive.ledger.numbers import Matrix, asin, digits, exact, eye, norm, pi, zeros
+from boresight.derive.ledger.paper import Stated, Witness
 from boresight.derive.ledger.witness import (
     Letters,
     attitude,
@@ -83,13 +85,6 @@ PARTS = {
     "lever": "the lever arm",
     "v_n": "the ship's velocity",
 }
-LEFT_OUT = {
-    **dict.fromkeys(
-        ("3", "4", "5"), "errors of the master, which reports exactly what it was, and bending of the hull"
-    ),
-    "6": "all waves but one",
-}
-
 DEGREE = math.pi / 180
 MIL = 360 / 6400 * DEGREE
 ROLL, WAVE_RATE, DELAY = 5 * DEGREE, 0.1, 0.01  # of a stated hull; Hz of Table 1; s, the longest of Table 2
@@ -375,3 +370,21 @@ def _world(base: Base) -> dict:
             "π": pi(),
             "asin": asin,
         }  # fmt: skip
+
+
+# What letters are by their nature.
+STRUCTURE = {
+    **dict.fromkeys(("C_S2n", "C_M2S", "C_M2n", "C_S2e", "C_e2n"), rotation),
+    "C_n2M": of("C_M2n", lambda C: C.T),
+    "[ω_in_n x]": of("ω_in_n", skew),
+    "[ω_ib_b x]": of("ω_ib_b", skew),
+    "A": skew_symmetric,
+    "v_s": of("v_s(k)", lambda v: v),  # the indices s and S are one label, and k is now
+    "v_S": of("v_s(k)", lambda v: v),
+    "I": lambda generator: eye(3),
+    "π": lambda generator: pi(),
+}
+
+WITNESS = Witness(Base, values, Conditions(), ERRORS, "finite motions", PARTS)
+SIZES = Stated(CONDITIONS, CONDITIONS_TEXT, POINTS)
+POINT = Stated(STATED, STATED_TEXT)
