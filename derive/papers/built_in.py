@@ -1,7 +1,7 @@
 """A paper that comes with Boresight: its files, with a witness in Python and what that alone can compute.
 
-witness.py gives WITNESS, SIZES, POINT, STRUCTURE and, where steps name \\flown{...}, `flown`; consequences.py, if there
-is one, `evidence` and `findings`.
+witness.py gives WITNESS, SIZES, POINT and STRUCTURE; flown.py, where steps name \\flown{...}, what that stands for;
+consequences.py, where there is one, `evidence` and `findings`.
 """
 
 import re
@@ -50,10 +50,8 @@ class BuiltIn(Source):
         super().__init__(Path(__file__).parent / name.replace("-", "_"))
         self.computed = python(self.data["witness"].removesuffix(".py"))
 
-    @cached_property
-    def consequences(self) -> ModuleType | None:
-        there = (self.folder / "consequences.py").is_file()
-        return self.python("consequences") if there else None
+    def beside(self, name: str) -> ModuleType | None:
+        return self.python(name) if (self.folder / f"{name}.py").is_file() else None
 
     # ---- letters
 
@@ -121,14 +119,17 @@ class BuiltIn(Source):
 
     # ---- equations
 
+    @cached_property
     def equations(self) -> tuple[Equation, ...]:
         """In the order of the print; where nothing is printed, of the derivations."""
-        flown: Callable[[], Mapping[str, object]] = getattr(self.computed, "flown", dict)
         shown = {display.number: display for display in self.displays} if self.print.is_file() else {}
         numbers = shown or dict.fromkeys(self.steps.numbers, Display("", (), 0, 0, (0, 0)))
         self.check_numbers(numbers)
-        made, parts = flown(), [part.name for part in fields(self.computed.WITNESS.base)]
-        return tuple(self.equation(number, display, parts, made) for number, display in numbers.items())
+        letters = {one.symbol.name: one.symbol for one in (*self.quantities, *self.step_letters) if not one.function}
+        module = self.beside("flown")
+        flown = module.flown(letters) if module else {}
+        parts = [part.name for part in fields(self.computed.WITNESS.base)]
+        return tuple(self.equation(number, display, parts, flown) for number, display in numbers.items())
 
     def equation(self, number: str, display: Display, parts: list[str], flown: Mapping[str, object]) -> Equation:
         """The derived form is what the steps marked `result` say, and where none is, the print after its readings; what
@@ -186,7 +187,7 @@ class BuiltIn(Source):
     # ---- all of it
 
     def paper(self) -> Paper:
-        beside = self.consequences
+        beside = self.beside("consequences")
 
         def of_equations(key: str) -> dict[str, str]:
             return {number: row[key] for number, row in self.equation_rows.items() if key in row}
@@ -194,7 +195,7 @@ class BuiltIn(Source):
         return Paper(
             name=self.name,
             reference=self.reference,
-            make_equations=self.equations,
+            make_equations=lambda: self.equations,
             quantities=lambda: self.quantities,
             witness=replace(self.computed.WITNESS, left_out=of_equations("left_out")),
             conditions=self.computed.SIZES,

@@ -1,7 +1,6 @@
 """The functions of Song and Lee which the model is made of, and what the paper drops."""
 
 import math
-from dataclasses import replace
 
 import pytest
 from sources import needs_source, source
@@ -14,8 +13,9 @@ from boresight.derive.ledger.evaluate import DIGITS, Point, residual
 from boresight.derive.ledger.numbers import largest
 from boresight.derive.ledger.witness import draw, scaled, vector
 from boresight.derive.mechanics.rotation import dcm_from_euler, skew, vee
-from boresight.derive.papers import paper
-from boresight.derive.papers.song_lee_2001 import consequences, derived, printed, results
+from boresight.derive.papers import paper, python
+from boresight.derive.papers.built_in import built_in
+from boresight.derive.papers.song_lee_2001 import consequences, results
 from boresight.derive.papers.song_lee_2001.witness import ERRORS, Base, Conditions, values
 
 PAPER = paper("song-lee-2001")
@@ -87,10 +87,10 @@ def test_error_model_turns_back_with_the_navigation_axes():
 
 
 def test_a_wrong_function_is_refused_as_a_derivation(monkeypatch):
-    right = derived.euler_D_eps
-    monkeypatch.setattr(derived, "euler_D_eps", lambda theta, psi: right(theta, -psi))
+    right = results.euler_D_eps
+    monkeypatch.setattr(results, "euler_D_eps", lambda theta, psi: right(theta, -psi))
     with pytest.raises(BoresightError, match=r"\(9\), line 5, .*of the difference in row 1"):
-        ledger(replace(PAPER, make_equations=derived.equations.__wrapped__))
+        ledger(built_in.__wrapped__(PAPER.name, python(PAPER.name)))
 
 
 def test_an_erratum_shows_print_and_derivation_as_latex_and_as_numbers():
@@ -150,14 +150,14 @@ def test_slave_angles_in_place_of_master_angles_turn_the_second_order_error_roun
 
 
 def test_table_1_obeys_its_rule_and_the_conclusion_counts_it_right():
-    assert [cell for row in printed.TABLE_1 for cell in row.split()] == consequences.composed()
+    assert [cell for row in consequences.TABLE_1 for cell in row.split()] == consequences.composed()
     assert "13, 12, 21, 3 cells" in findings(PAPER)[0] and "as the conclusion says" in findings(PAPER)[0]
 
 
 @needs_source
 def test_table_1_stands_at_its_lines():
     lines = source(PAPER.name)
-    first, last = printed.TABLE_1_LINES
-    for row, line in zip(printed.TABLE_1, lines[first - 1 : last], strict=True):
+    first, last = consequences.TABLE_1_LINES
+    for row, line in zip(consequences.TABLE_1, lines[first - 1 : last], strict=True):
         cells = [cell.replace(" ", "") for cell in line.strip().strip("|").split("|")[2:]]
         assert row.replace("o", "○").split() == cells

@@ -10,15 +10,12 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from sympy import Function, ImmutableMatrix, Integer, Symbol
-
 from boresight.derive.ledger import ellipsoid
 from boresight.derive.ledger.equation import Relation
 from boresight.derive.ledger.free import of, rotation
 from boresight.derive.ledger.numbers import Matrix, cos, digits, exact, eye, pi, sin, sqrt, zeros
 from boresight.derive.ledger.paper import Stated, Witness
 from boresight.derive.ledger.witness import angles, attitude, degrees, finite_rotation, rotation_vector, uniform, vector
-from boresight.derive.papers.kang_2025.results import attitude_matrix
 
 WORKING = 120  # digits: least squares of angles of 1e-7 rad lose 28
 SAMPLES = 8  # of a period: the mean of what has no fifth harmonic is exact
@@ -240,7 +237,7 @@ def _moments(hull: Hull, plain: Hull) -> dict[str, Any]:
     }
 
 
-# ---- What the letters are by their nature, and the function that flies -----------------------------------------------
+# ---- What letters are by their nature --------------------------------------------------------------------------------
 
 
 def _level(*two) -> Matrix:
@@ -278,17 +275,6 @@ STRUCTURE = {
         **dict.fromkeys((*MOVING, "q_s", "q_c"), exact(0)),
     },
 }
-
-
-def flown() -> dict[str, object]:
-    """H of the master's attitude, in these letters."""
-    return {"H": attitude_matrix(entries("C", 3, 3), entries("ω", 3)).as_immutable()}
-
-
-def entries(name: str, rows: int, columns: int = 1) -> ImmutableMatrix:
-    """The matrix of a letter's entries, for a function that takes them one by one."""
-    entry, symbol = Function("entry"), Symbol(name, commutative=False)
-    return ImmutableMatrix(rows, columns, lambda i, j: entry(symbol, Integer(i + 1), Integer(j + 1)))
 
 
 WITNESS = Witness(Base, values, Conditions(), ERRORS, "finite rotations", PARTS)

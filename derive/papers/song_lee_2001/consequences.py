@@ -9,8 +9,23 @@ import sympy as sp
 from boresight.derive.ledger.numbers import exact, norm, shown
 from boresight.derive.ledger.witness import angles, finite_rotation, quaternion, vector
 from boresight.derive.papers.song_lee_2001 import results as paper
-from boresight.derive.papers.song_lee_2001.printed import AXES, TABLE_1, TABLE_1_COUNTS
 from boresight.derive.papers.song_lee_2001.witness import DEGREE
+
+# Table 1, lines 210 to 216: a row for each set of matched angles, a column for each motion, both in the order of AXES;
+# o: estimable, X: not, for the errors about n, e, d.
+AXES = ("roll", "pitch", "yaw", "roll pitch", "roll yaw", "pitch yaw", "roll pitch yaw")
+TABLE_1 = (
+    "XXX XXo XoX XXo XoX Xoo Xoo",
+    "XXo XXX oXX XXo oXo oXX oXo",
+    "XoX oXX XXX ooX XoX oXX ooX",
+    "XXo XXo ooX XXo ooo ooo ooo",
+    "XoX oXo XoX ooo XoX ooo ooo",
+    "Xoo oXX oXX ooo ooo oXX ooo",
+    "Xoo oXo ooX ooo ooo ooo ooo",
+)
+TABLE_1_LINES = (210, 216)
+# Line 224 and 262: cells with three, two, one, none estimable; cells with d estimable.
+TABLE_1_COUNTS = ((13, 12, 21, 3), 28)
 
 _IN_THE_LOOP = "in the loop: boresight study euler-table --switch as-printed-26-28"
 

@@ -4,11 +4,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from math import pi
+from typing import Any
 from unicodedata import normalize
 
 from boresight.derive.ledger.equation import Relation
 from boresight.derive.ledger.evaluate import solve
+from boresight.derive.ledger.free import of, rotation
 from boresight.derive.ledger.numbers import Matrix, exact, eye, norm
+from boresight.derive.ledger.paper import Stated, Witness
 from boresight.derive.ledger.witness import (
     angles,
     attitude,
@@ -18,8 +21,8 @@ from boresight.derive.ledger.witness import (
     rate,
     rotation_vector,
     skew,
+    vector,
 )
-from boresight.derive.papers.song_lee_2001.letters import axes_after_yaw, axes_before_roll, axis, change, turns
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,11 +62,6 @@ PARTS = {
     "mu_error": "the error of its estimate",
     "gyro_error": "the gyro error",
 }
-LEFT_OUT = {
-    "20": "the error of ω_in_n, which errors of velocity and position make",
-    "21": "bending: the mounting is rigid",
-}
-
 DEGREE = pi / 180
 # The paper's simulation: motion and misalignment of 3 degrees on each axis, the slave's attitude taken from the master,
 # master noise of 1 arcmin, gyros of 1 deg/h; Earth rate.
@@ -174,13 +172,17 @@ def _attitudes(base: Base, definitions: tuple[tuple[Relation, ...], ...]) -> dic
         "μ": mu,
         "μ\u0302": mu_hat,
         "δμ": Matrix(base.mu_error),
-        "A_1": axes_before_roll,
-        "A_3": axes_after_yaw,
+        "A_1": _axes_before_roll,
+        "A_3": _axes_after_yaw,
     }
     put("ω_n ω_e ω_d", base.omega_in_n)
     _, pitch, yaw = euler
     for i, letter in enumerate("φθψ"):
-        values |= {f"∂C/∂{letter}": change(i)(*euler), f"u_{letter}": axis(i)(pitch, yaw), f"R_{i + 1}": turns(i + 1)}
+        values |= {
+            f"∂C/∂{letter}": _change(i)(*euler),
+            f"u_{letter}": _axis(i)(pitch, yaw),
+            f"R_{i + 1}": _turns(i + 1),
+        }
     put("ε_n ε_e ε_d", eps)
     put("β_x β_y β_z", beta)
     put("μ_x μ_y μ_z", mu)
@@ -238,3 +240,77 @@ def _attitudes(base: Base, definitions: tuple[tuple[Relation, ...], ...]) -> dic
 def _first_order_change(phi, theta, psi, *errors) -> Matrix:
     """d C_b2n(angles + t errors) / dt at t = 0."""
     return rate(lambda t: attitude([a + t * e for a, e in zip((phi, theta, psi), errors, strict=True)]))
+
+
+# ---- What letters are by their nature --------------------------------------------------------------------------------
+
+
+def _turns(first: int):
+    """The rotation by an angle about an axis, counted from 1."""
+    return lambda angle: finite_rotation([angle if axis == first else 0 for axis in (1, 2, 3)])
+
+
+def _change(which: int):
+    """The derivative of C_b2n by one of its angles: roll 0, pitch 1, yaw 2."""
+    return lambda *euler: rate(lambda t: attitude([a + (i == which) * t for i, a in enumerate(euler)]))
+
+
+def _axes_after_yaw(pitch):
+    axes = eye(3)
+    axes[:, 0] = _turns(2)(pitch)[:, 0]
+    return axes
+
+
+def _axes_before_roll(pitch):
+    axes = eye(3)
+    axes[:, 2] = _turns(2)(pitch).T[:, 2]
+    return axes
+
+
+def _axis(which: int):
+    """The axis about which an angle turns, in n: where the turns before it have taken the axis of the body."""
+
+    def of_angles(pitch, yaw):
+        before = (_turns(3)(yaw) * _turns(2)(pitch), _turns(3)(yaw), eye(3))[which]
+        return before[:, which]
+
+    return of_angles
+
+
+def _transpose(C):
+    return C.T
+
+
+def _component(i: int):
+    return lambda v: v[i]
+
+
+def _structure() -> dict[str, Any]:
+    rotations = ("C_b2n", "Ĉ_b2n", "C_n2n'", "C_b2n'", "C_b'2n", "C_b'2b", "C_r2n")
+    rules: dict[str, Any] = dict.fromkeys(rotations, rotation)
+    rules |= {"I": lambda generator: eye(3), "C_b2b": lambda generator: eye(3)}
+    for name, inverse in (("C_n2b", "C_b2n"), ("C_n'2n", "C_n2n'"), ("C_n2r", "C_r2n"), ("C_b2b'", "C_b'2b")):
+        rules[name] = of(inverse, _transpose)
+    for name, parts in (("ε", "ε_n|ε_e|ε_d"), ("β", "β_x|β_y|β_z"), ("ω_in_n", "ω_n|ω_e|ω_d")):
+        rules[name] = of(parts, vector)
+    for name in ("μ", "μ\u0302", "δμ"):
+        rules[name] = of("|".join(f"{name}_{axis}" for axis in "xyz"), vector)
+    for name, of_vector in (("E", "ε"), ("B", "β"), ("Ω_in_n", "ω_in_n"), ("E\u0307", "ε\u0307")):
+        rules[name] = of(of_vector, skew)
+    for i, (angle, word) in enumerate((("φ", "roll"), ("θ", "pitch"), ("ψ", "yaw"))):
+        rules[f"∂C/∂{angle}"] = of("φ|θ|ψ", _change(i))
+        rules[f"u_{angle}"] = of("θ|ψ", _axis(i))
+        rules[f"Z_{word}"] = of("Z", _component(i))
+    rules["ε_o"] = of("ε", norm)
+    rules |= {"ΔQ": of("C_n'2n", quaternion), "ΔQ(k)": of("E", lambda E: quaternion(E.exp()))}
+    rules |= {"Q̂(k+)": of("C_b2n", quaternion), "Q̂(k-)": of("Ĉ_b2n", quaternion)}
+    rules |= {f"Δq_{i}": of("ΔQ", _component(i)) for i in range(4)}
+    rules |= {f"q\u0302_{i}": of("Q̂(k-)", _component(i)) for i in range(4)}
+    rules |= {f"X_{i + 1}": of("X", _component(i)) for i in range(6)}
+    return {normalize("NFC", name): rule for name, rule in rules.items()}
+
+
+STRUCTURE = _structure()
+WITNESS = Witness(Base, values, Conditions(), ERRORS, parts=PARTS)
+SIZES = Stated(CONDITIONS, CONDITIONS_TEXT, 16)
+POINT = Stated(STATED, STATED_TEXT)
