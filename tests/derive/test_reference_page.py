@@ -7,7 +7,7 @@ import pytest
 from conftest import ROOT
 
 from boresight.derive.pages import reference
-from boresight.derive.papers.mechanics.maps import MAPS
+from boresight.derive.papers import paper
 
 PAGE = ROOT / "docs" / "reference" / "mechanics.md"
 FUNCTIONS = [
@@ -27,7 +27,7 @@ def test_every_function_is_there_with_its_shapes_or_units_and_its_rows(module, n
     said = page.split(f"\n### `{name}(", 1)[1].split("\n### ", 1)[0]
     assert re.search(r"\d+x\d+|\(\d|\(m|\brad\b|\[w, x, y, z\]", said), said
     doc = inspect.getdoc(value)
-    judged = {match.equation for one in MAPS for match in one.matches}
+    judged = {match.equation for one in paper("mechanics").maps for match in one.matches}
     for row in re.findall(r"[a-z]+-\d+", " ".join(reference.ROW.findall(doc))):
         assert row in judged and f"`{row}`" in said
 

@@ -13,8 +13,10 @@ from random import Random
 from boresight.derive.ledger import ellipsoid, navigation
 from boresight.derive.ledger.ellipsoid import ENU, NED, SPIN, WORKING, Level
 from boresight.derive.ledger.equation import Relation
+from boresight.derive.ledger.free import of, rotation
 from boresight.derive.ledger.navigation import Navigator, Truth, stack
 from boresight.derive.ledger.numbers import Matrix, cos, digits, eye, zeros
+from boresight.derive.ledger.paper import Stated, Witness
 from boresight.derive.ledger.witness import angles, attitude, finite_rotation, quaternion, rotation_vector, skew, vector
 
 DEGREE = math.pi / 180
@@ -301,3 +303,19 @@ def _transition(base: Base) -> dict:
     grown = (block * dt).exp()
     Phi = grown[9:18, 9:18].T
     return {"Φ": (F * dt).exp(), "Q": Phi * grown[0:9, 9:18], "S": S, "Δt": dt, "F": F}
+
+
+# What letters are by their nature.
+STRUCTURE = {
+    **dict.fromkeys(("C", "Ĉ", "C_n2c", "C_n2e", "C_m2n", "C_b2m", "E"), rotation),
+    "I": lambda generator: eye(3),
+    "0_3": lambda generator: zeros(3),
+    "I_9": lambda generator: eye(9),
+    **{f"e_{k}": lambda generator, k=k: eye(9)[:, k - 1] for k in range(1, 10)},
+    "ω_in": of("ω_ie|ω_en", lambda a, b: a + b),
+    "δω_in": of("δω_ie|δω_en", lambda a, b: a + b),
+}
+
+WITNESS = Witness(Base, values, Conditions(), ERRORS, "exact rates and finite rotations")
+SIZES = Stated(CONDITIONS, CONDITIONS_TEXT, 4)
+POINT = Stated(CONDITIONS, CONDITIONS_TEXT)
