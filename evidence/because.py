@@ -47,6 +47,38 @@ def all_angles(line: str, text: str) -> bool:
     return bool(found) and all(int(angles) in (0, 2 ** int(rows) - 1) for rows, angles in found)
 
 
+def every_angle(line: str, text: str) -> bool:
+    """Whether each row of each measurement is an angle."""
+    found = re.findall(r"measurement layout = \{ \w+, \w+, (\d+), \w+, (\d+)U \};", text)
+    return bool(found) and all(int(angles) == 2 ** int(rows) - 1 for rows, angles in found)
+
+
+def states_alone(line: str, text: str) -> bool:
+    """Whether no error of a sensor is varied, but of states alone."""
+    varied, states = numbers(text, "varied"), re.search(r"#define \w+_N_STATES (\d+)", text)
+    return bool(varied and states) and max(varied) < int(states[1] if states else 0)
+
+
+def one_piece(line: str, text: str) -> bool:
+    """Whether the errors that are varied of any kind of message go into one piece of its measurement, and more would
+    where the line asks for that."""
+    first, most = numbers(text, "varied_from"), re.search(r"#define AT_ONCE (\d+)", text)
+    longest = max((b - a for a, b in itertools.pairwise(first)), default=0)
+    return bool(first and most) and longest + ("k < AT_ONCE" in line) <= int(most[1] if most else 0)
+
+
+def by_navigation(line: str, text: str) -> bool:
+    """Whether each H is of nothing but the navigation, or constant."""
+    body = re.search(r"\nstatic bs_status H_of\([^{;]*\{(.*?)\n\}", text, re.DOTALL)
+    return bool(body) and not re.search(r"\bin->|\blive->", body[1] if body else "")
+
+
+def all_before_end(line: str, text: str) -> bool:
+    """Whether no state stands behind END."""
+    end, states = re.search(r"#define END (\d+)", text), re.search(r"#define \w+_N_STATES (\d+)", text)
+    return bool(end and states and end[1] == states[1])
+
+
 def varied_once(line: str, text: str) -> bool:
     """Whether no error of a sensor that is varied at two instants is itself a part of what is expected."""
     sizes = [re.search(rf"#define \w+_N_{name} (\d+)", text) for name in ("STATES", "SENSED")]
@@ -168,6 +200,44 @@ BECAUSE = (
         r"own >= 0|change\[own\] \+=",
         "no sensor that is varied at two instants shows in what is expected",
         holds=varied_once,
+    ),
+    Reason(
+        r"inform",
+        r"what < N|\(what - N\)|mean\[j\] \+= density",
+        "no H of this model is made of rates: states alone are varied",
+        holds=states_alone,
+    ),
+    Reason(
+        r"measure",
+        r"\? INFORM : WIDEN|k < AT_ONCE",
+        "all errors that are varied go into one piece",
+        holds=one_piece,
+    ),
+    Reason(
+        r"prepare",
+        r"H_of\(.*\? INFORM : WIDEN",
+        "H reads the navigation alone, which the filter has taken",
+        holds=by_navigation,
+    ),
+    Reason(
+        r"spread_P|\w+_ud_predict",
+        r"int j = END; j < N|times_Phi\(Phi, &(P|UD)\[column\(j\)\]",
+        "no state stands behind END",
+        holds=all_before_end,
+    ),
+    Reason(
+        r"end_trial",
+        r"end = BS_NOT_POSITIVE|bs_is_finite\(found->nis\)",
+        "each row is an angle, which is off by half a turn at most, and its S is about R or more",
+        certain=False,
+        holds=every_angle,
+    ),
+    Reason(
+        r"bs_wrap",
+        r"turned >= half_turn",
+        "as rounding may end, of one float in thousands; of no double that was tried",
+        r"turned < -half_turn",
+        certain=False,
     ),
 )
 

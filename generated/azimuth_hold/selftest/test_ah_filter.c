@@ -1575,15 +1575,23 @@ static int kept(void)
         /* [AH-F-123] [AH-F-022] */
         failures += unsound("correct: memory", correct, value, bad);
         rows = ((k % 3) == 2) ? 0U : BS_ALL_ROWS;
+        flown.considering = ((k % 3) == 1) ? 1U : 0U; /* and beside a state that is considered */
+        flown.considered[N - 1] = ((k % 3) == 1) ? 1U : 0U;
         /* [AH-F-022] */
         failures += unsound("measure_zupt: memory", measure_zupt, value, bad);
         rows = ((k % 3) == 2) ? 0U : BS_ALL_ROWS;
+        flown.considering = ((k % 3) == 1) ? 1U : 0U; /* and beside a state that is considered */
+        flown.considered[N - 1] = ((k % 3) == 1) ? 1U : 0U;
         /* [AH-F-022] */
         failures += unsound("measure_azimuth: memory", measure_azimuth, value, bad);
         rows = ((k % 3) == 2) ? 0U : BS_ALL_ROWS;
+        flown.considering = ((k % 3) == 1) ? 1U : 0U; /* and beside a state that is considered */
+        flown.considered[N - 1] = ((k % 3) == 1) ? 1U : 0U;
         /* [AH-F-022] */
         failures += unsound("measure_zaru: memory", measure_zaru, value, bad);
         rows = BS_ALL_ROWS;
+        flown.considering = 0U;
+        flown.considered[N - 1] = 0U;
     }
     /* nav from outside: P stays, x is zero; clamped to the edge, or refused */
     failures += begin();

@@ -130,14 +130,15 @@ int test_em_math(void)
     }
     /* [EM-M-001.atan2] */
     failures += selftest_compare("atan2", 0, out, 22, out_atan2[0], tol_atan2[0], at, 22, 0);
-    for (int i = 0; i < 3; ++i) { /* an infinite y, an infinite x, and both */
-        static const double eighths[1][3] = { { 1.5707963267948966, 0.0, 0.78539816339744831 } };
-        static const float within[1][3] = { { 3e-7F, 0.0F, 3e-7F } };
-        out[i] = BS_ATAN2((bs_real)((i == 1) ? 1.0 : selftest_infinity()),
-                          (bs_real)((i == 0) ? 1.0 : selftest_infinity()));
+    for (int i = 0; i < 4; ++i) { /* an infinite y, an infinite x, and both; the largest numbers */
+        static const double eighths[1][4] = { { 1.5707963267948966, 0.0, 0.78539816339744831,
+                                                0.78539816339744831 } };
+        static const float within[1][4] = { { 3e-7F, 0.0F, 3e-7F, 3e-7F } };
+        const bs_real most = (i == 3) ? BS_LARGEST : (bs_real)selftest_infinity();
+        out[i] = BS_ATAN2((i == 1) ? BS_REAL(1.0) : most, (i == 0) ? BS_REAL(1.0) : most);
         /* [EM-M-001.atan2] */
-        failures += (i < 2) ? 0
-            : selftest_compare("atan2 of infinity", 0, out, 3, eighths[0], within[0], at, 3, 0);
+        failures += (i < 3) ? 0
+            : selftest_compare("atan2 of infinity", 0, out, 4, eighths[0], within[0], at, 4, 0);
     }
     out[0] = BS_ATAN2((bs_real)selftest_nan(), BS_REAL(1.0));
     /* [EM-M-001.atan2] */

@@ -291,6 +291,7 @@ static int bad_settings(void)
     static const bs_real high[4] = { BS_REAL(100.0), BS_REAL(1000.0), BS_REAL(1000.0),
                                      BS_REAL(1e+30) };
     const det_settings good = { 2, BS_REAL(9.81), BS_REAL(0.01), BS_REAL(0.001), {0} };
+    det_decision decision;
     int failures = 0;
     for (int i = 0; i < (3 + DET_N_DETECTORS); ++i) { /* at the ends, where a threshold of zero
                                                        * never says rest */
@@ -327,7 +328,8 @@ static int bad_settings(void)
     failures += expect("null pointers", (det_init(0, &good) == BS_NULL_POINTER) &&
                        (det_init(&detector, 0) == BS_NULL_POINTER) &&
                        (det_restart(0) == BS_NULL_POINTER) &&
-                           (det_decide(&detector, 0) == BS_NULL_POINTER));
+                           (det_decide(&detector, 0) == BS_NULL_POINTER) &&
+                           (det_decide(0, &decision) == BS_NULL_POINTER));
     failures += expect("the state changed", same_state());
     return failures;
 }
@@ -364,6 +366,10 @@ static int a_restart_forgets(void)
                            det_push(&detector, one, one, &decision) == BS_NOT_READY);
         /* [DET-F-008] */
         failures += expect("second sample", det_push(&detector, one, one, &decision) == BS_OK);
+        memcpy(&before, &detector, sizeof(before));
+        /* [DET-F-005] [DET-F-006] */
+        failures += expect("a sample is added", (det_add(&detector, one, one) == BS_OK) &&
+                           (!same_state()) && (det_add(&detector, one, 0) == BS_NULL_POINTER));
         failures += expect("restart", det_restart(&detector) == BS_OK);
     }
     return failures;

@@ -170,6 +170,24 @@ static void read_events(void)
     }
 }
 
+/* A loop with one message, of an instant between two samples, until its measurement has come to a
+ * stage; whether it has. */
+static int comes_to(int kind, int stage)
+{
+    bs_status status = BS_OK;
+    begun();
+    for (int k = 1; k <= 10; ++k) {
+        (void)give(&first, k);
+    }
+    send(&first, kind, (8 * 10000) - (10000 / 3));
+    (void)give(&first, 11);
+    for (int i = 0; (i < 100) && (status == BS_OK) &&
+         ((first.behind < 7U) || (first.measuring.stage < (uint16_t)stage)); ++i) {
+        status = va_live_background(&first);
+    }
+    return (first.behind >= 7U) && (first.measuring.stage == (uint16_t)stage);
+}
+
 /* What comes wrongly, one thing after another: each is counted, and the loop goes on, until too
  * much is missing. */
 /* [VA-L-041] */
@@ -420,18 +438,21 @@ static int stepping(void)
             stamp = (way == 0) ? -FARTHEST
                 : ((way == 1) ? FARTHEST : ((way == 2) ? (stamp - 1000000) : (stamp - 20000000)));
             stamp += ((way == 3) && ((k % 2) == 0)) ? 1000000 : 0;
+            stamp += ((way == 6) && ((k % 2) != 0)) ? FARTHEST : 0;
             if (way == 5) {
                 first.odd = 65535U;
                 first.odd_since = sample.at;
             }
-            if (way == 6) {
+            if (way == 6) { /* nor any beyond all time */
+                failures += expect("a shift beyond all time", (k == 1) ||
+                                   (first.state != BS_LIVE_FLYING) ||
+                                   (first.shift == (((k % 2) == 0) ? -FARTHEST : FARTHEST)));
                 first.shift = ((k % 2) == 0) ? FARTHEST : -FARTHEST;
                 first.usual = ((k % 2) == 0) ? -FARTHEST : FARTHEST;
                 first.odd_age = sample.at - stamp - first.shift;
                 first.odd = 3U;
                 first.odd_since = sample.at - 100000000;
             }
-            stamp += ((way == 6) && ((k % 2) != 0)) ? FARTHEST : 0;
             send(&first, 0, stamp);
             all_of(&first);
         }
@@ -631,6 +652,24 @@ static int in_order(void)
     (void)va_live_counted(&first, &counts);
     /* [VA-L-024] */
     failures += expect("events that were lost", counts.events_lost == (20U - VA_LIVE_EVENTS));
+    for (int way = 0; way < 6; ++way) { /* of two that are due the first: by the sample, then the
+                                         * instant, then their coming */
+        const int by = way / 2;
+        const int before = way % 2;
+        begun();
+        for (int i = 0; i < 2; ++i) {
+            va_waiting *const one = &first.waiting[i];
+            const int later = (i == before) ? 0 : 1;
+            one->state = 3U;
+            one->due = (by == 0) ? (uint32_t)later : 0U;
+            one->at = (by == 2) ? -2 : ((by == 1) ? (later - 2) : (-later - 1));
+            one->order = (by == 2) ? (uint32_t)later : (uint32_t)(1 - later);
+        }
+        (void)va_live_background(&first);
+        /* [VA-L-014] [BS-L-005] */
+        failures += expect("the first that is due", (first.waiting[before].state == 0U) &&
+                           (first.waiting[1 - before].state == 3U));
+    }
     return failures;
 }
 
@@ -1005,6 +1044,143 @@ static int seldom(void)
     return failures;
 }
 
+/* What errors of H alone may have told is taken back; rows beyond their gate; and pieces of a
+ * measurement without a number to go on. */
+/* [VA-L-014] */
+static int pieces(int kind)
+{
+    int failures = 0;
+    int came;
+    for (int way = 0; way < 7; ++way) { /* all of it; of considered states; from a P that is none;
+                                         * but of one state, the delay; a part of that; all of that
+                                         * by this message alone; of a delay that is known */
+        int back = 1;
+        prepare();
+        rules.gates.gate = BS_REAL(0.0);
+        for (int i = 0; i < 3; ++i) {
+            message.variance[i] = BS_REAL(1e-4);
+        }
+        came = comes_to(kind, 4);
+        (void)va_live_sigmas(&first, sigma, NULL);
+        memcpy(&second, &first, sizeof(second));
+        for (int i = 0; i < N; ++i) {
+            first.measuring.before[i] *= BS_REAL(2.0);
+            first.measuring.seeming[i] = (((way == 3) && (i == 15)) || (way == 4)) ? BS_REAL(0.0)
+                : BS_REAL(1e36);
+            first.filter.considered[i] = (way == 1) ? 1U : 0U;
+            if ((way == 6) && (i >= 15)) {
+                first.filter.P[(i * (i + 3)) / 2] = BS_REAL(0.0);
+            }
+        }
+        if (way == 2) {
+            memset(first.filter.Q, 0xFF, sizeof(first.filter.Q));
+        }
+        first.gained[kind] = (way < 4) ? BS_REAL(0.0) : BS_LARGEST;
+        first.doubted[kind] = (way == 5) ? BS_REAL(1.0) : BS_REAL(0.0);
+        if (way == 4) { /* at most a quarter */
+            first.measuring.seeming[15] = BS_REAL(0.1875) / (sigma[15] * sigma[15]);
+        }
+        (void)va_live_background(&first);
+        came = came && (first.measuring.stage == 5U) &&
+            (va_live_sigmas(&first, sigma, NULL) == BS_OK);
+        for (int i = 0; i < N; ++i) {
+            const bs_real off = sigma[i] - second.measuring.before[i];
+            back = back && (first.filter.x[i] <= BS_REAL(0.0)) &&
+                (first.filter.x[i] >= BS_REAL(0.0)) &&
+                (BS_FABS(off) <= (BS_REAL(0.001) * second.measuring.before[i]));
+        }
+        if (way == 2) {
+            back = (memcmp(first.filter.x, second.filter.x, sizeof(second.filter.x)) == 0) &&
+                (memcmp(first.filter.P, second.filter.P, sizeof(second.filter.P)) == 0);
+        }
+        if ((way == 3) || (way == 6)) {
+            back = memcmp(&first.filter.x[15], &second.filter.x[15],
+                          sizeof(second.filter.x[0])) == 0;
+        }
+        if (way == 4) {
+            back = BS_FABS(first.filter.x[15]) <= BS_FABS(second.filter.x[15]);
+        }
+        /* [VA-L-014] */
+        failures += expect("what errors of H may have told", (!came) || back);
+    }
+    for (int way = 0; way < 3; ++way) { /* all rows beyond the gate, or all but one, as often as is
+                                         * counted; then R is raised */
+        int doubted;
+        prepare();
+        rules.gates.gate = BS_REAL(1e-6);
+        for (int i = 0; i < 3; ++i) {
+            message.variance[i] = ((way == 1) && (i == 0)) ? BS_REAL(1e18) : BS_REAL(1.0);
+        }
+        came = comes_to(kind, 3);
+        first.astray[kind] = (way < 2) ? 4U : 5U;
+        first.misfits = (way == 0) ? 4U : 0U;
+        (void)va_live_background(&first);
+        read_events();
+        came = came && (first.judged.count == 1U);
+        doubted = (way == 1) || (first.unknown >= BS_REAL(1.0));
+        all_of(&first);
+        /* [BS-L-001] [BS-L-002] [BS-L-003] [BS-L-030] */
+        failures += expect("what does not fit is taken only with a larger R", (!came) ||
+                           ((first.waiting[0].state == 0U) &&
+                            ((first.judged.fate == BS_MSG_TAKEN) ||
+                             ((way < 2) && (seen[BS_EVENT_ASTRAY] == 1U) && doubted))));
+    }
+    for (int stage = 1; stage < 3; ++stage) { /* an error ends at its box, and the time since the
+                                               * last message at a second: what is more is no
+                                               * more */
+        for (int more = 0; more < 2; ++more) {
+            prepare();
+            came = comes_to(kind, stage);
+            for (int i = 0; i < N; ++i) {
+                first.measuring.before[i] = (stage > 1) ? BS_REAL(1.0)
+                    : ((more == 0) ? BS_REAL(1e12) : BS_REAL(1e13));
+            }
+            for (int i = 0; i < VA_N_SENSED; ++i) {
+                first.past[6].sensed[i] = BS_REAL(1e-4);
+            }
+            first.taken[kind] = first.at - ((more == 0) ? 2000000 : 3000000);
+            (void)va_live_background(&first);
+            if (more == 0) {
+                memcpy(&second, &first, sizeof(second));
+            }
+        }
+        /* [VA-L-014] */
+        failures += expect("an error beyond its box", (!came) ||
+                           ((memcmp(first.measuring.seeming, second.measuring.seeming,
+                                    sizeof(second.measuring.seeming)) == 0) &&
+                            (memcmp(first.measuring.variance, second.measuring.variance,
+                                    sizeof(second.measuring.variance)) == 0)));
+    }
+    prepare();
+    came = comes_to(kind, 1);
+    memset(first.measuring.mean, 0xFF, sizeof(first.measuring.mean));
+    memset(&first.filter.nav, 0xFF, sizeof(first.filter.nav));
+    (void)va_live_background(&first);
+    for (int i = 0; i < N; ++i) {
+        /* [VA-L-014] */
+        failures += expect("an H that is none tells something", (!came) ||
+                           ((first.measuring.seeming[i] <= BS_REAL(0.0)) &&
+                            (first.measuring.seeming[i] >= BS_REAL(0.0))));
+    }
+    for (int way = 0; way < 2; ++way) { /* what was felt; or that alone which a change is measured
+                                         * from */
+        static const uint32_t wanted[2][VA_N_MEASUREMENTS] = { { 1U, 1U, 1U, 1U },
+                                                               { 1U, 0U, 0U, 0U } };
+        prepare();
+        came = comes_to(kind, (way == 0) ? 2 : 0);
+        first.measuring.before[15] = BS_REAL(1.0);
+        first.rules.half_us = 2 * 10000;
+        for (int k = 6 * way; k < (12 - (5 * way)); ++k) {
+            memset(first.past[k].sensed, 0xFF, sizeof(first.past[k].sensed));
+        }
+        (void)va_live_background(&first);
+        /* [BS-L-008] [VA-L-041] */
+        failures += expect("the past is no number", (!came) ||
+                           (fate_of(BS_MSG_REFUSED) == wanted[way][kind]));
+    }
+    return failures;
+}
+
 /* A number that no sensor and no message brings: nothing may come of it but a refusal, or a loop
  * that says that it is lost. */
 static int damaged(void)
@@ -1022,23 +1198,32 @@ static int damaged(void)
     /* [VA-L-012] [BS-L-029] */
     failures += expect("nor over a gap", (give(&first, 4) != BS_OK) &&
                        (give(&first, 5) == BS_NOT_READY));
+    for (int way = 0; way < 2; ++way) { /* a covariance beyond all numbers, and what was felt within
+                                         * its step */
+        begun();
+        first.rules.every = 1U;
+        first.rules.oldest_us = 0;
+        for (int k = 1; k <= 4; ++k) {
+            (void)give(&first, k);
+        }
+        for (int i = 0; (way == 0) && (i < VA_N_PACKED); ++i) {
+            first.filter.P[i] = BS_LARGEST;
+        }
+        first.past[1].sensed[0] = (way == 0) ? BS_REAL(0.0) : none;
+        all_of(&first);
+        read_events();
+        /* [VA-L-012] [BS-L-029] */
+        failures += expect("no covariance from what is no number", (first.state == BS_LIVE_LOST) &&
+                           (seen[BS_EVENT_LOST] == 1U));
+    }
     for (int damage = 0; damage < 9; ++damage) {
         for (int stage = 0; stage < 7; ++stage) {
-            bs_status status = BS_OK;
+            bs_status status;
             rules.gates.gate = BS_REAL(0.0);
             for (int i = 0; i < 3; ++i) {
                 message.variance[i] = (damage == 7) ? BS_REAL(1e-3) : BS_REAL(1e18);
             }
-            begun();
-            for (int k = 1; k <= 10; ++k) {
-                (void)give(&first, k);
-            }
-            send(&first, 0, 8 * 10000);
-            (void)give(&first, 11);
-            for (int i = 0; (i < 100) && (status == BS_OK) &&
-                 ((first.behind < 7U) || (first.measuring.stage < (uint16_t)stage)); ++i) {
-                status = va_live_background(&first);
-            }
+            (void)comes_to(0, stage);
             switch (damage) {
             case 0:
                 first.x[0] = none;
@@ -1305,6 +1490,9 @@ int test_va_live(void)
     failures += messages();
     failures += refused();
     failures += seldom();
+    for (int kind = 0; kind < VA_N_MEASUREMENTS; ++kind) {
+        failures += pieces(kind);
+    }
     failures += damaged();
     failures += foreign();
     rules.every = 0U;

@@ -303,6 +303,18 @@ static int predict(int k)
     vas_joseph_dense(after, dense);
     /* [VAS-C-030] [VAS-C-010] [VAS-C-011] [VAS-C-060] */
     failures += compare_P("joseph predicted", k, predicted_P[k], predicted_size[k], OF_JOSEPH);
+#if VAS_OVER_NONZEROS
+    memcpy(before, packed, sizeof(before));
+    memcpy(after, Q, sizeof(after));
+    vas_joseph_step(packed, Phi, Q, work);
+    vas_joseph_dense(packed, dense);
+    /* [VAS-C-031] */
+    failures += compare_P("joseph stepped", k, predicted_P[k], predicted_size[k], OF_JOSEPH);
+    vas_joseph_back(packed, Q);
+    /* [VAS-C-032] */
+    failures += expect("joseph stepped back", k, memcmp(packed, before, sizeof(before)) == 0);
+    memcpy(Q, after, sizeof(Q));
+#endif
     /* [VAS-C-020] */
     failures += expect("ud refuses a covariance", k, vas_ud_init(given.P, packed, work) == BS_OK);
     vas_ud_predict(packed, Phi, Q, after, work);
@@ -314,9 +326,21 @@ static int predict(int k)
         failures += expect("negative variance predicted", k,
                            after[(j * (j + 3)) / 2] >= BS_REAL(0.0));
     }
+    memcpy(before, Q, sizeof(before));
     vas_ud_predict(packed, Phi, Q, Q, work);
     /* [VAS-C-030] */
     failures += expect("ud predicted in the place of Q", k, memcmp(Q, after, sizeof(Q)) == 0);
+    for (int j = MOVING; j < N; ++j) { /* as much noise as variance */
+        before[(j * (j + 3)) / 2] = given.P[j * (N + 1)];
+    }
+    vas_ud_predict(packed, Phi, before, after, work);
+    vas_ud_dense(after, dense);
+    for (int j = MOVING; j < N; ++j) {
+        dense[j * (N + 1)] -= given.P[j * (N + 1)];
+    }
+    /* [VAS-C-030] */
+    failures += compare_P("ud predicted with noise of states that stay", k, predicted_P[k],
+                          predicted_size[k], 2 * OF_UD);
     return failures;
 }
 

@@ -991,6 +991,17 @@ static int fly(int k_point)
         }
         memset(considered, 0, sizeof(considered));
     }
+    failures += begin() + consider(N / 2);
+    options = 0U;
+    rows = BS_ALL_ROWS;
+    gate = BS_REAL(0.0);
+    quiet_dcm_exact();
+    options = BS_RELINEARIZE;
+    memcpy(was, flown.x, sizeof(was));
+    (void)measure_dcm_exact();
+    /* [VD-F-065] [BS-G-008] */
+    failures += expect("dcm_exact: considered, row by row", equal(flown.x, was, N / 2));
+    memset(considered, 0, sizeof(considered));
     options = 0U;
     iterations = 2;
     rows = BS_ALL_ROWS;
@@ -1257,11 +1268,14 @@ static int limits(void)
                             BS_REAL(1e+30));
     }
     rows = BS_ALL_ROWS;
-    for (int i = 0; i < (2 * N); ++i) { /* the first iteration may lead x out of its box: then the
-                                         * second undoes it */
+    for (int i = 0; i < (4 * N); ++i) { /* the first iteration, or row, may lead x out of its box:
+                                         * then the second undoes it */
+        const int end = i % (2 * N);
         failures += begin();
-        flown.x[i / 2] = (bs_real)(((i % 2) != 0) ? x_high[i / 2] : x_low[i / 2]);
+        flown.x[end / 2] = (bs_real)(((end % 2) != 0) ? x_high[end / 2] : x_low[end / 2]);
         set_noise(BS_REAL(1e-9));
+        options = (i == end) ? 0U : BS_RELINEARIZE;
+        iterations = (i == end) ? 2 : 1;
         before = flown;
         /* [VD-F-021] */
         failures += expect("measure_dcm_exact: undone", (measure_dcm_exact() == BS_OK) ||
@@ -1719,15 +1733,23 @@ static int kept(void)
         /* [VD-F-123] [VD-F-022] */
         failures += unsound("correct: memory", correct, value, bad);
         rows = ((k % 3) == 2) ? 0U : BS_ALL_ROWS;
+        flown.considering = ((k % 3) == 1) ? 1U : 0U; /* and beside a state that is considered */
+        flown.considered[N - 1] = ((k % 3) == 1) ? 1U : 0U;
         /* [VD-F-022] */
         failures += unsound("measure_velocity: memory", measure_velocity, value, bad);
         rows = ((k % 3) == 2) ? 0U : BS_ALL_ROWS;
+        flown.considering = ((k % 3) == 1) ? 1U : 0U; /* and beside a state that is considered */
+        flown.considered[N - 1] = ((k % 3) == 1) ? 1U : 0U;
         /* [VD-F-022] */
         failures += unsound("measure_dcm: memory", measure_dcm, value, bad);
         rows = ((k % 3) == 2) ? 0U : BS_ALL_ROWS;
+        flown.considering = ((k % 3) == 1) ? 1U : 0U; /* and beside a state that is considered */
+        flown.considered[N - 1] = ((k % 3) == 1) ? 1U : 0U;
         /* [VD-F-022] */
         failures += unsound("measure_dcm_exact: memory", measure_dcm_exact, value, bad);
         rows = BS_ALL_ROWS;
+        flown.considering = 0U;
+        flown.considered[N - 1] = 0U;
     }
     /* nav from outside: P stays, x is zero; clamped to the edge, or refused */
     failures += begin();
