@@ -233,9 +233,16 @@ BECAUSE = (
         holds=every_angle,
     ),
     Reason(
+        r"limit_step",
+        r"bs_is_finite\(value\[i\]\)|sound\(x, P\) != BS_OK|status = BS_NOT_FINITE",
+        "P is finite here: Joseph's variances are its own, and only factors near the largest numbers make another",
+        r"bs_status status = sound\(x, P\);",
+        certain=False,
+    ),
+    Reason(
         r"bs_wrap",
         r"turned >= half_turn",
-        "as rounding may end, of one float in thousands; of no double that was tried",
+        "as rounding may end: of few floats beside half turns, of no double that was tried",
         r"turned < -half_turn",
         certain=False,
     ),

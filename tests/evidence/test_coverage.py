@@ -62,9 +62,13 @@ static const unsigned short varied_from[XX_N_MEASUREMENTS + 1] = { 0U, 3U, 4U };
 static const signed char shown[XX_N_MEASUREMENTS][XX_N_SENSED] = { { -1, 0 }, { 0, 0 } };
 static const uint8_t delayed[XX_N_MEASUREMENTS] = { 1U, 1U };
 const measurement layout = { row_start, columns, 3, XX_MEASUREMENT_EULER, 7U };
+#define AT_ONCE 4
+#define END 3
 static bs_status H_of(int kind)
 {
     switch (kind) {
+    case 1:
+        return xx_H(&at->nav, H);
     default:
         return BS_OUT_OF_RANGE;
     }
@@ -80,6 +84,11 @@ static bs_status H_of(int kind)
         ("unwrap, condition 1 is never false: if (((layout->angles >> i) & 1U) != 0U) {", ", 7U", ", 5U"),
         ("admit, `one->delay = BS_REAL(0.0);` is not run", "{ 1U, 1U }", "{ 1U, 0U }"),
         ("H_of, `return BS_OUT_OF_RANGE;` is not run", "default:", "case 2:"),
+        ("measure, condition 1 is never true: s = (a < b) ? INFORM : WIDEN;", "0U, 3U, 4U", "0U, 5U, 6U"),
+        ("measure, condition 1 is never false: for (int k = 0; (k < AT_ONCE) && a; ++k) {", "AT_ONCE 4", "AT_ONCE 3"),
+        ("prepare, condition 1 is never false: s = (H_of(live) == BS_OK) ? INFORM : WIDEN;", "&at->nav", "&in->imu"),
+        ("spread_P, condition 1 is never true: for (int j = END; j < N; ++j) {", "END 3", "END 2"),
+        ("end_trial, condition 2 is never false: if (ok && (!bs_is_finite(found->nis))) {", ", 7U", ", 3U"),
     ],
 )
 def test_a_reason_stands_where_the_c_shows_it_and_is_of_that_function_alone(line, before, after):
@@ -87,6 +96,11 @@ def test_a_reason_stands_where_the_c_shows_it_and_is_of_that_function_alone(line
     assert reason.startswith(f"{line} (") and reason.endswith(")")
     assert argued(line, TABLES.replace(before, after)) == line != TABLES.replace(before, after)
     assert argued(f"other_{line}", TABLES) == f"other_{line}"
+
+
+def test_where_states_alone_are_varied_no_sensor_is():
+    line = "inform, condition 1 is never false: if (what < N) {"
+    assert argued(line, TABLES) == line != argued(line, TABLES.replace("N_STATES 3", "N_STATES 6"))
 
 
 def test_what_is_beyond_reach_is_counted_once_a_condition():
