@@ -194,6 +194,8 @@ def _taken(paper: Paper, equation: Equation, verdict: Verdict, needed: tuple[str
             yield f"{spelling} is {letter}."
     for convention in equation.conventions:
         yield f"{convention}."
+    if equation.neglected is not None:
+        yield f"It neglects {text_relation(Relation((equation.neglected,)), equation.alphabet, 1000)}."
     for meaning in equation.meanings:
         yield from _meaning(paper, equation, meaning)
     for definition in _misprinted(paper, equation):

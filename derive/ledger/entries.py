@@ -10,7 +10,7 @@ What is decided by hand is said with each status, and whether it survives each d
 """
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass
 from functools import cache
 from itertools import zip_longest
@@ -28,12 +28,23 @@ from boresight.derive.ledger.differences import origin as origin_of
 from boresight.derive.ledger.dimensions import UNKNOWN, Terms, grids, inferred
 from boresight.derive.ledger.equation import Equation, Relation
 from boresight.derive.ledger.evaluate import DIGITS, Point, evaluate, residual
-from boresight.derive.ledger.judge import EXACT, SEEDS, Verdict, judge, largest_residual, paper_points
+from boresight.derive.ledger.judge import (
+    EXACT,
+    SEEDS,
+    Verdict,
+    holds_errors,
+    judge,
+    judge_with,
+    largest_residual,
+    paper_points,
+    shares,
+)
 from boresight.derive.ledger.latex import latex_relations
 from boresight.derive.ledger.lines import check_derivation, count_steps
-from boresight.derive.ledger.mends import mends
+from boresight.derive.ledger.mends import contradicted, definition_mends, may_be_to_blame, mends, rivals, users
 from boresight.derive.ledger.numbers import Matrix, digits, middle
 from boresight.derive.ledger.paper import Paper
+from boresight.derive.ledger.text import text_relation
 from boresight.derive.units import ONE
 
 # In which a size is said, if not in its own unit.
@@ -166,6 +177,13 @@ def _entry(paper: Paper, equation: Equation) -> Entry:
 
 def _stands(paper: Paper, equation: Equation, status: str) -> tuple[str, str]:
     """The evidence for an equation that is no erratum, and what was found in a sentence."""
+    evidence, found = _agrees(paper, equation, status)
+    if left_out := _neglected(paper, equation):
+        return f"{evidence}; {left_out}", f"{found} {left_out[:1].upper()}{left_out[1:]}."
+    return evidence, found
+
+
+def _agrees(paper: Paper, equation: Equation, status: str) -> tuple[str, str]:
     if status == "definition" and equation.introduces:
         what = ", ".join(symbol.name for symbol in equation.introduces)
         evidence = f"both sides agree to 28 digits because the witness makes {what} so"
@@ -209,22 +227,78 @@ def _made(
 
 def _underived(paper: Paper, equation: Equation) -> Entry:
     """The line of an equation of which nothing is derived: the witness alone says whether it is true, and what single
-    edits of a misprint are."""
+    edits of a misprint are.  A definition may be to blame for what fails with it."""
     verdict = judge(paper, equation, equation.read())
-    if verdict.status != "refuted":
+    failing = contradicted(paper, equation)
+    edits = definition_mends(paper, equation)
+    if failing and any(definition_mends(paper, other) for other in rivals(paper, equation)):
+        failing = ()  # another one is to blame
+    if verdict.status != "refuted" and not edits:
         evidence, found = _stands(paper, equation, verdict.status)
+        if failing:
+            suspects = " or ".join(one.label for one in (equation, *rivals(paper, equation), *failing))
+            evidence = f"with it {_fails(failing)}: {suspects} is wrong"
+            for one in may_be_to_blame(paper, equation)[:1]:
+                evidence += f"; with one edit of this one it would hold: {one.what}"
+            found = f"{evidence[:1].upper()}{evidence[1:]}."
         status = (verdict.status, "", "")
         return _made(paper, equation, verdict, status, (found, evidence, equation.note), equation.derived)
-    edits = mends(paper, equation)
+    mended = _with_mended(paper, equation)
+    if verdict.status == "refuted" and mended:
+        verdict, label = mended
+        evidence, found = (f"with {label} as it is mended {text[:1].lower()}{text[1:]}"
+                           for text in _stands(paper, equation, verdict.status))  # fmt: skip
+        status = (verdict.status, "", "")
+        found = f"{found[:1].upper()}{found[1:]}"
+        return _made(paper, equation, verdict, status, (found, evidence, equation.note), equation.derived)
+    if edits:
+        verdict = Verdict("refuted", f"with it {_fails(failing)}")
+    edits = edits or mends(paper, equation)
     kinds = {slip.kind for slip in differences(equation.read(), edits[0].relations)} if edits else set()
     kind = "unknown" if not edits else kinds.pop() if len(kinds) == 1 else "structure"
-    edit = f"True with one edit: {edits[0].what}." if edits else "No single edit makes it true."
+    off = "" if edits else _off(paper, equation)
+    if blamed := rivals(paper, equation) if not edits and not equation.defines else ():
+        off = f" One edit of {' or of '.join(one.label for one in blamed)} would."
+    edit = f"True with one edit: {edits[0].what}." if edits else f"No single edit makes it true.{off}"
     found = f"{verdict.why[:1].upper()}{verdict.why[1:]}. {edit}"
-    evidence = f"{verdict.why}; {_true_and_printed(paper, equation)}"
+    evidence = f"{verdict.why}; {_true_and_printed(paper, equation)}" if not failing else verdict.why
     status = ("erratum", kind, "")
     return _made(
         paper, equation, verdict, status, (found, evidence, equation.note), edits[0].relations if edits else ()
     )
+
+
+def _fails(equations: tuple[Equation, ...]) -> str:
+    return f"{_listed(equations)} {'fails' if len(equations) == 1 else 'fail'}"
+
+
+def _listed(equations: Iterable[Equation]) -> str:
+    return ", ".join(equation.label for equation in equations)
+
+
+def _with_mended(paper: Paper, equation: Equation) -> tuple[Verdict, str] | None:
+    """The verdict with the definitions mended that are to blame for what this one is refuted by, and their labels."""
+    blamed = [e for e in paper.equations if e.defines and equation in users(paper, e) and definition_mends(paper, e)]
+    changed = tuple((e.number, definition_mends(paper, e)[0].relations) for e in blamed)
+    verdict = judge_with(paper, equation, changed) if changed else None
+    return (verdict, _listed(blamed)) if verdict and verdict.status != "refuted" else None
+
+
+MEANT = 0.01  # of what a row says: what is off by less may be meant
+
+
+def _off(paper: Paper, equation: Equation) -> str:
+    """By which part of what it says each row is off, at the paper's own numbers."""
+    try:
+        parts = shares(paper, equation)
+    except (ValueError, KeyError, ZeroDivisionError):
+        return ""
+    if not parts or max(parts) > 1 or len(parts) > LONG:
+        return ""
+    rows, it = ("It is", "it") if len(parts) == 1 else ("Its rows are", "them")
+    of = f"of what the errors make of {it}" if holds_errors(paper, equation, equation.read()) else "of themselves"
+    hint = ' If a term is left out on purpose, name it: neglects = "...".' if max(parts) < MEANT else ""
+    return f" {rows} off by {', '.join(mp.nstr(part, 2) for part in parts)} {of}.{hint}"
 
 
 def _true_and_printed(paper: Paper, equation: Equation) -> str:
@@ -246,7 +320,8 @@ def _true_and_printed(paper: Paper, equation: Equation) -> str:
             if len(side) != count:
                 parts.append("one side has no value")
             elif (apart := max(abs(a - b) for a, b in zip(values[0], side, strict=True))) > EXACT:
-                both = (f"[{', '.join(mp.nstr(entry * factor, 5) for entry in one)}]" for one in (values[0], side))
+                shown = told_apart(values[0], side)
+                both = (f"[{', '.join(mp.nstr(entry * factor, shown) for entry in one)}]" for one in (values[0], side))
                 differ = f"the sides differ by {mp.nstr(apart * factor, 3)}"
                 numbers = "left {}, right {}, ".format(*both) + differ if count <= LONG else differ
                 parts.append(f"{numbers} {unit}".strip())
@@ -255,11 +330,19 @@ def _true_and_printed(paper: Paper, equation: Equation) -> str:
 
 def _size(paper: Paper, equation: Equation) -> str:
     """The largest remainder of the derived form at the paper's own numbers, for each unit of its rows."""
+    form = equation.read() if equation.neglected is not None else equation.derived
+    return _at_most(paper, equation, form, lambda relation, point: residual(relation.sides, point))
+
+
+def _at_most(
+    paper: Paper, equation: Equation, form: Iterable[Relation], made: Callable[[Relation, Point], list]
+) -> str:
+    """The largest of the entries made of each relation at the paper's own numbers, for each unit of its rows."""
     largest: dict[str, mp.mpf] = {}
     for point in paper_points(paper):
         rows = 0
-        for relation in equation.derived:
-            left = residual(relation.sides, point)
+        for relation in form:
+            left = made(relation, point)
             own = len(left) // (len(relation.sides) - 1)
             units = units_of(paper, equation, relation.sides[0], own, rows)
             for k, entry in enumerate(left):
@@ -267,7 +350,23 @@ def _size(paper: Paper, equation: Equation) -> str:
                 largest[unit] = max(largest.get(unit, mp.mpf(0)), abs(middle(entry)))
             rows += own
     sizes = [_with_unit(size, unit) for unit, size in largest.items() if size > EXACT]
-    return "at most " + " and ".join(filter(None, (", ".join(sizes[:-1]), sizes[-1])))
+    return "at most " + " and ".join(filter(None, (", ".join(sizes[:-1]), sizes[-1]))) if sizes else "nothing"
+
+
+def _neglected(paper: Paper, equation: Equation) -> str:
+    """What the print leaves out on purpose, and how large it is; empty where it leaves out nothing."""
+    if equation.neglected is None:
+        return ""
+    term: Any = equation.neglected
+
+    def entries(_: Relation, point: Point) -> list:
+        value = evaluate(term, point)
+        return list(value) if isinstance(value, Matrix) else [value]
+
+    size = _at_most(paper, equation, (Relation((equation.printed[0].sides[0], term)),), entries)
+    needless = judge_with(paper, equation, (), equation.printed).status != "refuted"
+    text = text_relation(Relation((term,)), equation.alphabet, 1000)
+    return f"it neglects {text}, {size}" + ", and holds without it" * needless
 
 
 def units_of(paper: Paper, equation: Equation, side: Any, count: int, row: int = 0) -> list[str]:
@@ -362,6 +461,12 @@ def _side_by_side(paper: Paper, equation: Equation) -> str:
         left = largest_residual(equation.derived, Point(paper.witness.values(paper.point.at, paper.definitions)))
         parts.append(f"derived leaves {_digits(left)}")
     return f"at {paper.point.text}: " + "; ".join(parts)
+
+
+def told_apart(a: Iterable[Any], b: Iterable[Any]) -> int:
+    """The digits, five or more, at which an entry of one differs from that of the other."""
+    pairs = list(zip(a, b, strict=True))
+    return next((n for n in range(5, 16) if any(mp.nstr(x, n) != mp.nstr(y, n) for x, y in pairs)), 5)
 
 
 def apart(true: tuple[mp.mpf, ...], form: tuple[mp.mpf, ...]) -> str:

@@ -185,6 +185,7 @@ class Equation:
     small: the errors, parts of the witness's conditions, in which it is of first order; all of them if empty.
     unit: of all rows, or of each row of one side of the relations in turn.
     quantities: the letters of the print; step_letters: what more the derivation needs.
+    neglected: what the print, of one relation, leaves out of its last side on purpose; it is judged with it.
     """
 
     paper: str
@@ -205,6 +206,7 @@ class Equation:
     small: tuple[str, ...] = ()
     quantities: tuple[Quantity, ...] = field(default=(), repr=False, compare=False)
     step_letters: tuple[Quantity, ...] = field(default=(), repr=False, compare=False)
+    neglected: object = None
 
     @property
     def alphabet(self) -> tuple[Quantity, ...]:
@@ -232,11 +234,13 @@ class Equation:
         return number_label(self.number)
 
     def read(self) -> tuple[Relation, ...]:
-        """The print after its readings."""
-        if not self.readings:
-            return self.printed
+        """The print after its readings, and with what it neglects."""
         mapping = {reading.printed: reading.meant for reading in self.readings}
-        return tuple(relation.replaced(mapping) for relation in self.printed)
+        relations = tuple(relation.replaced(mapping) for relation in self.printed) if mapping else self.printed
+        if self.neglected is None:
+            return relations
+        (relation,) = relations
+        return (Relation((*relation.sides[:-1], plus(relation.sides[-1], self.neglected))),)
 
 
 def matrix(rows) -> ImmutableMatrix:
@@ -257,6 +261,11 @@ def total(*terms):
         return as_written(Add, terms)  # the letter of a matrix beside an explicit one
     # A scalar beside a 1x1 matrix, as in Song-Lee (26), is a 1x1 matrix itself.
     return MatAdd(*(term if is_explicit(term) else _one_by_one(term) for term in terms))
+
+
+def plus(side, term):
+    """The side with one more term."""
+    return total(*(side.args if isinstance(side, Add | MatAdd) else (side,)), term)
 
 
 def _one_by_one(scalar):

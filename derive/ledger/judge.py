@@ -15,7 +15,7 @@ from boresight.derive.ledger.evaluate import Point, evaluate, residual
 from boresight.derive.ledger.numbers import Matrix, largest, middle, near
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.reader import SUM, SUM_OVER, read
-from boresight.derive.ledger.witness import draw
+from boresight.derive.ledger.witness import draw, scaled
 
 EXACT = mp.mpf("1e-28")
 SEEDS = (1, 2, 3)
@@ -52,14 +52,23 @@ def judge(paper: Paper, equation: Equation, relations: tuple[Relation, ...], sen
     relations = meant(equation, relations, senses or tuple(meaning.senses[0] for meaning in equation.meanings))
     if equation.defines:
         return _judge_definition(paper, equation, relations)
-    verdict = judge_at(
-        relations, lambda seed, scale: witness_point(paper, seed, scale, equation.small), constant=bool(paper.folder)
-    )
+    verdict = judge_with(paper, equation, (), relations)
     if verdict.status == "refuted" and not verdict.empty and not holds_errors(paper, equation, relations):
         return Verdict("refuted", "the sides differ, and no error is in them")
     if not equation.introduces or verdict.status == "refuted":
         return verdict
     return Verdict("definition") if verdict.status == "exact" else Verdict("refuted", "its sides are not the same")
+
+
+def judge_with(
+    paper: Paper, equation: Equation, changed: tuple = (), relations: tuple[Relation, ...] | None = None
+) -> Verdict:
+    """The verdict of the witness on what is read, or on `relations`; changed: other definitions, by number."""
+
+    def point(seed: int, scale: float) -> Point:
+        return witness_point(paper, seed, scale, equation.small, changed)
+
+    return judge_at(equation.read() if relations is None else relations, point, constant=bool(paper.folder))
 
 
 def holds_errors(paper: Paper, equation: Equation, relations: Iterable[Relation]) -> bool:
@@ -199,6 +208,33 @@ def paper_points(paper: Paper) -> tuple[Point, ...]:
     witness, conditions = paper.witness, paper.conditions
     bases = (draw(witness.base, seed, conditions.at) for seed in range(conditions.count))
     return tuple(Point(witness.values(base, paper.definitions)) for base in bases)
+
+
+def shares(paper: Paper, equation: Equation) -> list[mp.mpf]:
+    """By which part of what it says, or, if errors are in it, of what they make of it, each row is off, at most.
+
+    At the paper's own numbers, of what is read; the part of first order is twice what halving the errors takes away.
+    """
+    witness, conditions = paper.witness, paper.conditions
+    halved = scaled(conditions.at, 0.5, equation.small or witness.errors)
+    small, found = holds_errors(paper, equation, equation.read()), dict[int, mp.mpf]()
+    for seed in range(conditions.count):
+        whole, half = (Point(witness.values(draw(witness.base, seed, at), paper.definitions))
+                       for at in (conditions.at, halved))  # fmt: skip
+        begins = 0
+        for relation in equation.read():
+            last, less = (evaluate(relation.sides[-1], at) for at in (whole, half))
+            left, columns = residual(relation.sides[-2:], whole), getattr(last, "cols", 1)
+            one, other = ([middle(e) for e in (v if isinstance(v, Matrix) else [v])] for v in (last, less))
+            one, other = (v * len(left) if len(v) < len(left) else v for v in (one, other))  # a lone 0
+            for row in range(0, len(left), columns):
+                at = slice(row, row + columns)
+                own = max(abs(2 * (a - b)) if small else abs(a) for a, b in zip(one[at], other[at], strict=True))
+                off = max(abs(middle(entry)) for entry in left[at])
+                part = off / own if own else mp.inf if off > EXACT else mp.mpf(0)
+                found[begins + row // columns] = max(found.get(begins + row // columns, mp.mpf(0)), part)
+            begins += len(left) // columns
+    return list(found.values())
 
 
 def largest_residual(relations: Iterable[Relation], point: Point) -> mp.mpf:

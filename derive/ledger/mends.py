@@ -24,13 +24,16 @@ from boresight.derive.ledger.equation import (
     Quantity,
     Relation,
     children,
+    is_explicit,
+    negative,
+    plus,
     product,
     rebuild,
     replaced,
     total,
 )
 from boresight.derive.ledger.evaluate import DIGITS, Point, residual
-from boresight.derive.ledger.judge import EXACT, judge, names
+from boresight.derive.ledger.judge import EXACT, judge, judge_with, names
 from boresight.derive.ledger.mutation import commutes, free_values, mutants, short
 from boresight.derive.ledger.numbers import digits, middle
 from boresight.derive.ledger.paper import Paper
@@ -52,7 +55,10 @@ class Mend:
 
 @cache
 def mends(paper: Paper, equation: Equation) -> tuple[Mend, ...]:
-    """All single edits of the print that make it true, the likeliest first; of those that say the same the first."""
+    """All single edits of the print that make it true, the likeliest first; of those that say the same the first.
+
+    A definition is true if with it every equation holds that uses what it defines.
+    """
     with digits(DIGITS):
         print_ = equation.read()
         used = names(print_)
@@ -63,10 +69,61 @@ def mends(paper: Paper, equation: Equation) -> tuple[Mend, ...]:
             if _says_nothing(relations, free) or any(same(relations, mend.relations, free) for mend in found):
                 continue
             with suppress(ValueError, KeyError, ZeroDivisionError):
-                verdict = judge(paper, equation, relations)
-                if verdict.status != "refuted":
-                    found.append(Mend(_in_words(what), relations, verdict.status))
+                status = _status(paper, equation, relations)
+                if status != "refuted":
+                    found.append(Mend(_in_words(what), relations, status))
         return tuple(found)
+
+
+def _status(paper: Paper, equation: Equation, relations: tuple[Relation, ...]) -> str:
+    if not (paper.folder and equation.defines):
+        return judge(paper, equation, relations).status
+    changed = ((equation.number, relations),)
+    broken = any(judge_with(paper, user, changed).status == "refuted" for user in users(paper, equation))
+    return "refuted" if broken else "definition"
+
+
+@cache
+def users(paper: Paper, equation: Equation) -> tuple[Equation, ...]:
+    """The equations in which a letter stands that this one defines, or one that is defined by it in turn."""
+    moved, more = set[str](), {symbol.name for symbol in equation.defines}
+    while more - moved:
+        moved |= more
+        more = {s.name for e in paper.equations if e.defines and moved & names(e.read()) for s in e.defines}
+    return tuple(e for e in paper.equations if e is not equation and not e.defines and moved & names(e.read()))
+
+
+def contradicted(paper: Paper, equation: Equation) -> tuple[Equation, ...]:
+    """The equations that use what this one of a paper of one's own defines, and are refuted."""
+    return tuple(user for user in users(paper, equation) if judge(paper, user, user.read()).status == "refuted")
+
+
+@cache
+def may_be_to_blame(paper: Paper, equation: Equation) -> tuple[Mend, ...]:
+    """The edits of a definition with which all hold that use it, where several fail, or one that no edit of its own
+    mends."""
+    failing = contradicted(paper, equation)
+    if not failing or (len(failing) == 1 and mends(paper, failing[0])):
+        return ()
+    return mends(paper, equation)
+
+
+def rivals(paper: Paper, equation: Equation) -> tuple[Equation, ...]:
+    """The other definitions that may be to blame for what fails with this one, or those for what this one fails by."""
+    failing = {user.number for user in contradicted(paper, equation)} or {equation.number}
+    return tuple(
+        other
+        for other in paper.equations
+        if other.defines
+        and other is not equation
+        and failing & {user.number for user in users(paper, other)}
+        and may_be_to_blame(paper, other)
+    )
+
+
+def definition_mends(paper: Paper, equation: Equation) -> tuple[Mend, ...]:
+    """The edits of a definition that alone is to blame."""
+    return () if equation.defines and rivals(paper, equation) else may_be_to_blame(paper, equation)
 
 
 def _in_words(what: str) -> str:
@@ -87,7 +144,7 @@ def _in_words(what: str) -> str:
 def _edits(relations: tuple[Relation, ...], quantities: tuple[Quantity, ...]) -> Iterator[tuple[str, tuple]]:
     seen = set()
     quantities = tuple({q.symbol: q for q in quantities}.values())
-    every = (mutants, _letters_everywhere, _additions, _groupings)
+    every = (mutants, _letters_everywhere, _additions, _groupings, _terms)
     for what, changed in (edit for edits in every for edit in edits(relations, quantities)):
         if changed not in seen:
             seen.add(changed)
@@ -213,6 +270,19 @@ def _additions(relations: tuple[Relation, ...], quantities: Iterable[Quantity]) 
                     yield f"with factor {text} {place}", product(*parts[:at], matrix, *parts[at:])
 
     yield from _places(relations, change)
+
+
+def _terms(relations: tuple[Relation, ...], quantities: Iterable[Quantity]) -> Iterator[tuple[str, tuple]]:
+    """A letter as one more term of a side, of the shape of the vector or matrix that stands alone on another."""
+    shapes = {q.symbol: q.shape for q in quantities if not q.function and q.kind != "block"}
+    for r, relation in enumerate(relations):
+        shape = next((shapes[side] for side in relation.sides if shapes.get(side)), None)
+        alike = [symbol for symbol, own in shapes.items() if own == shape and symbol not in relation.sides]
+        last = relation.sides[-1]
+        for symbol in alike if not is_explicit(last) else ():
+            for sign, term in (("+", symbol), ("-", negative(symbol))):
+                longer = Relation((*relation.sides[:-1], plus(last, term)))
+                yield f"with term {sign} {symbol}", (*relations[:r], longer, *relations[r + 1 :])
 
 
 # ---- What two forms say ----------------------------------------------------------------------------------------------

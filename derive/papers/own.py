@@ -22,7 +22,7 @@ from boresight.derive.ledger.frames import plain as plain_frames
 from boresight.derive.ledger.judge import differs, names
 from boresight.derive.ledger.numbers import Matrix, digits
 from boresight.derive.ledger.paper import Paper, Stated, Witness
-from boresight.derive.ledger.reader import plain
+from boresight.derive.ledger.reader import UnreadError, plain, read
 from boresight.derive.ledger.witness import draw, scaled
 from boresight.derive.papers.displays import ASIDE, Display, aside
 from boresight.derive.papers.scenarios import Scenario, scenario
@@ -51,6 +51,7 @@ class Bound(Mapping):
     given: Values
     defined: Mapping[str, Any]
     known: dict[str, Any] = field(default_factory=dict)
+    begun: set[str] = field(default_factory=set)
 
     def __getitem__(self, name: str) -> Any:
         if name in self.given.letters:
@@ -58,6 +59,9 @@ class Bound(Mapping):
         if name not in self.known:
             if name not in self.defined:
                 raise KeyError(f"nothing gives {name} a value")
+            if name in self.begun:
+                raise KeyError(f"{name} is defined by itself")
+            self.begun.add(name)
             with digits(2 * DIGITS):
                 self.known[name] = evaluate(self.defined[name], Point(self))
         return self.known[name]
@@ -75,7 +79,7 @@ class Folder(Source):
     KEYS: ClassVar[Keys] = {
         "": {**Source.KEYS[""], "sizes": TABLE},
         "letters": {**Source.KEYS["letters"], "value": VALUE, "frame": TEXT},
-        "equations": {**Source.KEYS["equations"], "planted": TEXT},
+        "equations": {**Source.KEYS["equations"], "planted": TEXT, "neglects": TEXT},
     }
 
     def __init__(self, folder: Path):
@@ -314,6 +318,9 @@ class Folder(Source):
             spelled = " ".join(map(plain, display.latex))
             here = [one for one in self.used if plain(one.latex) in spelled]
             planted = f"Planted: {more['planted']}." if "planted" in more else ""
+            if "neglects" in more and len(relations) > 1:
+                what = "it has several relations; give each a number of its own"
+                self.refuse(f"({number}): {what}", "equations", number, "neglects")
             found.append(
                 Equation(
                     paper=name,
@@ -329,12 +336,23 @@ class Folder(Source):
                         if self.defined.get(letter_of(symbol := relation.sides[0])) == number
                     ),
                     small=tuple(more.get("small", ())),
+                    neglected=self.term(more["neglects"], number) if "neglects" in more else None,
                     note=" ".join(filter(None, (planted, more.get("note", "")))),
                     quantities=(*self.used, *here),
                     step_letters=tuple(one for one in self.quantities if one.symbol.name in used),
                 )
             )
         return tuple(found)
+
+    def term(self, latex: str, number: str) -> Any:
+        """What an equation neglects, in the letters of the paper."""
+        try:
+            (relation,) = read((latex,), self.quantities)
+            (side,) = relation.sides
+        except (UnreadError, ValueError) as error:
+            at = f" at {error.text[error.at : error.at + 20]!r}" if isinstance(error, UnreadError) else ""
+            self.refuse(f"({number}): cannot read {latex!r}{at} as a term", "equations", number, "neglects")
+        return side
 
     @cached_property
     def used(self) -> tuple[Quantity, ...]:
