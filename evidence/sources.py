@@ -15,7 +15,7 @@ from boresight.derive.papers import DERIVATIONS, PAPERS
 from boresight.derive.papers.displays import displays
 
 HERE = Path(__file__).resolve().parent
-MAPS = re.compile(r"boresight\.derive\.papers\.\w+\.maps\b")
+OWN = re.compile(r"boresight\.derive\.papers\.own")  # what reads a paper of one's own
 MATCHED = {"velocity", "dcm", "euler"}  # the measurements of the transfer alignment
 
 
@@ -29,8 +29,8 @@ class Derivations:
         """Its modules with what they and the reader of its files import of derive, and the modules of evidence that
         judge it with what those import."""
         own = {HERE / f"{name}.py" for name in judges}
-        begin = {path.resolve() for path in (*self.place.glob("[!m]*.py"), self.place.parent / "built_in.py", *own)}
-        return {path for path in reached(begin, MAPS) if path.is_relative_to(PACKAGE / "derive")} | own
+        begin = {path.resolve() for path in (*self.place.glob("*.py"), self.place.parent / "built_in.py", *own)}
+        return {path for path in reached(begin, OWN) if path.is_relative_to(PACKAGE / "derive")} | own
 
     @property
     def place(self) -> Path:

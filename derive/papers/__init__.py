@@ -1,6 +1,6 @@
-"""The papers and our own derivations, by the names that the ledger gives them; imported when asked for.
+"""The papers and our own derivations, by the names that the ledger gives them; read when asked for.
 
-A paper of one's own is a folder: `papers.own` reads it.
+A paper is a folder: `papers.own` reads that of a reader, `papers.built_in` one of those here.
 """
 
 from collections.abc import Callable
@@ -11,7 +11,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from boresight import BoresightError
-from boresight.derive.papers.files import FILES, holds_paper
+from boresight.derive.papers.files import holds_paper
 
 if TYPE_CHECKING:
     from boresight.derive.ledger.paper import Paper
@@ -29,12 +29,9 @@ def paper(name: str, load: Callable[[str], Any] | None = None) -> "Paper":
     load: makes the model of a name, for a folder that is tied to one; without, it is not looked at.
     """
     if name in (*PAPERS, *DERIVATIONS):
-        if (Path(__file__).parent / name.replace("-", "_") / FILES[0]).is_file():
-            from boresight.derive.papers.built_in import built_in
+        from boresight.derive.papers.built_in import built_in
 
-            return built_in(name, python(name))
-        found: Paper = import_module(f"{__name__}.{name.replace('-', '_')}.paper").PAPER
-        return found
+        return built_in(name, python(name))
     if not is_folder(name):
         if name in OWN:
             return OWN[name]

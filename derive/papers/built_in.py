@@ -72,8 +72,8 @@ class BuiltIn(Source):
     @cached_property
     def units(self) -> dict[str, str]:
         """Of kinds of letters, and of letters, with several units."""
-        rows = {**self.letter_rows, **self.steps.letters}
-        own = {normalize("NFC", name): row["unit"] for name, row in rows.items() if several(row.get("unit", ""))}
+        rows = (*self.letter_rows.items(), *self.steps.letters.items())
+        own = {normalize("NFC", name): row["unit"] for name, row in rows if several(row.get("unit", ""))}
         return {**self.data.get("units", {}), **own}
 
     @cached_property

@@ -138,4 +138,4 @@ class Source:
 
 def several(unit: str) -> bool:
     """Whether a unit is a list of them, or those of a matrix by its rows and columns."""
-    return "," in unit or " by " in unit or " times " in unit
+    return "," in unit or " by " in unit or " times " in unit or re.match(r"\d+ ", unit) is not None

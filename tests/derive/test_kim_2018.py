@@ -14,7 +14,7 @@ from boresight.derive.ledger.judge import witness_point
 from boresight.derive.ledger.numbers import cos, exact, largest, middle
 from boresight.derive.ledger.witness import draw, finite_rotation
 from boresight.derive.papers import paper
-from boresight.derive.papers.kim_2018 import consequences, printed, results, witness
+from boresight.derive.papers.kim_2018 import consequences, results, witness
 
 PAPER = paper("kim-2018")
 
@@ -197,9 +197,9 @@ def test_findings_name_the_text_beside_the_equations():
 @needs_source
 def test_text_between_the_equations_stands_at_its_lines():
     lines = source(PAPER.name)
-    assert printed.DETECTORS[1] in lines[printed.DETECTORS[0] - 1]
-    first, last = printed.TABLE_1_LINES
+    assert consequences.DETECTORS[1] in lines[consequences.DETECTORS[0] - 1]
+    first, last = consequences.TABLE_1_LINES
     table = [line.split("\t")[-2:] for line in lines[first - 1 : last]]
     for i, sensor in enumerate(("gyro", "accelerometer")):
-        pairs = zip(printed.TABLE_1[sensor], printed.TABLE_1_UNITS[sensor], strict=True)
+        pairs = zip(consequences.TABLE_1[sensor], consequences.TABLE_1_UNITS[sensor], strict=True)
         assert table[4 * i : 4 * i + 4] == [list(pair) for pair in pairs]

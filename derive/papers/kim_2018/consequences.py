@@ -14,7 +14,6 @@ from boresight.derive.ledger.numbers import Matrix, atan2, digits, exact, eye, n
 from boresight.derive.ledger.witness import hamilton, vector
 from boresight.derive.mechanics import earth
 from boresight.derive.papers.kim_2018 import results as paper
-from boresight.derive.papers.kim_2018.printed import DETECTORS
 from boresight.derive.papers.kim_2018.witness import (
     DEGREE,
     HOUR,
@@ -27,6 +26,15 @@ from boresight.derive.papers.kim_2018.witness import (
     series,
     transition,
 )
+
+# The text between the equations: line, and what it says.
+DETECTORS = (198, "각속도 이동평균값과 각속도의 이동표준편차")  # the moving mean of the rate and its moving deviation
+
+# Table 1, lines 217 to 224: repeatability of bias, stability of scale factor, misalignment, random walk.
+TABLE_1_LINES = (217, 224)
+TABLE_1 = {"gyro": ("1", "150", "100", "0.125"), "accelerometer": ("1", "300", "100", "0.065")}
+TABLE_1_UNITS = {"gyro": ("deg/hr", "ppm", "urad", "deg/√hr"), "accelerometer": ("mg", "ppm", "urad", "ft/sec/√hr")}
+
 
 LATITUDE = 37  # deg, where the sizes are given, at rest unless they say otherwise
 

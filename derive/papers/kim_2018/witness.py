@@ -5,18 +5,21 @@ and the matrices F and H are differentiated from them, so none of the paper's fo
 """
 
 import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from functools import lru_cache, partial
 from random import Random
+from typing import Any
 from unicodedata import normalize
 
 from boresight.derive.ledger import ellipsoid, navigation
 from boresight.derive.ledger.ellipsoid import WORKING
 from boresight.derive.ledger.equation import Relation
-from boresight.derive.ledger.evaluate import Point, evaluate, solve
+from boresight.derive.ledger.evaluate import Point, assembled, evaluate, solve
+from boresight.derive.ledger.free import Kind, of, positive, positive_number, rotation
 from boresight.derive.ledger.navigation import Truth, stack
 from boresight.derive.ledger.numbers import Matrix, cos, digits, exact, eye, norm, sqrt, zeros
+from boresight.derive.ledger.paper import Stated, Witness
 from boresight.derive.ledger.witness import (
     Letters,
     attitude,
@@ -28,8 +31,9 @@ from boresight.derive.ledger.witness import (
     uniform,
     vector,
 )
-from boresight.derive.papers.kim_2018.printed import quantities
 
+SHAPES = ((3, 3), (3, 4), (4, 3), (4, 4), (3, 9), (3, 18), (3, 6), (3, 15), (1, 3), (1, 6), (1, 15))
+BLOCKS = {**{f"0_{rows}x{columns}": zeros(rows, columns) for rows, columns in SHAPES}, "I_3x3": eye(3)}
 SAMPLES, WINDOW_AT, WINDOW_OF, NOW = 6, 2, 3, 3  # of the detector's record: its length, a window's start and length
 
 
@@ -101,13 +105,6 @@ PARTS = {
     "master_velocity_error": "the master's velocity error",
     "master_attitude_error": "the master's attitude error",
     "step": "the step",
-}
-LEFT_OUT = {
-    **dict.fromkeys(("2", "3"), "errors of the sensors, of the position and of gravity"),
-    **dict.fromkeys(("4", "5", "6"), "bending between master and slave, and all of the delay but a constant one"),
-    **dict.fromkeys(("7", "10", "11"), "errors of the sensors but bias and white noise"),
-    **dict.fromkeys(("13", "14"), "changes of F during the step"),
-    **dict.fromkeys(("18", "19", "20", "21", "22", "29"), "the error of the attitude that the alignment left"),
 }
 
 DEGREE, HOUR, G = math.pi / 180, 3600.0, 9.80665
@@ -202,8 +199,8 @@ def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Lette
     Raises ValueError, KeyError or ZeroDivisionError where a definition does not define, when its letter is asked for.
     """
     given = {
-        **{q.symbol.name: zeros(*q.shape) for q in quantities() if q.kind == "block"},
-        "I": eye(3), "I_3x3": eye(3), "I_15x15": eye(15),
+        **BLOCKS,
+        "I": eye(3), "I_15x15": eye(15),
         "N": exact(WINDOW_OF), "n": exact(WINDOW_AT), "index": exact(0),
         "m": exact(WINDOW_AT + WINDOW_OF - 1), "η": zeros(15, 1), "ζ": zeros(4, 1), "u": Matrix([exact(1)] * 15),
         "θ̇": zeros(3, 1), "Δṫ": exact(0), "ΔT": base.step[0], "Δt": base.delay[0],
@@ -615,3 +612,95 @@ def _detector(base: Base) -> list:
     mean = sqrt(sum((w[i].T * w[j])[0] for i, j in pairs)) / WINDOW_OF
     centers = [vector(*(sum(v[i] for v in record) / WINDOW_OF for i in range(3))) for record in (a, w)]
     return [spread, mean, *centers, 10 * spread, 10 * mean]
+
+
+# ---- What letters are by their nature --------------------------------------------------------------------------------
+
+
+def transposed(C: Matrix) -> Matrix:
+    return C.T
+
+
+def over(*parts: Any) -> Matrix:
+    return assembled([[part] for part in parts])
+
+
+def conjugate(q: Matrix) -> Matrix:
+    return vector(q[0], -q[1], -q[2], -q[3])
+
+
+def drawn_quaternion(generator: Random) -> Matrix:
+    q = Matrix([exact(generator.uniform(0.2, 1.2)) for _ in range(4)])
+    return q / norm(q)
+
+
+unit_quaternion = Kind(drawn_quaternion, lambda q: abs(norm(q) - 1) < 1e-28)
+far_limit = Kind(lambda generator: exact(1000), lambda x: x > 0)
+
+
+def moments(generator: Random) -> dict[str, list[Matrix]]:
+    """Of each random letter the columns of a root of its covariance."""
+
+    def root(size: int) -> list[Matrix]:
+        return [Matrix([exact(generator.uniform(-1, 1)) for _ in range(size)]) for _ in range(size)]
+
+    return {"ξ_k-1": root(15), "ξ_k": root(15), "η": root(15), "ζ": root(4)}
+
+
+def constant(value: Any) -> Callable[[Random], Any]:
+    return lambda generator: value
+
+
+def _structure() -> Iterator[tuple[str, Any]]:
+    for name, block in BLOCKS.items():
+        yield name, constant(block)
+    yield from {"I": constant(eye(3)), "I_15x15": constant(eye(15))}.items()
+    for name in ("C_b2n", "C̄_n2b", "C_r2n(k-δt)", "C_n2c", "C_b2r", "C_r2n", "Ĉ_r2n", "Ĉ_b2r", "Ĉ_n2b"):
+        yield name, rotation
+    for name, other in (
+        ("C_n2b", "C_b2n"),
+        ("C_c2n", "C_n2c"),
+        ("C_n2r", "C_r2n"),
+        ("Ċ_n2b", "Ċ_b2n"),
+        ("Ċ_c2n", "Ċ_n2c"),
+    ):
+        yield name, of(other, transposed)
+    for name in ("ω_ie_n", "ω_en_n", "δω_ie_n", "δω_en_n", "f_n"):
+        yield f"[{name} x]", of(name, skew)
+    yield from {
+        "δv": of("δv_e|δv_n|δv_u", vector),
+        "v": of("v_e|v_n|v_u", vector),
+        "φ": of("φ_e|φ_n|φ_u", vector),
+        "X": of("δv|φ|θ|Δt", over),
+        "x_p": of("δl|δL|δh", vector),
+        "x_v": of("δv_e|δv_n|δv_u", vector),
+        "x_φ": of("φ_e|φ_n|φ_u", vector),
+        "x": of("x_p|x_v|x_φ|x_Cb|x_Ab", over),
+        "x_k": of("x_p|x_v|x_φ|x_Cb|x_Ab", over),
+        "z_v": of("z", lambda z: z[0:3, 0]),
+        "ν_z": of("ν", lambda noise: noise[0:3, 0]),
+        "H_v": of("H_k", lambda H: H[0:3, :]),
+        "P(k-)": positive(15),
+        "R": positive(4),
+        "Q̂_b2n": of("q_0|q_1|q_2|q_3", vector),
+        "V": unit_quaternion,
+        "V̄": of("V", conjugate),
+        "random": moments,
+        "T_a": positive_number,
+        "N": constant(exact(3)),
+        "n": constant(exact(2)),
+        "γ_a": far_limit,
+        "γ_w": far_limit,
+    }.items()
+
+
+STRUCTURE: Mapping[str, Any] = {
+    normalize("NFC", name): replace(rule, letters=tuple(normalize("NFC", n) for n in rule.letters))
+    if hasattr(rule, "letters")
+    else rule
+    for name, rule in _structure()
+}
+
+WITNESS = Witness(Base, values, Conditions(), ERRORS, "finite errors", PARTS)
+SIZES = Stated(CONDITIONS, CONDITIONS_TEXT, 4)
+POINT = Stated(STATED, STATED_TEXT)
