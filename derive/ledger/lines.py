@@ -1,20 +1,19 @@
-"""Lines of a derivation: how they are written and read, and the judge of what each claims of itself.
+"""Lines of a derivation: how they are read, and the judge of what each claims of itself.
 
 A line is LaTeX in the paper's letters.  It is evaluated at the witness, where the value of each letter comes from
 kinematics and never from the line; only a definition gives its letter the value of its right side.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields, replace
 from itertools import pairwise
 from types import MappingProxyType
 from typing import Any
 
 import mpmath as mp
-from sympy import Function
 
 from boresight import BoresightError
-from boresight.derive.ledger.equation import Claim, Derivation, Equation, Line, Passage, Quantity, Relation, total
+from boresight.derive.ledger.equation import Claim, Equation, Line, Quantity, Relation, total
 from boresight.derive.ledger.evaluate import Point, evaluate, residual
 from boresight.derive.ledger.free import free_point
 from boresight.derive.ledger.judge import (
@@ -33,41 +32,6 @@ from boresight.derive.ledger.numbers import Matrix, middle
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.passages import judge_passage
 from boresight.derive.ledger.reader import read
-
-# ---- Writing ---------------------------------------------------------------------------------------------------------
-
-EXACT_LINE = Claim("exact")
-DEFINITION = Claim("definition")
-IDENTITY = Claim("identity")
-
-
-def first_order(*small: str) -> Claim:
-    """Right to first order in these parts of the conditions; in the equation's own if none is named."""
-    return Claim("first-order", small)
-
-
-def of_order(order: int, *small: str) -> Claim:
-    """Right through this order in these parts together; in the equation's own if none is named."""
-    return Claim("order", small, order)
-
-
-def limit(*small: str) -> Claim:
-    """A limit: what differs vanishes with these parts."""
-    return Claim("limit", small)
-
-
-def approximately(dropped: str, condition: str, *small: str) -> Claim:
-    """Right, exactly or to first order in the parts `small` if any, with the term `dropped` (LaTeX) on its right."""
-    return Claim("approximation", small, dropped=dropped, condition=condition)
-
-
-def line(latex: str, claim: Claim, why: str, passage: Passage | None = None, *, result: bool = False) -> Line:
-    return Line(latex, claim, why, passage, result)
-
-
-def prose(why: str) -> Line:
-    """A remark: it proves nothing."""
-    return Line("", None, why)
 
 
 def read_lines(
@@ -242,68 +206,7 @@ def _size(paper: Paper, term, given: tuple) -> mp.mpf:
     return worst
 
 
-# ---- Equations from lines --------------------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class Derived:
-    """What is written of one equation beside its print: its derivation, and the fields of the Equation by their names.
-
-    as_vector: a matrix which the print sets equal to a vector is read as the vector of its skew-symmetric part.
-    """
-
-    lines: tuple[Line, ...]
-    more: Mapping[str, Any]
-    as_vector: bool = False
-
-
-def derived(*lines: Line, as_vector: bool = False, **more: Any) -> Derived:
-    return Derived(lines, more, as_vector)
-
-
-def build(
-    paper: str,
-    printed: Mapping[str, tuple[tuple[int, int], tuple[str, ...]]],
-    written: Mapping[str, Derived],
-    quantities: tuple[Quantity, ...],
-    letters: tuple[Quantity, ...] = (),
-    flown: Mapping[str, object] = MappingProxyType({}),
-    letters_of: Callable[[str], tuple[Quantity, ...]] | None = None,
-) -> tuple[Equation, ...]:
-    """The equations of a paper, in the order of `printed`, each with its lines read.
-
-    The derived form is what the lines marked `result` say, and where none is, the print after its readings.
-    What has no display is derived here, and its print is what is derived.
-    `defines`, `introduces` and the letters of readings are names, as the table of letters has them.
-    letters_of: for the print of one number, where a letter means another thing than elsewhere.
-    """
-    symbols = {quantity.symbol.name: quantity.symbol for quantity in quantities if not quantity.function}
-    result = []
-    for number, (lines, latex) in printed.items():
-        one = written[number]
-        more = {"unit": "1", **one.more}
-        for field in ("defines", "introduces"):
-            more[field] = tuple(symbols[name] for name in more.get(field, ()))
-        form = read(latex, letters_of(number) if letters_of else quantities)
-        if one.as_vector:
-            vee = Function("vee", commutative=False)
-            form = tuple(replace(r, sides=(r.sides[0], vee(r.sides[1]), *r.sides[2:])) for r in form)
-        steps = read_lines(one.lines, (*quantities, *letters), flown)
-        equation = Equation(
-            paper=paper,
-            number=number,
-            latex=latex,
-            lines=lines,
-            printed=form,
-            derived=form,
-            derivation=Derivation(steps),
-            quantities=quantities,
-            step_letters=letters,
-            **more,
-        )
-        results = tuple(step.relation for step in steps if step.result and step.relation is not None)
-        result.append(replace(equation, printed=form or results, derived=results or equation.read()))
-    return tuple(result)
+# ---- All lines of an equation ---------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)

@@ -31,142 +31,47 @@ WORKING = 100  # digits, of which differentiating takes 60
 STEP = exact("1e-20")  # for differences: they err by its square, 1e-40
 SAME = mp.mpf("1e-25")  # relative
 
-
-# ---- Writing ---------------------------------------------------------------------------------------------------------
-
-
-def substitute(*rows: str, of: str = "", letters: Sequence[str] = ()) -> Passage:
-    """Each row, in order, gives its letter a value: its first side if that is a letter or a column of letters, else its
-    last one; or the letter named, for which the row, linear in it, is solved."""
-    return Passage("substitute", of, rows, tuple(letters))
-
-
-def multiply(*, left: str = "", right: str = "", of: str = "") -> Passage:
-    return Passage("multiply", of, with_=(left, right))
-
-
-def add(term: str, *, of: str = "") -> Passage:
-    """The term is added to each side."""
-    return Passage("add", of, with_=(term,))
-
-
-def add_line(row: str, *, of: str = "") -> Passage:
-    """Side by side."""
-    return Passage("add line", of, (row,))
-
-
-def subtract_line(row: str, *, of: str = "") -> Passage:
-    """Side by side."""
-    return Passage("subtract line", of, (row,))
-
-
-def transpose(of: str = "") -> Passage:
-    return Passage("transpose", of)
-
-
-def invert(of: str = "") -> Passage:
-    return Passage("invert", of)
-
-
-def rearrange(of: str = "") -> Passage:
-    """Terms change sides: left less right stays, but for its sign."""
-    return Passage("rearrange", of)
-
-
-def multiply_out(*identities: str, of: str = "") -> Passage:
-    """Each side is written otherwise: equal for all values of the letters of their classes; `identities` say why."""
-    return Passage("multiply out", of, identities)
-
-
-def chain(*rows: str) -> Passage:
-    """Sides of several lines are equal to one another, since the lines have a side in common."""
-    return Passage("chain", "", rows)
-
-
-def expand(*letters: str, order: int = 1, of: str = "") -> Passage:
-    """Each side in powers of the letters together, through `order`."""
-    return Passage("expand", of, (), letters, order=order)
-
-
-def leave_out(*letters: str, of: str = "") -> Passage:
-    """The letters are set to zero."""
-    return Passage("leave out", of, (), letters)
-
-
-def differentiate(rates: dict[str, str], of: str = "") -> Passage:
-    """Each side by a parameter, on which the letters depend with these rates, letters or numbers; both in LaTeX."""
-    return Passage("differentiate", of, (), tuple(rates), tuple(rates.values()))
-
-
-def elsewhere(letters: dict[str, str], of: str = "") -> Passage:
-    """The same of another time, point or quantity: other letters, all at once, stand in the place of these."""
-    return Passage("carry over", of, (), tuple(letters), tuple(letters.values()))
-
-
-def take_vector(of: str = "") -> Passage:
-    """Of skew-symmetric sides their vectors."""
-    return Passage("take the vector", of)
-
-
-def take_skew_part(of: str = "") -> Passage:
-    return Passage("take the skew-symmetric part", of)
-
-
-def take_rows(*numbers: int, of: str = "") -> Passage:
-    """Rows of the sides, counted from 1."""
-    return Passage("take rows", of, with_=tuple(map(str, numbers)))
-
-
-def take_entry(row: int, column: int, of: str = "") -> Passage:
-    return Passage("take an entry", of, with_=(str(row), str(column)))
-
-
-def put_in(*rows: str, of: str = "") -> Passage:
-    """The first side of each row, a letter, is replaced by the last one, all at once, within expectations too."""
-    return Passage("put in", of, rows)
-
-
-def find_minimum(direction: str = "", of: str = "") -> Passage:
-    """The line before, of which the left is the rate of a cost, is zero at the minimum, whatever the direction."""
-    return Passage("find the minimum", of, (), (direction,) if direction else ())
-
-
-def stack(first: str, *others: str) -> Passage:
-    """The lines over one another: their first sides, and their last ones."""
-    return Passage("stack", first, others)
-
-
-def take_root(of: str = "") -> Passage:
-    """The positive square root of each side."""
-    return Passage("take the root", of)
-
-
-def identify(letter: str, of: str = "") -> Passage:
-    """Both sides are equal whatever the letter, a vector, is: so are their derivatives by its components, a matrix."""
-    return Passage("identify", of, (), (letter,))
-
-
-def take_rotation_vector(of: str = "") -> Passage:
-    """Of rotations by less than half a turn their rotation vectors."""
-    return Passage("take the rotation vector", of)
-
-
-def take_quaternion(of: str = "") -> Passage:
-    """Of rotations their quaternions; q and -q are one."""
-    return Passage("take the quaternion", of)
-
-
-def solve_for(letter: str, of: str = "") -> Passage:
-    """The line before, linear in the letter, gives it."""
-    return Passage("solve", of, (), (letter,))
-
-
-OPERATIONS = (
-    "substitute", "multiply", "add", "add line", "subtract line", "transpose", "invert", "rearrange", "multiply out",
-    "chain", "expand", "leave out", "differentiate", "carry over", "take the vector", "take the skew-symmetric part",
-    "take rows", "take an entry", "put in", "find the minimum", "stack", "take the root", "identify",
-    "take the rotation vector", "take the quaternion", "solve",
-)  # fmt: skip
+# What leads from the line `of`, or the one before, to this one.
+OPERATIONS = {
+    "substitute": (
+        "each of `using`, in order, gives its letter a value: its first side if that is a letter or a column of "
+        "letters, else its last one; or the letter of `letters`, for which it, linear in it, is solved"
+    ),
+    "multiply": "each side, by the factors `with`, from the left and from the right",
+    "add": "the term `with` is added to each side",
+    "add line": "side by side",
+    "subtract line": "side by side",
+    "transpose": "each side",
+    "invert": "each side",
+    "rearrange": "terms change sides: left less right stays, but for its sign",
+    "multiply out": (
+        "each side is written otherwise: equal for all values of the letters of their classes; the identities "
+        "`using` say why"
+    ),
+    "chain": "sides of the lines `using` are equal to one another, since the lines have a side in common",
+    "expand": "each side in powers of `letters` together, through `order`",
+    "leave out": "`letters` are set to zero",
+    "differentiate": "each side by a parameter, on which `letters` depend with the rates `with`, letters or numbers",
+    "carry over": "the same of another time, point or quantity: `with` stand in the place of `letters`, all at once",
+    "take the vector": "of skew-symmetric sides their vectors",
+    "take the skew-symmetric part": "of each side",
+    "take rows": "rows of the sides, `with` their numbers, counted from 1",
+    "take an entry": "`with` the numbers of its row and its column",
+    "put in": (
+        "the first side of each of `using`, a letter, is replaced by the last one, all at once, within expectations too"
+    ),
+    "find the minimum": (
+        "the line, of which the left is the rate of a cost, is zero at the minimum, whatever the direction `letters`"
+    ),
+    "stack": "the line and those of `using` over one another: their first sides, and their last ones",
+    "take the root": "the positive square root of each side",
+    "identify": (
+        "both sides are equal whatever the vector `letters` is: so are their derivatives by its components, a matrix"
+    ),
+    "take the rotation vector": "of rotations by less than half a turn",
+    "take the quaternion": "of rotations; q and -q are one",
+    "solve": "the line, linear in the letter `letters`, gives it",
+}
 
 
 # ---- Carrying out ----------------------------------------------------------------------------------------------------

@@ -24,6 +24,7 @@ from boresight.derive.papers.source import ANY, NAMES, TABLE, TEXT, Keys, Source
 from boresight.derive.papers.toml import Toml
 from boresight.errors import BoresightError, did_you_mean
 
+HERE = Path(__file__).parent
 SPELLINGS = (list, "a list of LaTeX")
 
 
@@ -47,7 +48,7 @@ class BuiltIn(Source):
 
     def __init__(self, name: str, python: Callable[[str], ModuleType]):
         self.name, self.python = name, python
-        super().__init__(Path(__file__).parent / name.replace("-", "_"))
+        super().__init__(HERE / name.replace("-", "_"))
         self.computed = python(self.data["witness"].removesuffix(".py"))
 
     def beside(self, name: str) -> ModuleType | None:

@@ -53,7 +53,7 @@ def aside(latex: str) -> str:
 def displays(path: Path) -> Iterator[Display]:
     """The displayed equations of a LaTeX file, each with its tag or its label.  Raises BoresightError."""
     text = text_of(path)
-    bare = re.sub(r"(?<!\\)%.*", lambda comment: " " * len(comment[0]), text)
+    bare = without_comments(text)
     known: dict[str, int] = {}
     for found in ENVIRONMENT.finditer(bare):
         body = next(part for part in ("body", "square", "dollars") if found[part] is not None)
@@ -66,7 +66,7 @@ def displays(path: Path) -> Iterator[Display]:
         if number in known:
             refuse(path, text, found.start(), f"two equations are called {number}; line {known[number]} has the first")
         known[number] = line
-        inside = re.sub(rf"{LABEL.pattern}|\\nonumber|\\notag", lambda mark: " " * len(mark[0]), inside)
+        inside = without_labels(inside)
         inside = re.sub(r"(\\(?:begin|end)\{)(?:split|alignedat)\}", r"\1aligned}", inside)
         lines = (line, text.count("\n", 0, found.end()) + 1)
         inside = inside.rstrip().rstrip(".,;").rstrip()
@@ -78,6 +78,14 @@ def displays(path: Path) -> Iterator[Display]:
         yield Display(number, rows, at, found.end(body), lines, source)
     if not known:
         refuse(path, text, 0, r"no equation is displayed; write \begin{equation} ... \tag{1} \end{equation}")
+
+
+def without_comments(text: str) -> str:
+    return re.sub(r"(?<!\\)%.*", lambda comment: " " * len(comment[0]), text)
+
+
+def without_labels(text: str) -> str:
+    return re.sub(rf"{LABEL.pattern}|\\nonumber|\\notag", lambda mark: " " * len(mark[0]), text)
 
 
 def rows_of(text: str) -> Iterator[str]:

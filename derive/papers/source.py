@@ -8,7 +8,7 @@ from typing import Any, ClassVar, NoReturn
 
 from boresight.derive.ledger.equation import Quantity, Relation
 from boresight.derive.ledger.reader import UnreadError, plain, read
-from boresight.derive.papers.displays import Display, displays
+from boresight.derive.papers.displays import Display, displays, without_comments, without_labels
 from boresight.derive.papers.files import FILES, STEPS
 from boresight.derive.papers.steps import Steps
 from boresight.derive.papers.toml import Toml, refuse, text_of
@@ -111,7 +111,8 @@ class Source:
     def unread(self, display: Display, error: UnreadError) -> NoReturn:
         """At the place of the file up to which the reader has read: its text has no spaces."""
         text = text_of(self.print)
-        body, read_so_far = text[display.begins : display.ends], error.text[: error.at].replace("&", "")
+        body = without_labels(without_comments(text[display.begins : display.ends]))
+        read_so_far = error.text[: error.at].replace("&", "")
         places = (
             i
             for start in (0, *(row.end() for row in re.finditer(r"\\\\", body)))

@@ -53,8 +53,12 @@ class Toml:
 
     @cached_property
     def places(self) -> dict[Place, tuple[int, int]]:
-        """Where each key stands, and where its value begins, within the quotes of a string."""
-        return dict(places(self.text))
+        """Where each key stands first, and where its value begins, within the quotes of a string."""
+        found: dict[Place, tuple[int, int]] = {}
+        for place, at in places(self.text):
+            for k in range(1, len(place) + 1):
+                found.setdefault(place[:k], at)
+        return found
 
     def known(self, keys: Iterable[str], key: str, *place: str | int) -> None:
         if key not in keys:

@@ -1,5 +1,6 @@
 """Derivations of a paper of one's own: each step is judged and carried out, and what does not follow is refused."""
 
+import making as mk
 import pytest
 
 from boresight import BoresightError
@@ -106,7 +107,7 @@ def test_what_does_not_follow_is_one_line(old, new, found, tmp_path):
 
 
 def test_every_operation_may_be_named():
-    makers = [value for name, value in vars(passages).items() if callable(value) and not name.startswith("_")
+    makers = [value for name, value in vars(mk).items() if callable(value) and not name.startswith("_")
               and getattr(value, "__annotations__", {}).get("return") in (Passage, "Passage")]  # fmt: skip
     words = {"add", "add_line", "subtract_line", "identify", "solve_for", "stack"}
     made = {maker("1") if maker.__name__ in words else maker({}) if maker.__name__ in ("differentiate", "elsewhere")
