@@ -187,26 +187,28 @@ def equations(
 ) -> None:
     """The computed status of each printed equation, with evidence."""
     from boresight import report, terminal
-    from boresight.kept_ledger import functions, ledger
+    from boresight.kept_ledger import equation, functions, ledger
 
+    if paper and number is not None:
+        name, wanted = paper_of(paper), number.strip("()")
+        one = equation(name, lambda numbers: one_of(wanted, numbers, "equation"))
+        (row,) = one["entries"]
+        if as_json:
+            print_json([row])
+            return
+        of = functions().get(f"{name} ({row['number']})", {})
+        terminal.page(*report.equation(row, one["conditions"], [unit for names in of.values() for unit in names]))
+        return
     papers = [paper_of(paper)] if paper else paper_names()
     with terminal.progress() as progress:
         ledgers = {name: ledger(name, progress) for name in papers}
     rows = {name: kept["entries"] for name, kept in ledgers.items()}
-    if number is not None:
-        own = rows[papers[0]]
-        number = one_of(number.strip("()"), [entry["number"] for entry in own], "equation")
-        rows[papers[0]] = [entry for entry in own if entry["number"] == number]
     if as_json:
         print_json([entry for entries in rows.values() for entry in entries])
     elif paper is None:
         terminal.page(*report.equations(rows))
-    elif number is None:
-        terminal.page(*report.paper(paper, rows[paper], ledgers[paper]))
     else:
-        of = functions().get(f"{paper} ({number})", {})
-        units = [name for names in of.values() for name in names]
-        terminal.page(*report.equation(rows[paper][0], ledgers[paper]["conditions"], units))
+        terminal.page(*report.paper(paper, rows[paper], ledgers[paper]))
 
 
 @app.command()

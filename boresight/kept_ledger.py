@@ -44,6 +44,28 @@ def ledger(paper: str, progress: Progress = lambda done, total, text: None) -> d
     return kept(f"ledger/{name_of(paper)}", dict, lambda: compute(paper, progress), files_of(paper))
 
 
+def equation(paper: str, choose: Callable[[list[str]], str]) -> dict[str, Any]:
+    """Of a ledger the row of one equation, and `conditions`; without the other rows where nothing is kept.
+
+    choose: the number of one that there is, of all of them.
+    """
+    whole = None if has_own_model(paper) else held(f"ledger/{name_of(paper)}", dict, files_of(paper))
+    if whole is None:
+        return one_row(paper, choose)
+    number = choose([row["number"] for row in whole["entries"]])
+    return {**whole, "entries": [row for row in whole["entries"] if row["number"] == number]}
+
+
+def one_row(paper: str, choose: Callable[[list[str]], str]) -> dict[str, Any]:
+    from boresight.codegen.generate import load_model
+    from boresight.derive import papers
+    from boresight.derive.ledger.entries import entry_of
+
+    one = papers.paper(paper, load_model)
+    row = entry_of(one, one.equation(choose([each.number for each in one.equations])))
+    return {"entries": [row.to_dict()], "conditions": [one.conditions.text, one.point.text]}
+
+
 def page(paper: str, number: str | None, form: str, width: int) -> str:
     """A paper, or one equation of it, in a format of boresight.derive.pages.render; kept likewise."""
     if has_own_model(paper):
@@ -122,14 +144,9 @@ def kept(name: str, kind: type[Made], make: Callable[[], Made], files: tuple[Pat
 
     files: which it reads beside the sources.
     """
-    path, now = cache_folder() / f"{name}.json", key(files=files)
-    try:
-        old = json.loads(path.read_text(encoding="utf-8"))
-        if old["key"] == now and isinstance(old["made"], kind):
-            return old["made"]
-    except (OSError, ValueError, LookupError, TypeError):
-        pass  # nothing is kept, or it is damaged
-    made = make()
+    if (old := held(name, kind, files)) is not None:
+        return old
+    path, now, made = cache_folder() / f"{name}.json", key(files=files), make()
     part = path.with_suffix(f".{os.getpid()}")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -139,6 +156,16 @@ def kept(name: str, kind: type[Made], make: Callable[[], Made], files: tuple[Pat
         with suppress(OSError):
             part.unlink(missing_ok=True)
     return made
+
+
+def held(name: str, kind: type[Made], files: tuple[Path, ...] = ()) -> Made | None:
+    """What is kept under a name; None where nothing is, where it is damaged, or what reaches it has changed."""
+    try:
+        old = json.loads((cache_folder() / f"{name}.json").read_text(encoding="utf-8"))
+        made = old["made"] if old["key"] == key(files=files) else None
+    except (OSError, ValueError, LookupError, TypeError):
+        return None
+    return made if isinstance(made, kind) else None
 
 
 def key(derive: Path = DERIVE, files: tuple[Path, ...] = ()) -> str:

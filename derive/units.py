@@ -87,12 +87,37 @@ def registry() -> "UnitRegistry":
     return made
 
 
+FACTOR = re.compile(rf"(sqrt\()?(1|rad|Hz|{'|'.join(BASE.values())})(?(1)\))(?:\^(\d))?")
+
+
+PLAIN = {"1": ONE, "rad": RADIAN, "Hz": ONE / SECOND}
+
+
+def of_base_units(text: str) -> Unit | None:
+    """The unit of a text that multiplies and divides SI base units, rad and Hz alone; else None."""
+    parts = ["*", *re.split(r"([*/])", text)]
+    found = ONE
+    for sign, part in zip(parts[::2], parts[1::2], strict=True):
+        if not (read := FACTOR.fullmatch(part)):
+            return None
+        root, symbol, power = read.groups()
+        one = PLAIN.get(symbol) or Unit(((symbol, Fraction(1)),))
+        exponent = Fraction(int(power or 1), 2 if root else 1)
+        found *= one ** (exponent if sign == "*" else -exponent)
+    return found
+
+
 @cache
 def unit(text: str) -> Unit:
     """The unit of a text such as `rad/s/sqrt(s)`.
 
     Raises BoresightError on a unit that is unknown, and on one that is not coherent SI, with its factor.
     """
+    return of_base_units(text) or by_pint(text)
+
+
+def by_pint(text: str) -> Unit:
+    """Of any text.  Raises BoresightError as `unit` does."""
     known = registry()
     read = re.sub(r"\b(g|mg|ug|mil)\b", lambda found: OURS[found[0]], ROOT.sub(r"(\1)**0.5", text))
     try:

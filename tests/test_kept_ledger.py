@@ -52,6 +52,14 @@ def test_a_kept_ledger_is_the_computed_one(name, folder, calls):
     assert calls == [name]
 
 
+def test_one_equation_is_a_row_of_the_ledger_and_taken_from_a_kept_one(folder, calls):
+    alone = kept_ledger.equation(PAPER, lambda numbers: numbers[2])
+    whole = kept_ledger.ledger(PAPER)
+    kept = kept_ledger.equation(PAPER, lambda numbers: numbers[2])
+    assert alone["entries"] == kept["entries"] == [whole["entries"][2]] and calls == [PAPER]
+    assert alone["conditions"] == whole["conditions"]
+
+
 def test_a_forged_ledger_is_printed_and_seen_by_the_comparison(folder, calls):
     kept_ledger.ledger(PAPER)
     forge(folder)

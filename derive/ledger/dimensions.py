@@ -23,7 +23,7 @@ from boresight import BoresightError
 from boresight.derive.dimensions import Mismatch
 from boresight.derive.ledger.equation import Quantity
 from boresight.derive.ledger.paper import Paper
-from boresight.derive.units import ONE, RADIAN, Unit, unit
+from boresight.derive.units import ONE, RADIAN, Unit, of_base_units, unit
 
 Entry = Unit | None  # None of zero, which has every unit
 UNKNOWN = "?"  # in `Paper.units`, of a letter of which nobody has said a unit
@@ -94,11 +94,14 @@ def of_letter(mixed: Mapping[str, str], letter: Quantity) -> Grid:
     return filled(letter.shape, own) if letter.shape else scalar(own)
 
 
+WORD = re.compile("[a-z]{2,}")  # which is no unit: pint would have to be read to say so
+
+
 @cache
 def of_meaning(meaning: str) -> Unit:
     """The unit that ends it, perhaps before a remark on conventions; else that of a number."""
     for part in reversed(meaning.split(", ")):
-        if " " in part:
+        if " " in part or (WORD.fullmatch(part) and of_base_units(part) is None):
             continue
         try:
             return unit(part)

@@ -381,12 +381,17 @@ def units_of(paper: Paper, equation: Equation, side: Any, count: int, row: int =
 
 def letter_units(paper: Paper, side: Any, count: int = 1) -> list[str]:
     """The units of a side's entries by those of its letters, "1" where they do not fit."""
-    letters = grids(paper, (*paper.quantities(), *paper.letters()))
     try:
-        found = [str(entry or ONE) for entry in Terms(letters)(side)]
+        found = [str(entry or ONE) for entry in unit_terms(paper)(side)]
     except (Mismatch, LookupError, ValueError, TypeError):
         found = ["1"]
     return found if len(found) != 1 else found * count
+
+
+@cache
+def unit_terms(paper: Paper) -> Terms:
+    """The units of the paper's letters, and those of what is made of them."""
+    return Terms(grids(paper, (*paper.quantities(), *paper.letters())))
 
 
 def in_words(unit: str) -> tuple[mp.mpf, str]:

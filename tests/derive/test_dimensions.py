@@ -15,7 +15,7 @@ from boresight.derive.expressions import unnamed
 from boresight.derive.ledger import dimensions
 from boresight.derive.model import variable
 from boresight.derive.papers import DERIVATIONS, PAPERS, paper
-from boresight.derive.units import ONE, RADIAN, SECOND, unit, units
+from boresight.derive.units import ONE, RADIAN, SECOND, by_pint, of_base_units, unit, units
 
 # In the other frame than the built-in ones.  The examples are loaded, and so held, by their own tests.
 OTHERS = [
@@ -264,3 +264,19 @@ def test_units_alone_show_an_erratum_of_a_print():
     with pytest.raises(Mismatch, match="1 and rad/s"):
         for relation in one.read():
             dimensions.added(*map(terms, relation.sides))
+
+
+@pytest.mark.parametrize("text", [
+    "1", "m", "rad", "s", "Hz", "1/s", "rad/s", "m/s^2", "rad/s/sqrt(s)", "m/s/sqrt(Hz)", "m^2/s^4", "rad/s/m",
+    "kg*m/s^2",
+    "1/sqrt(s)", "m/rad", "kg/m^3", "A*s", "mol/K", "rad^2/s",
+])  # fmt: skip
+def test_a_unit_of_base_units_is_read_as_pint_reads_it(text):
+    assert of_base_units(text) == by_pint(text)
+
+
+@pytest.mark.parametrize(
+    "text", ["deg", "g", "N", "m s", "m**2", "1e3*m", "2", "", "m//s", "sqrt(m", "km", "s^-1", "mm/s"]
+)
+def test_what_is_more_is_left_to_pint(text):
+    assert of_base_units(text) is None

@@ -5,10 +5,11 @@ matrix is a Jacobian of exact rates by differences.  No function of derive/mecha
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from random import Random
+from typing import Any
 
 from boresight.derive.ledger import ellipsoid, navigation
 from boresight.derive.ledger.ellipsoid import ENU, NED, SPIN, WORKING, Level
@@ -17,7 +18,16 @@ from boresight.derive.ledger.free import of, rotation
 from boresight.derive.ledger.navigation import Navigator, Truth, stack
 from boresight.derive.ledger.numbers import Matrix, cos, digits, eye, zeros
 from boresight.derive.ledger.paper import Stated, Witness
-from boresight.derive.ledger.witness import angles, attitude, finite_rotation, quaternion, rotation_vector, skew, vector
+from boresight.derive.ledger.witness import (
+    Letters,
+    angles,
+    attitude,
+    finite_rotation,
+    quaternion,
+    rotation_vector,
+    skew,
+    vector,
+)
 
 DEGREE = math.pi / 180
 
@@ -89,9 +99,9 @@ TO_ENU = Matrix([[0, 1, 0], [1, 0, 0], [0, 0, -1]])  # of components; of coordin
 SWAPPED = Matrix([[0, 1, 0], [1, 0, 0], [0, 0, 1]])
 
 
-def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> dict:
+def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Letters:
     """Values of every letter at one point; no equation is a definition that it needs."""
-    return dict(_world(base))
+    return _world(base)
 
 
 def truth(base: Base, level: Level) -> Truth:
@@ -103,11 +113,20 @@ def truth(base: Base, level: Level) -> Truth:
 
 
 @lru_cache(maxsize=64)
-def _world(base: Base) -> dict:
+def _world(base: Base) -> Letters:
     with digits(WORKING):
         found = {**_rates(base), **_earth(base), **_partials(base), **_alignment(base), **_transition(base)}
         found |= {"I": eye(3), "I_9": eye(9), "0_3": zeros(3), "[J]": turned_frame()}
-        return found | {f"e_{k + 1}": eye(9)[:, k] for k in range(9)}
+        found |= {f"e_{k + 1}": eye(9)[:, k] for k in range(9)}
+    later = tuple((names, partial(_made, make)) for names, make in found.items() if callable(make))
+    return Letters(later, {name: value for name, value in found.items() if not callable(value)})
+
+
+def _made(make: Callable[[], Any], letters: Letters) -> list:
+    """A letter, or several, that take time: made when they are asked for."""
+    with digits(WORKING):
+        found = make()
+    return found if isinstance(found, list) else [found]
 
 
 def turned_frame() -> Matrix:
@@ -183,10 +202,9 @@ def _earth(base: Base) -> dict:
 
 def _partials(base: Base) -> dict:
     """F, G and T of both models in both levels, and what they are made of, by differences of exact rates."""
-    result = {}
+    result: dict[str, Any] = {}
     for level in (NED, ENU):
         true = truth(base, level)
-        none = zeros(15, 1)
 
         def mapped(x, true=true) -> Matrix:
             """Errors against the computed level, of the errors against the true one."""
@@ -197,12 +215,10 @@ def _partials(base: Base) -> dict:
                 -rotation_vector(finite_rotation(-x[6:9, 0]) * C_n2c.T),
             )
 
-        result[f"F_φ {level.name}"] = ellipsoid.jacobian(
-            lambda x, t=true: t.phi_rates(stack(x, zeros(6, 1)))[0:9, 0], 9
-        )
-        result[f"F_ψ {level.name}"] = ellipsoid.jacobian(true.psi_rates, 9)
-        result[f"G {level.name}"] = ellipsoid.jacobian(lambda e, t=true, n=none: t.phi_rates(n, e)[0:9, 0], 6)
-        result[f"T {level.name}"] = ellipsoid.jacobian(mapped, 9)
+        result[f"F_φ {level.name}"] = _by(lambda x, t=true: t.phi_rates(stack(x, zeros(6, 1)))[0:9, 0], 9)
+        result[f"F_ψ {level.name}"] = _by(true.psi_rates, 9)
+        result[f"G {level.name}"] = _by(lambda e, t=true: t.phi_rates(zeros(15, 1), e)[0:9, 0], 6)
+        result[f"T {level.name}"] = _by(mapped, 9)
         if level is ENU:
             result |= {"p ENU": true.position, "v ENU": true.v_n, "f ENU": true.exact.f_n, "C ENU": true.C,
                        "q ENU": quaternion(true.C)}  # fmt: skip
@@ -212,12 +228,12 @@ def _partials(base: Base) -> dict:
             return Navigator(true.position + p, true.v_n + v, true.C, true.f_b, true.omega, NED)
 
         result |= {
-            "P_p": ellipsoid.jacobian(lambda p: at(p, zeros(3, 1)).position_rate, 3),
-            "Ω_p": ellipsoid.jacobian(lambda p: at(p, zeros(3, 1)).omega_ie_n, 3),
-            "W_p": ellipsoid.jacobian(lambda p: at(p, zeros(3, 1)).omega_en_n, 3),
-            "W_v": ellipsoid.jacobian(lambda v: at(zeros(3, 1), v).omega_en_n, 3),
-            "G_p": ellipsoid.jacobian(lambda p: at(p, zeros(3, 1)).gravity_n, 3),
-            "Θ": ellipsoid.jacobian(lambda p, true=true: -rotation_vector(true.computed_level(p)), 3),
+            "P_p": _by(lambda p, at=at: at(p, zeros(3, 1)).position_rate, 3),
+            "Ω_p": _by(lambda p, at=at: at(p, zeros(3, 1)).omega_ie_n, 3),
+            "W_p": _by(lambda p, at=at: at(p, zeros(3, 1)).omega_en_n, 3),
+            "W_v": _by(lambda v, at=at: at(zeros(3, 1), v).omega_en_n, 3),
+            "G_p": _by(lambda p, at=at: at(p, zeros(3, 1)).gravity_n, 3),
+            "Θ": _by(lambda p, true=true: -rotation_vector(true.computed_level(p)), 3),
         }
 
         def T_after(t, true=true) -> Matrix:
@@ -229,9 +245,18 @@ def _partials(base: Base) -> dict:
             result[3:6, 0:3], result[6:9, 0:3] = -skew(moved.v_n) * turn, -turn
             return result
 
-        step = ellipsoid.exact("1e-12")
-        result["Ṫ NED"] = (T_after(step) - T_after(-step)) / (2 * step)
+        result["Ṫ NED"] = partial(_rate, T_after)
     return result
+
+
+def _rate(function: Callable) -> Matrix:
+    step = ellipsoid.exact("1e-12")
+    return (function(step) - function(-step)) / (2 * step)
+
+
+def _by(function: Callable, size: int) -> Callable[[], Matrix]:
+    """The derivative by so many errors, when it is asked for."""
+    return lambda: ellipsoid.jacobian(function, size)
 
 
 def _alignment(base: Base) -> dict:
@@ -269,8 +294,7 @@ def _alignment(base: Base) -> dict:
         return euler_m - angles(C_true)
 
     return {
-        "F_16": ellipsoid.jacobian(rates, 16),
-        "H_v": ellipsoid.jacobian(z_v, 16), "H_a": ellipsoid.jacobian(z_a, 16), "H_e": ellipsoid.jacobian(z_e, 6),
+        "F_16": _by(rates, 16), "H_v": _by(z_v, 16), "H_a": _by(z_a, 16), "H_e": _by(z_e, 6),
         "r": C * L, "u": C * skew(omega) * L, "lever": L, "a": a, "C_m2n": C_m2n, "C_b2m": C_b2m,
         "ω_nb": C * omega - omega_in, "μ": Matrix(base.mu),
         "J": _mean_turn(base.mu),
@@ -293,16 +317,20 @@ def _mean_turn(mu) -> Matrix:
 def _transition(base: Base) -> dict:
     """Phi and Q of the phi model by the matrix exponential; Q by van Loan's."""
     dt = base.step[0]
-    true = truth(base, NED)
-    F = ellipsoid.jacobian(lambda x: true.phi_rates(stack(x, zeros(6, 1)))[0:9, 0], 9)
-    generator = Random(5)
-    root = Matrix([[generator.uniform(-1, 1) for _ in range(9)] for _ in range(9)])
-    S = root * root.T
-    block = zeros(18)
-    block[0:9, 0:9], block[0:9, 9:18], block[9:18, 9:18] = -F, S, F.T
-    grown = (block * dt).exp()
-    Phi = grown[9:18, 9:18].T
-    return {"Φ": (F * dt).exp(), "Q": Phi * grown[0:9, 9:18], "S": S, "Δt": dt, "F": F}
+
+    def grown() -> list[Matrix]:
+        true = truth(base, NED)
+        F = ellipsoid.jacobian(lambda x: true.phi_rates(stack(x, zeros(6, 1)))[0:9, 0], 9)
+        generator = Random(5)
+        root = Matrix([[generator.uniform(-1, 1) for _ in range(9)] for _ in range(9)])
+        S = root * root.T
+        block = zeros(18)
+        block[0:9, 0:9], block[0:9, 9:18], block[9:18, 9:18] = -F, S, F.T
+        grown = (block * dt).exp()
+        Phi = grown[9:18, 9:18].T
+        return [(F * dt).exp(), Phi * grown[0:9, 9:18], S, F]
+
+    return {"Φ|Q|S|F": grown, "Δt": dt}
 
 
 # What letters are by their nature.
