@@ -81,6 +81,24 @@ def test_a_misprint_is_found_by_its_own_derivation(tmp_path):
     assert "1. note: The computed axes" in page and "3. rearrange: C goes to the left." in page and "Origin" not in page
 
 
+COMPACT = r"""
+macros.rates = '\omega_{ie} + #1'
+
+"2" = [
+  { each = ['\omega_{en}'], claim = "exact", line = '\omega_{in} = \rates{#1}', why = "rates add" },
+  { claim = "exact", by = "substitute", of = "(1)", using = ["1"], letters = ['\omega_{en}'], line = [
+    '\dot{v} = C f + g',
+    '- (\rates{\omega_{in}}) \times v',
+  ], why = ["(1), with", "the rate of n"] },
+]
+"""
+
+
+def test_steps_in_a_list_with_macros_are_those_written_out(tmp_path):
+    one, other = (written(tmp_path, steps).equation("2").derivation.steps for steps in (STEPS, COMPACT))
+    assert one == other and len(one) == 2
+
+
 @pytest.mark.parametrize(("old", "new", "found"), [
     (r"= \omega_{ie} + \omega_{en}", r"= \omega_{ie} - \omega_{en}", "derivation.toml, (2), line 1, "),
     (r"C - [\phi", r"C + [\phi", "(3), line 2, \\hat{C} = C + [\\phi \\times] C: halving the errors leaves 0.5"),
