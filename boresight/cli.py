@@ -190,8 +190,8 @@ def equations(
     from boresight.kept_ledger import equation, functions, ledger
 
     if paper and number is not None:
-        name, wanted = paper_of(paper), number.strip("()")
-        one = equation(name, lambda numbers: one_of(wanted, numbers, "equation"))
+        name = paper_of(paper)
+        one = equation(name, number.strip("()"), lambda wanted, numbers: one_of(wanted, numbers, "equation"))
         (row,) = one["entries"]
         if as_json:
             print_json([row])

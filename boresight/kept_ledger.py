@@ -13,6 +13,7 @@ from contextlib import suppress
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any, TypeVar
+from urllib.parse import quote
 
 from boresight.runtime.manifest import built_in, cache_folder, folder_of, generated
 
@@ -44,26 +45,33 @@ def ledger(paper: str, progress: Progress = lambda done, total, text: None) -> d
     return kept(f"ledger/{name_of(paper)}", dict, lambda: compute(paper, progress), files_of(paper))
 
 
-def equation(paper: str, choose: Callable[[list[str]], str]) -> dict[str, Any]:
-    """Of a ledger the row of one equation, and `conditions`; without the other rows where nothing is kept.
+def equation(paper: str, number: str, check: Callable[[str, list[str]], object]) -> dict[str, Any]:
+    """Of a ledger the row of one equation, and `conditions`; where no ledger is kept, the other rows are not computed.
 
-    choose: the number of one that there is, of all of them.
+    check: refuses a number that is none of those that there are.
     """
-    whole = None if has_own_model(paper) else held(f"ledger/{name_of(paper)}", dict, files_of(paper))
+    name, files = name_of(paper), files_of(paper)
+    if has_own_model(paper):
+        return one_row(paper, number, check)
+    whole = held(f"ledger/{name}", dict, files)
     if whole is None:
-        return one_row(paper, choose)
-    number = choose([row["number"] for row in whole["entries"]])
+        place = f"ledger/{name}-{quote(number, safe='')}"
+        return kept(place, dict, lambda: one_row(paper, number, check), files)
+    check(number, [row["number"] for row in whole["entries"]])
     return {**whole, "entries": [row for row in whole["entries"] if row["number"] == number]}
 
 
-def one_row(paper: str, choose: Callable[[list[str]], str]) -> dict[str, Any]:
+def one_row(paper: str, number: str, check: Callable[[str, list[str]], object]) -> dict[str, Any]:
     from boresight.codegen.generate import load_model
     from boresight.derive import papers
     from boresight.derive.ledger.entries import entry_of
 
     one = papers.paper(paper, load_model)
-    row = entry_of(one, one.equation(choose([each.number for each in one.equations])))
-    return {"entries": [row.to_dict()], "conditions": [one.conditions.text, one.point.text]}
+    check(number, [each.number for each in one.equations])
+    return {
+        "entries": [entry_of(one, one.equation(number)).to_dict()],
+        "conditions": [one.conditions.text, one.point.text],
+    }
 
 
 def page(paper: str, number: str | None, form: str, width: int) -> str:

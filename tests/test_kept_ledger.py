@@ -53,11 +53,12 @@ def test_a_kept_ledger_is_the_computed_one(name, folder, calls):
 
 
 def test_one_equation_is_a_row_of_the_ledger_and_taken_from_a_kept_one(folder, calls):
-    alone = kept_ledger.equation(PAPER, lambda numbers: numbers[2])
+    seen = []
+    alone, again = (kept_ledger.equation(PAPER, "3", lambda number, numbers: seen.append(numbers)) for _ in range(2))
     whole = kept_ledger.ledger(PAPER)
-    kept = kept_ledger.equation(PAPER, lambda numbers: numbers[2])
-    assert alone["entries"] == kept["entries"] == [whole["entries"][2]] and calls == [PAPER]
-    assert alone["conditions"] == whole["conditions"]
+    kept = kept_ledger.equation(PAPER, "3", lambda number, numbers: seen.append(numbers))
+    assert alone["entries"] == again["entries"] == kept["entries"] == [whole["entries"][2]] and calls == [PAPER]
+    assert alone["conditions"] == whole["conditions"] and seen == [["1", "2", "3", "4", "5", "6"]] * 2
 
 
 def test_a_forged_ledger_is_printed_and_seen_by_the_comparison(folder, calls):
