@@ -20,7 +20,7 @@ from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.reader import read
 from boresight.derive.papers.displays import Display
 from boresight.derive.papers.maps import maps
-from boresight.derive.papers.source import ANY, NAMES, TABLE, TEXT, Keys, Source, several
+from boresight.derive.papers.source import ANY, NAMES, TABLE, TEXT, Keys, Source, check_unit, several
 from boresight.derive.papers.toml import Toml
 from boresight.errors import BoresightError, did_you_mean
 
@@ -64,7 +64,10 @@ class BuiltIn(Source):
         meaning = ", ".join(filter(None, (row.get("meaning", ""), "" if several(unit) else unit)))
         shape = row.get("shape", ())
         shape = (shape,) if isinstance(shape, int) else tuple(shape)
-        return letter(symbol, row["latex"], row.get("kind", ""), meaning, shape, row.get("function", False))
+        made = letter(symbol, row["latex"], row.get("kind", ""), meaning, shape, row.get("function", False))
+        if unit:
+            check_unit(toml, name, made, unit)
+        return made
 
     @cached_property
     def quantities(self) -> tuple[Quantity, ...]:

@@ -14,7 +14,7 @@ from flint import arb
 from sympy import Symbol
 
 from boresight import BoresightError
-from boresight.derive.ledger.dimensions import UNKNOWN, Grid, misfits, of_letter
+from boresight.derive.ledger.dimensions import UNKNOWN, misfits
 from boresight.derive.ledger.equation import Derivation, Equation, Quantity, Relation, letter
 from boresight.derive.ledger.evaluate import DIGITS, Point, evaluate
 from boresight.derive.ledger.frames import NONE, SAME, TURN, UPPER
@@ -26,10 +26,9 @@ from boresight.derive.ledger.reader import UnreadError, plain, read
 from boresight.derive.ledger.witness import draw, scaled
 from boresight.derive.papers.displays import ASIDE, Display, aside
 from boresight.derive.papers.scenarios import Scenario, scenario
-from boresight.derive.papers.source import TABLE, TEXT, VALUE, Keys, Source, several
+from boresight.derive.papers.source import TABLE, TEXT, VALUE, Keys, Source, check_unit, several
 from boresight.derive.papers.value_frames import frame_of_value
 from boresight.derive.papers.values import TIMES, ValueOfLetterError, Values, check, parsed
-from boresight.derive.units import unit as unit_of
 from boresight.errors import did_you_mean
 
 NAME = r"[A-Za-z]\w*'?"  # of a frame
@@ -169,15 +168,8 @@ class Folder(Source):
             self.frames[symbol] = frame
         ends = f", {unit}" * (not several(unit) and unit != UNKNOWN)
         made = letter(name, entry["latex"], f"{unit} {shape}", meaning + ends, shape)
-        if unit == UNKNOWN:
-            return made
-        try:
-            units = of_letter({symbol: unit} if several(unit) else {}, made) if several(unit) else unit_of(unit)
-        except BoresightError as error:
-            self.refuse(str(error), "letters", name, "unit")
-        if isinstance(units, Grid) and units.shape != (*shape, 1, 1)[:2]:
-            sizes = " x ".join(map(str, units.shape))
-            self.refuse(f"{name} has {sizes} units for the shape {list(shape)}", "letters", name, "unit")
+        if unit != UNKNOWN:
+            check_unit(self.toml, name, made, unit)
         return made
 
     def unit_of_value(self, symbol: str) -> str:

@@ -6,12 +6,14 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, ClassVar, NoReturn
 
+from boresight.derive.ledger.dimensions import Grid, of_letter
 from boresight.derive.ledger.equation import Quantity, Relation
 from boresight.derive.ledger.reader import UnreadError, plain, read
 from boresight.derive.papers.displays import Display, displays, without_comments, without_labels
 from boresight.derive.papers.files import FILES, STEPS
 from boresight.derive.papers.steps import Steps
 from boresight.derive.papers.toml import Toml, refuse, text_of
+from boresight.derive.units import unit as unit_of
 from boresight.errors import BoresightError, did_you_mean
 
 TOML, PRINT = FILES
@@ -135,6 +137,17 @@ class Source:
         for number in self.steps.numbers:
             if number not in known:
                 self.steps.refuse(number, 0, f"{PRINT} has no such equation; it has {', '.join(known)}")
+
+
+def check_unit(toml: Toml, name: str, made: Quantity, unit: str) -> None:
+    """That a letter's unit is one, or that it has as many as there are entries."""
+    try:
+        units = of_letter({made.symbol.name: unit}, made) if several(unit) else unit_of(unit)
+    except BoresightError as error:
+        toml.refuse(str(error), "letters", name, "unit")
+    if isinstance(units, Grid) and units.shape != (*made.shape, 1, 1)[:2]:
+        sizes = " x ".join(map(str, units.shape))
+        toml.refuse(f"{name} has {sizes} units for the shape {list(made.shape)}", "letters", name, "unit")
 
 
 def several(unit: str) -> bool:

@@ -30,6 +30,7 @@ def copy(tmp_path):
     ("paper.toml", 'kind = "lever arm"', 'kynd = "lever arm"', "28:22: no key 'kynd' here (did you mean 'kind'?)"),
     ("paper.toml", 'latex = "v_S^n", ', "", "19:1: v_S has no latex: write latex = '...'"),
     ("paper.toml", 'unit = "rad"\nleft_out', "unit = 1\nleft_out", "95:1: unit must be a text"),
+    ("paper.toml", '"m", shape', '"mm", shape', "mm is 0.001 m; declare m"),
     ("paper.toml", r"meant = 'a \sin", r"meant = 'q \sin", "104:1: a reading of (6) has no meant: cannot read"),
     ("paper.toml", '"H of dcm"', '"H on dcm"', "154:1: 'H on dcm' is nothing that a model makes; write"),
     ("paper.toml", 'name = "vel', 'nome = "vel', "116:1: no key 'nome' here (did you mean 'name'?)"),
