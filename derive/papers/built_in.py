@@ -20,12 +20,14 @@ from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.reader import read
 from boresight.derive.papers.displays import Display
 from boresight.derive.papers.maps import maps
-from boresight.derive.papers.source import ANY, NAMES, TABLE, TEXT, Keys, Source, check_unit, several
+from boresight.derive.papers.source import NAMES, TABLE, TEXT, Keys, Source, check_unit, several
 from boresight.derive.papers.toml import Toml
 from boresight.errors import BoresightError, did_you_mean
 
 HERE = Path(__file__).parent
 SPELLINGS = (list, "a list of LaTeX")
+READINGS = (list, "a list of tables, each with printed, meant and why")
+TRUTH = (bool, "true or false")
 
 
 @cache
@@ -38,10 +40,10 @@ class BuiltIn(Source):
     KEYS: ClassVar[Keys] = {
         "": {**Source.KEYS[""], "meant": NAMES, "units": TABLE, "frames": TABLE, "meanings": TABLE,
              "model": (list, "a table [[model]]")},
-        "letters": {**Source.KEYS["letters"], "kind": TEXT, "function": ANY, "spellings": SPELLINGS},
+        "letters": {**Source.KEYS["letters"], "kind": TEXT, "function": TRUTH, "spellings": SPELLINGS},
         "equations": {
             **Source.KEYS["equations"], "unit": TEXT, "defines": NAMES, "introduces": NAMES, "leads_to": NAMES,
-            "meant": NAMES, "readings": ANY, "meanings": NAMES, "conventions": NAMES, "as_vector": ANY,
+            "meant": NAMES, "readings": READINGS, "meanings": NAMES, "conventions": NAMES, "as_vector": TRUTH,
             "left_out": TEXT, "unflown": TEXT,
         },
     }  # fmt: skip

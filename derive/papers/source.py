@@ -23,7 +23,7 @@ TEXT: Kind = (str, "a text")
 TABLE: Kind = (dict, "a table")
 NAMES: Kind = (list, 'a list, as ["step"]')
 VALUE: Kind = ((str, int, float), "a text")
-ANY: Kind = (object, "")
+SHAPE: Kind = ((int, list), "a number, or a list of two")
 
 
 class Source:
@@ -34,7 +34,7 @@ class Source:
             "title": TEXT, "authors": TEXT, "published": TEXT, "conventions": (list, "a list of sentences"),
             "witness": TEXT, "computed": TABLE, "letters": TABLE, "equations": TABLE, "model": TABLE,
         },
-        "letters": {"latex": TEXT, "meaning": TEXT, "unit": TEXT, "shape": ANY},
+        "letters": {"latex": TEXT, "meaning": TEXT, "unit": TEXT, "shape": SHAPE},
         "equations": {"note": TEXT, "small": NAMES},
     }  # fmt: skip
 

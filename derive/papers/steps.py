@@ -9,6 +9,7 @@ from typing import Any, NoReturn
 from boresight.derive.ledger.equation import Claim, Line, Passage, Quantity
 from boresight.derive.ledger.lines import read_lines
 from boresight.derive.ledger.passages import OPERATIONS
+from boresight.derive.ledger.reader import FUNCTIONS
 from boresight.derive.papers.macros import ARGUMENT, USE, expanded
 from boresight.derive.papers.toml import Toml
 from boresight.errors import BoresightError, did_you_mean
@@ -18,6 +19,23 @@ TEXTS, LISTS = ("claim", "by", "of", "dropped", "condition"), ("small", "using",
 LONG = ("line", "why")  # a text, or a list of its parts
 KEYS = (*LONG, *TEXTS, *LISTS, "order", "result")
 TABLES = ("macros", "letters")  # which are no equations
+READ = (
+    "frac",
+    "sqrt",
+    "begin",
+    "end",
+    "left",
+    "right",
+    "times",
+    "cdot",
+    "exp",
+    "vee",
+    "mathrm",
+    "text",
+    "flown",
+    "quad",
+)
+OWN = frozenset((*READ, *(name.strip("\\") for name in FUNCTIONS)))  # commands that no macro may hide
 
 
 class Steps:
@@ -62,6 +80,9 @@ class Steps:
     ) -> tuple[Line, ...]:
         """The steps of an equation, read; parts: of the witness, which may be small."""
         found: list[Line] = []
+        commands = OWN.union(*(USE.findall(one.latex) for one in quantities)) if self.macros else OWN
+        for name in self.macros.keys() & commands:
+            self.toml.refuse(f"\\{name} has a meaning of its own here; call the macro otherwise", "macros", name)
         for index, step in enumerate(self.toml.data.get(number, ())):
             self.judge_keys(number, index, step, parts)
             try:

@@ -44,6 +44,7 @@ def copy(tmp_path):
     ("derivation.toml", '"limit"', '"limits"', "66:5: step 3 of (2): 'limits' is no claim (did you mean 'limit'?)"),
     ("derivation.toml", '"2" = [', '"22" = [', "61:3: step 1 of (22): printed.tex has no such equation; it has 1,"),
     ("derivation.toml", "macros.old", 'macros."old-1"', "8:1: 'old-1' is no name of a macro: letters alone"),
+    ("derivation.toml", "macros.old", "macros.delta", "8:1: \\delta has a meaning of its own here; call the macro"),
     ("derivation.toml", 'latex = "r_m^e"', 'latix = "r_m^e"', "189:11: no key 'latix' here (did you mean 'latex'?)"),
 ])  # fmt: skip
 def test_what_is_wrong_in_a_file_is_one_line_with_its_place(file, old, new, found, copy, tmp_path, monkeypatch):
