@@ -110,6 +110,7 @@ def test_sdist_and_wheel_hold_the_package_and_an_installed_one_flies(built, tmp_
         "from boresight.codegen.generate import default_folder; "
         "assert str(default_folder('euler-matching')) == 'generated/euler_matching'; "
         "from boresight.codegen.new import new; from pathlib import Path; new('mine', 'ins', Path()); "
+        "from boresight.derive.papers import paper; assert len(paper('kang-2025').equations) == 6; "
         "from boresight.codegen import proof; from boresight.codegen.folder import Folder; "
         "from boresight.runtime.manifest import folder_of; import boresight.evidence.own; "
         "print('kept:', *proof.kept(Folder(folder_of('euler-matching'))))"
