@@ -13,6 +13,8 @@ from functools import cache
 from types import MappingProxyType
 
 from sympy import (
+    Add,
+    Dummy,
     Function,
     Integer,
     Mul,
@@ -47,6 +49,7 @@ from boresight.derive.ledger.equation import (
     matrix,
     negative,
     product,
+    replaced,
     total,
 )
 
@@ -81,6 +84,8 @@ BLOCK = re.compile(
     r"(?P<what>\\mathbf\{[0I]\}|\\mathbf[0I]|\\boldsymbol\{[0I]\}|[0I])"
     r"_(?:\{(?P<rows>\d+)(?:\\times(?P<columns>\d+))?\}|(?P<size>\d))"
 )
+IDENTITY = re.compile(r"\\(?:mathbf|boldsymbol|mathbb|mathrm)\{I\}|I(?![A-Za-z_])")
+IDENTITY_OF_ITS_PLACE = Dummy("I", commutative=False)  # until its size is known
 ENDS = (
     "=",
     "<",
@@ -97,12 +102,16 @@ ENDS = (
     r"\leq",
     r"\times]",
     r"\times)",
+    r"\times\}",
     ",",
     ";",
 )  # of a product
 
+BREAK = r"\\\\(?:\*|\s*\[\s*-?[\d.]+\s*\\?[a-z]+\s*\])?"  # of a row
 # What only sets a formula, and the one spelling that is read in the place of others.
 SETTING = (
+    (r"\\(?:left|right)\s*\.", ""),
+    (BREAK, r"\\\\"),
     (r"\\left(?![a-z])|\\right(?![a-z])|\\therefore|\\(?:big|Big|bigg|Bigg)[lrm]?(?![a-zA-Z])|\\[,;:!]|~", ""),
     (r"(?<=\))_\{\d \\times \d\}", ""),
     (r"\\(?:triangleq|coloneqq|doteq|approx|simeq|equiv)(?![a-z])|:=|\\overset\{[^{}]*\}\{=\}", "="),
@@ -114,9 +123,23 @@ SETTING = (
     (r"\\end\{array\}", r"\\end{bmatrix}"),
     (r"\\[lr]floor(?![a-z])", lambda found: "[" if found[0] == r"\lfloor" else "]"),
     (r"\\(?:lVert|rVert|Vert)(?![a-z])", r"\\|"),
+    (r"\\lbrace(?![a-z])", r"\\{"),
+    (r"\\rbrace(?![a-z])", r"\\}"),
+    (r"\\[lr]brack(?![a-z])", lambda found: "[" if found[0] == r"\lbrack" else "]"),
+    (r"\\(?:bm|pmb)(?![a-z])", r"\\boldsymbol"),
     (r"\\(?:lvert|rvert|vert)(?![a-z])", "|"),
     (r"\\(?:operatorname|mathrm|text)\s*\{(diag|atan2|atan|asin|acos|exp|ln)\}", r"\\\1"),
     (r"\\varepsilon", r"\\epsilon"),
+)
+FONTS = (
+    "mathbf|boldsymbol|mathbb|mathcal|mathsf|mathrm|mathit|vec|hat|widehat|tilde|widetilde|bar|dot|ddot|check|overline"
+)
+# One spelling of what LaTeX sets alike: \mathbf v, v_{N}, C^n_b, {a \over b}.
+ALIKE = (
+    (rf"\\({FONTS})(?![a-zA-Z])\s*(\\(?!(?:{FONTS})(?![a-zA-Z]))[a-zA-Z]+|[a-zA-Z0-9])", r"\\\1{\2}"),
+    (r"([_^])\s*\{\s*(\\[a-zA-Z]+|[^\\{}\s])\s*\}", r"\1\2"),
+    (r"\^\s*([a-zA-Z0-9]|\\[a-zA-Z]+|[*+-]|\{[^{}]*\})\s*_\s*([a-zA-Z0-9]|\\[a-zA-Z]+|\{[^{}]*\})", r"_\2^\1"),
+    (r"\{([^{}]*?)\\over(?![a-z])([^{}]*)\}", r"{\\frac{\1}{\2}}"),
 )
 
 
@@ -128,9 +151,10 @@ def read(
     A side that must be less than something, a = b < c, is read as b < c.  flown: what \\flown{name} stands for.
     Raises BoresightError at the first piece of LaTeX that is neither structure nor a quantity of the table.
     """
+    displays = tuple(displays)
     joined: list[str] = []
-    for text in (plain(row) for display in displays for row in _rows(display)):
-        if joined and text[0] in "=+-":
+    for text in (plain(row).lstrip(";") for display in displays for row in _rows(display)):
+        if joined and text.startswith(("=", "+", "-", r"\times", r"\cdot")):
             joined[-1] += text
         else:
             joined.append(text)
@@ -140,7 +164,11 @@ def read(
         for quantity in quantities
         for mark in (("(", "[") if quantity.function else ("",))
     }
-    return tuple(_Reader(text, table, flown).relation() for text in joined)
+    try:
+        return tuple(_Reader(text, table, flown).relation() for text in joined)
+    except UnreadError as error:
+        error.found_in(displays)
+        raise
 
 
 UPPER = r"\^(\w|\{\w+\})$"
@@ -156,39 +184,140 @@ def transposed(entry):
     return transpose(entry, evaluate=False) if not entry.is_commutative else entry
 
 
+def turned(base):
+    """Its transpose; of a sum it stays the transpose of the sum."""
+    if is_explicit(base):
+        return matrix([[transposed(base[i, j]) for i in range(base.rows)] for j in range(base.cols)])
+    return transpose(base, evaluate=False)
+
+
+def untransposed(entry):
+    """Of a column that is printed as [a^T b^T]^T."""
+    return entry.args[0] if isinstance(entry, transpose) else entry
+
+
+HINTS = (
+    (r"\\i*nt(?![a-z])|\\sum|\\prod", "no integral and no sum is read: give it a letter with a value"),
+    (r"\\partial|\\nabla", "no derivative is read but a rate: give it a letter with a value"),
+    (
+        r"(?:\\frac\{)?(?:\\mathrm\{)?d[^/={}]*\}?[^/={}]*(?:/|\}\{)(?:\\mathrm\{)?d",
+        r"a rate is read of one letter that has a value: \dot{x}, \frac{dx}{dt}, dx/dt",
+    ),
+    (r"\\begin\{cases\}", "write an equation for each case"),
+    (r"\\begin\{[a-z]*\}", "of environments within an equation are read: aligned, split, bmatrix, pmatrix and array"),
+    (r"\\[pm][pm](?![a-z])", "write an equation for each sign"),
+    (r"\\[lg]eq?(?![a-z])|[<>]", "what is no equation is not judged: leave it out, or write it as \\text{for } ..."),
+    (r"\\wedge", r"write \times for a cross product"),
+    (r"\\[cl]?dots", "of a sum that goes on only the end may be left out, as + \\cdots"),
+    (",", "write an equation for each, apart by a comma and \\quad"),
+)
+
+
 class UnreadError(BoresightError):
-    """What is neither structure nor a letter of the table: `text`, as `plain` has it, from `at` on."""
+    """What is neither structure nor a letter of the table: `text`, as `plain` has it, from `at` on.
+
+    place: where that stands in the display, as it is typed; typed: what stands there.
+    """
 
     def __init__(self, text: str, at: int, why: str = ""):
-        super().__init__(f"cannot read {text[at : at + 40]!r} in {text[:60]!r}: {why or 'add it to the table'}")
         self.text, self.at, self.why = text, at, why
+        self.say(at, text)
+
+    def say(self, place: int, display: str) -> None:
+        self.place, self.typed = place, display[place:]
+        whole, why = f"'{short(display, 60)}'", self.why or self.hint or "add it to the table"
+        what = f"'{short(self.typed)}' in {whole}: {why}" if self.text[self.at :] else f"{whole}: it ends too early"
+        super().__init__(f"cannot read {what}")
+
+    @property
+    def hint(self) -> str:
+        """What to write in the place of what is not read."""
+        return next((hint for pattern, hint in HINTS if re.match(pattern, self.text[self.at :])), "")
+
+    def found_in(self, displays: Iterable[str]) -> None:
+        for display in displays:
+            if (place := place_of(display, self)) is not None:
+                self.say(place, display)
+                return
+
+
+def short(latex: str, most: int = 24) -> str:
+    """The beginning of LaTeX, to an end of a word of it."""
+    text = " ".join(latex.split())
+    return text if len(text) <= most else re.sub(r"\\[A-Za-z]*$|\s+$", "", text[:most])
+
+
+def place_of(latex: str, error: UnreadError, expanded: Callable[[str], str] = str) -> int | None:
+    """Where in LaTeX, as it is typed, stands what was not read; expanded: puts macros in their places."""
+
+    def bare(text: str) -> str:
+        return text.replace("&", "").replace("\\\\", "").lstrip(";")
+
+    so_far = bare(error.text[: error.at])
+    starts = (found.end() for found in re.finditer(r"^|\\\\|\\begin\{\w+\}|,|\\q?quad(?![a-z])", latex))
+    for start in starts:
+        for at in range(start, len(latex)):
+            if not latex[at].isspace() and bare(plain(expanded(latex[start:at]))) == so_far:
+                return at
+    return None
+
+
+WIDE = r"(?:\\q?quad(?![a-z])|\\enspace(?![a-z])|\\hspace\*?\{[^{}]*\}|\\ )"
+BETWEEN = re.compile(  # two equations of a row
+    rf"[,;]\s*(?:{WIDE}\s*)*\\(?:text|mbox|textrm)\s*\{{\s*and\s*\}}(?:\s*{WIDE})*|[,;](?:\s*{WIDE})*|{WIDE}(?:\s*{WIDE})*"
+    rf"|(?:{WIDE}\s*)*\\(?:text|mbox|textrm)\s*\{{\s*and\s*\}}(?:\s*{WIDE})*"
+)
+OPENING = re.compile(r"\\begin\{|\\end\{|\\[{}]|[()\[\]{}]|" + BETWEEN.pattern)
+SIGN = re.compile(r"=|<|\\(?:approx|triangleq|coloneqq|doteq|simeq|equiv|leq)(?![a-z])")
 
 
 def _rows(display: str) -> Iterator[str]:
-    """The lines of a display: the rows of aligned, and what stands apart by a comma and a wide space."""
-    inside = re.fullmatch(r"\s*\\begin\{aligned\}(.*)\\end\{aligned\}\s*", display, re.DOTALL)
+    """The lines of a display: the rows of aligned, and in each the equations that stand apart by a comma or a space."""
+    inside = re.fullmatch(r"\s*(?:\\left\s*\\\{\s*)?\\begin\{aligned\}(.*)\\end\{aligned\}\s*(?:\\right\s*\.\s*)?",
+                          display, re.DOTALL)  # fmt: skip
     if not inside:
-        yield from re.split(r",\s*\\quad", display)
+        yield from _apart(display)
         return
     row, depth = "", 0
-    for piece in re.split(r"(\\begin\{bmatrix\}|\\end\{bmatrix\}|\\\\)", inside[1]):
-        depth += piece.startswith(r"\begin") - piece.startswith(r"\end")
-        if piece == r"\\" and not depth:
-            yield row
+    for piece in re.split(rf"(\\begin\{{|\\end\{{|{BREAK})", inside[1]):
+        depth += (piece == r"\begin{") - (piece == r"\end{")
+        if piece.startswith("\\\\") and not depth:
+            yield from _apart(row)
             row = ""
         else:
             row += piece if depth or piece.startswith(r"\end") else piece.replace("&", "")
-    yield row
+    yield from _apart(row)
+
+
+def _apart(row: str) -> Iterator[str]:
+    """The equations of a row."""
+    parts, begins, depth = [], 0, 0
+    for found in OPENING.finditer(row):
+        if BETWEEN.fullmatch(found[0]):
+            if not depth:
+                parts.append(row[begins : found.start()])
+                begins = found.start()
+        else:
+            depth += 1 if found[0] in ("(", "[", "{", r"\{", r"\begin{") else -1
+            depth += found[0] in (r"\begin{", r"\end{")  # its name closes a bracket too
+    whole = ""
+    for part in (*parts, row[begins:]):
+        if whole and SIGN.search(BETWEEN.sub("", part, count=1)) and SIGN.search(whole):
+            yield whole
+            whole = BETWEEN.sub("", part, count=1)
+        else:
+            whole += part
+    yield whole
 
 
 @cache
 def plain(latex: str) -> str:
     """LaTeX without what only sets it: spaces, the sizes of brackets and matrices, the two shapes of epsilon."""
     latex = re.sub(r"(\[[^\[\]]*(?<!\\);[^\[\]]*\])", r"\1^T", latex)  # [a; b; c] as in MATLAB: a column
-    latex = re.sub(r"(?<!\\)\\ |\\quad", ";", latex)  # [a \ b \ c]^T: the spaces separate
-    for pattern, spelling in SETTING:
+    latex = re.sub(r"(?<!\\)\\ |\\q?quad", ";", latex)  # [a \ b \ c]^T: the spaces separate
+    for pattern, spelling in (*SETTING, *ALIKE):
         latex = re.sub(pattern, spelling, latex)
-    return re.sub(r"\s+", "", latex).replace("&=", "=").rstrip(",")
+    return re.sub(r"\s+", "", latex).replace("&=", "=").rstrip(",.;")
 
 
 def _minus(term):
@@ -234,9 +363,49 @@ class _Reader:
             sides.append(StrictLessThan(side, self.sum(), evaluate=False) if self.take("<") else side)
         if self.at < len(self.text):
             self.refuse()
+        sides = self.sized(sides, [self.size(side) for side in sides])
+        if any(IDENTITY_OF_ITS_PLACE in getattr(side, "free_symbols", ()) for side in sides):
+            self.at = next(IDENTITY.finditer(self.text)).start()
+            self.refuse("no letter is written so, and as an identity its size is open: write I_3")
         return Relation(tuple(sides), self.layout)
 
+    def sized(self, parts: list, sizes: Iterable) -> list:
+        """Parts of a sum, or sides, with the size of an identity among them where the others have one."""
+        square = {size for size in sizes if size and size[0] == size[1]}
+        if len(square) != 1:
+            return parts
+        ((size, _),) = square
+        mapping = {IDENTITY_OF_ITS_PLACE: Symbol(f"I_{size}x{size}", commutative=False)}
+        return [
+            replaced(part, mapping) if IDENTITY_OF_ITS_PLACE in getattr(part, "free_symbols", ()) else part
+            for part in parts
+        ]
+
+    def size(self, part) -> tuple[int, int] | None:
+        """Rows and columns; None of a number, and of what is not known."""
+        if isinstance(part, Symbol):
+            if block := re.fullmatch(r"[0I]_(\d+)x(\d+)", part.name):
+                return int(block[1]), int(block[2])
+            shape = self.shapes.get(part)
+            return (shape[0], (*shape, 1)[1]) if shape else None
+        if is_explicit(part):
+            return part.shape if all(self.size(entry) is None for entry in part) else None
+        if isinstance(part, transpose):
+            size = self.size(part.args[0])
+            return size and size[::-1]
+        if part.func == SKEW:
+            return 3, 3
+        if part.is_Pow or part.func in (OPERATORS[r"\exp"], CONJUGATE):
+            return self.size(part.args[0])
+        if isinstance(part, Add):
+            return next(filter(None, map(self.size, part.args)), None)
+        if isinstance(part, Mul):
+            sizes = [self.size(factor) or (0, 0) for factor in part.args if not factor.is_commutative]
+            return (sizes[0][0], sizes[-1][1]) if sizes and (0, 0) not in sizes else None
+        return None
+
     def sum(self):
+        self.take("+")
         terms = [_minus(self.product()) if self.take("-") else self.product()]
         while self.ahead("+", "-"):
             if self.take("+"):
@@ -244,7 +413,7 @@ class _Reader:
             else:
                 self.need("-")
                 terms.append(_minus(self.product()))
-        return total(*terms)
+        return total(*self.sized(terms, [self.size(term) for term in terms]))
 
     def product(self):
         factors = [self.factor()]
@@ -255,8 +424,10 @@ class _Reader:
             elif self.ahead(r"\cdot") and not self.ahead(r"\cdots"):
                 self.take(r"\cdot")
                 factors.append(self.factor())
-                if all(len(self.shape(one) or ()) == 1 and self.shape(one) != (4,) for one in factors[-2:]):
-                    factors[-2] = transpose(factors[-2])
+                if sum(not one.is_commutative or is_explicit(one) for one in factors[:-1]) > 1:
+                    factors = [product(*factors[:-1]), factors[-1]]  # C f . v
+                if all(self.shape(one) != (4,) and (self.size(one) or ())[1:] == (1,) for one in factors[-2:]):
+                    factors[-2] = turned(factors[-2])
             elif self.ahead(*PRODUCTS):
                 start = self.at
                 any(map(self.take, PRODUCTS))
@@ -327,9 +498,8 @@ class _Reader:
         if self.take(r"\sqrt"):
             root = self.group("[", "]") if self.ahead("[") else Integer(2)
             return sqrt(self.group("{", "}")) if root == 2 else self.group("{", "}") ** (1 / root)
-        if self.take("e^{") or self.take("\\mathrm{e}^{"):
-            self.at -= 1
-            return self.exponential(self.group("{", "}"))
+        if self.take("e^") or self.take(r"\mathrm{e}^"):
+            return self.exponential(self.argument())
         if self.take(r"\begin{bmatrix}"):
             return self.power(self.bmatrix())
         if self.take(r"\flown{"):
@@ -354,33 +524,23 @@ class _Reader:
             self.need("|")
             self.bars -= 1
             return self.power(NORM(inside))
-        if self.take(r"\{"):
-            return self.samples()
-        if self.take("("):
-            inside = self.sum()
-            if self.take(r"\times)"):
-                return self.power(SKEW(inside))
-            self.need(")")
-            return self.power(inside)
+        if self.ahead(r"\{"):
+            return self.curly()
+        if self.ahead("(", "["):
+            return self.bracket()
         if self.ahead("{"):
             return self.power(self.group("{", "}"))
-        if self.ahead("["):
-            start = self.at
-            self.need("[")
-            inside = self.sum()
-            if self.take(r"\times]"):
-                return self.power(SKEW(inside))
-            self.at = start
-            items = self.list("[", "]", ";")
-            if len(items) == 1 and (self.take(r"_\times") or self.take(r"_{\times}")):
-                return self.power(SKEW(items[0]))
-            return column(*items) if self.take("^T") else items[0] if len(items) == 1 else matrix([items])
         if block := BLOCK.match(self.text, self.at):
             return self.block(block)
+        if identity := IDENTITY.match(self.text, self.at):
+            self.at = identity.end()
+            return self.power(IDENTITY_OF_ITS_PLACE)
+        if self.take(r"\mathbf{0}") or self.take(r"\boldsymbol{0}"):
+            return Integer(0)
         number = NUMBER.match(self.text, self.at)
         if number:
             self.at = number.end()
-            return self.power(Rational(number.group())) if self.ahead("^{") else Rational(number.group())
+            return self.power(Rational(number.group()))
         return self.refuse()
 
     def elementary(self, function: Callable):
@@ -409,7 +569,7 @@ class _Reader:
             self.at += 1
             return Integer(self.text[self.at - 1])
         for name in self.letters:
-            if self.take(name):
+            if name in self.table and self.take(name):
                 return self.table[name].symbol
         return self.refuse()
 
@@ -428,19 +588,20 @@ class _Reader:
         return Symbol(f"{what}_{rows}x{found['columns'] or rows}", commutative=False)
 
     def power(self, base):
+        base = SKEW(base) if self.take(r"_\times") else base
         if self.take("^T"):
-            if is_explicit(base):
-                return matrix([[transposed(base[i, j]) for i in range(base.rows)] for j in range(base.cols)])
-            return transpose(base, evaluate=False)  # of a sum it stays the transpose of the sum
+            return turned(base)
         if self.take("^{-1}"):
             return base**-1
-        if self.take(r"^\wedge") or self.take(r"^{\wedge}"):
+        if self.take("^{-T}"):
+            return transpose(base**-1, evaluate=False)
+        if self.take(r"^\wedge") or self.take(r"^\times"):
             return SKEW(base)
-        if self.take("^*") or self.take("^{*}"):
+        if self.take("^*"):
             return CONJUGATE(base)
         if not self.take("^"):
             return base
-        exponent = self.group("{", "}") if self.ahead("{") else self.factor()
+        exponent = self.argument()
         if not exponent.is_number and not base.is_commutative:
             self.refuse("no letter of the table has this above it, and it is no power")
         return base**exponent
@@ -480,13 +641,40 @@ class _Reader:
             entries.append(self.sum())
         return entries[0] if len(entries) == 1 else Function("row")(*entries)
 
-    def samples(self):
-        """{a <= k <= b}, after its bracket."""
+    def curly(self):
+        """{a <= k <= b}, or what plain brackets hold."""
+        self.need(r"\{")
         bounds = [self.sum()]
         while self.take(r"\leq"):
             bounds.append(self.sum())
+        if len(bounds) == 1 and self.take(r"\times\}"):
+            return self.power(SKEW(bounds[0]))
         self.need(r"\}")
-        return Function("samples")(*bounds)
+        return self.power(bounds[0]) if len(bounds) == 1 else Function("samples")(*bounds)
+
+    def bracket(self):
+        """(a), [a], [a x]; and [a b], [a, b] or (a, b): a row, whose transpose is a column."""
+        start, right = self.at, ")" if self.ahead("(") else "]"
+        self.at += 1
+        items = [self.sum()]
+        if self.take(r"\times" + right):
+            return self.power(SKEW(items[0]))
+        separators = set()
+        while self.ahead(",", ";") and len(separators) < 2:
+            separators.add(self.text[self.at])
+            self.at += 1
+            items.append(self.sum())
+        self.need(right)
+        if len(items) == 1:
+            return self.power(items[0])
+        if self.take("^T"):
+            return column(*map(untransposed, items))
+        if "," in separators:
+            self.at = start
+            self.refuse(
+                r"write (a, b)^T for a column, [a \quad b] for a row, a b - b a for a commutator: it can be each"
+            )
+        return matrix([items])
 
     def call(self, quantity: Quantity):
         """C(a, b, c), or dC[(a, b, c), (d, e, f)] with its arguments in one row."""

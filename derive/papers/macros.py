@@ -1,10 +1,29 @@
-"""Abbreviations of LaTeX: the table [macros] of derivation.toml, used as \\name or, with arguments, \\name{a}{b}."""
+r"""Abbreviations of LaTeX: \newcommand and \def of printed.tex, and tables [macros], used as \name or, with arguments,
+\name{a}{b}."""
 
 import re
 from collections.abc import Mapping
 
 USE = re.compile(r"\\([A-Za-z]+)")
 ARGUMENT = re.compile(r"#(\d)")
+BRACES = r"\{((?:[^{}]|\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\})*)\}"  # to a depth of four
+DECLARED = re.compile(
+    r"\\(?:new|renew|provide)command\*?\s*(?:\{\s*\\([A-Za-z]+)\s*\}|\\([A-Za-z]+))\s*(?:\[\d\])?\s*" + BRACES
+    + r"|\\def\s*\\([A-Za-z]+)\s*(?:#\d)*\s*" + BRACES
+    + r"|\\DeclareMathOperator\*?\s*\{?\s*\\([A-Za-z]+)\s*\}?\s*" + BRACES
+)  # fmt: skip
+
+
+def declared(text: str) -> dict[str, str]:
+    """What a LaTeX file defines, by name; in each those before it are in their places.  Raises ValueError."""
+    found: dict[str, str] = {}
+    for one in DECLARED.finditer(re.sub(r"(?<!\\)%.*", "", text)):
+        name = one[1] or one[2] or one[4] or one[6]
+        body = one[3] or one[5] or rf"\operatorname{{{one[7]}}}"
+        if name in USE.findall(body):
+            raise ValueError(f"\\{name} stands in its own meaning")
+        found[name] = expanded(body, found)
+    return found
 
 
 def expanded(latex: str, macros: Mapping[str, str]) -> str:

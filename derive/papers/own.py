@@ -167,7 +167,7 @@ class Folder(Source):
         if frame := self.frame_of(symbol, name, entry, shape, at):
             self.frames[symbol] = frame
         ends = f", {unit}" * (not several(unit) and unit != UNKNOWN)
-        made = letter(name, entry["latex"], f"{unit} {shape}", meaning + ends, shape)
+        made = letter(name, self.expanded(entry["latex"]), f"{unit} {shape}", meaning + ends, shape)
         if unit != UNKNOWN:
             check_unit(self.toml, name, made, unit)
         return made
@@ -202,7 +202,7 @@ class Folder(Source):
         if shape not in ((3,), (3, 3), (4,)) or "value" not in entry:
             return ""
         frame = frame_of_value(symbol, at, self.scenario, shape)
-        latex = plain_frames(entry["latex"])
+        latex = plain_frames(self.expanded(entry["latex"]))
         shown = turn.groups()[:2] if (turn := TURN.search(latex)) else (up[1],) if (up := UPPER.search(latex)) else ()
         if frame == NONE and shown:  # a turn of numbers, as C_s^b
             return ""
@@ -468,12 +468,19 @@ def dotted(name: str) -> str:
     return normalize("NFC", f"{stem}\u0307{under}{scripts}")
 
 
+RATES = tuple(  # of a letter, beside a dot
+    form.replace("d", d) for d in ("d", r"{\rm d}", r"\mathrm{d}")
+    for form in (r"\frac{d %s}{d t}", r"\frac{d}{d t} %s", r"d %s / d t")
+)  # fmt: skip
+
+
 def dotted_latex(latex: str) -> tuple[str, ...]:
     """How a rate may be printed; the last is written where the print is not at hand."""
     scripts = re.search(r"(?<!\\)[_^]", latex)
     at = scripts.start() if scripts else len(latex)
     stem, rest = latex[:at].strip(), latex[at:]
-    found = [rf"\dot{{{latex}}}", rf"\dot{{{stem}}}{rest}"]
+    found = [form % latex for form in RATES]
+    found += [rf"\dot{{{latex}}}", rf"\dot{{{stem}}}{rest}"]
     if error := re.fullmatch(r"(\\[Dd]elta)(?![A-Za-z])\s*(.+)", stem):
         found += [rf"\dot{{{error[1]}}} {error[2]}{rest}", rf"{error[1]} \dot{{{error[2]}}}{rest}"]
     return tuple(dict.fromkeys(found))

@@ -1,6 +1,5 @@
 """The files of a paper, as its folder has them: paper.toml, printed.tex and derivation.toml, each read once."""
 
-import re
 from collections.abc import Iterable, Mapping
 from functools import cached_property
 from pathlib import Path
@@ -8,9 +7,10 @@ from typing import Any, ClassVar, NoReturn
 
 from boresight.derive.ledger.dimensions import Grid, of_letter
 from boresight.derive.ledger.equation import Quantity, Relation
-from boresight.derive.ledger.reader import UnreadError, plain, read
-from boresight.derive.papers.displays import Display, displays, without_comments, without_labels
+from boresight.derive.ledger.reader import UnreadError, place_of, read, short
+from boresight.derive.papers.displays import Display, displays
 from boresight.derive.papers.files import FILES, STEPS
+from boresight.derive.papers.macros import declared, expanded
 from boresight.derive.papers.steps import Steps
 from boresight.derive.papers.toml import Toml, refuse, text_of
 from boresight.derive.units import unit as unit_of
@@ -33,6 +33,7 @@ class Source:
         "": {
             "title": TEXT, "authors": TEXT, "published": TEXT, "conventions": (list, "a list of sentences"),
             "witness": TEXT, "computed": TABLE, "letters": TABLE, "equations": TABLE, "model": TABLE,
+            "macros": TABLE,
         },
         "letters": {"latex": TEXT, "meaning": TEXT, "unit": TEXT, "shape": SHAPE},
         "equations": {"note": TEXT, "small": NAMES},
@@ -94,11 +95,11 @@ class Source:
 
     @cached_property
     def displays(self) -> tuple[Display, ...]:
-        return tuple(displays(self.print))
+        return tuple(displays(self.print, self.macros))
 
     @cached_property
     def steps(self) -> Steps:
-        return Steps(self.folder / STEPS)
+        return Steps(self.folder / STEPS, self.macros)
 
     def read(self, display: Display, latex: Iterable[str], letters: Iterable[Quantity]) -> tuple[Relation, ...]:
         """What a display says, its LaTeX as it is given.  Raises BoresightError at the place in the file."""
@@ -113,19 +114,28 @@ class Source:
     def unread(self, display: Display, error: UnreadError) -> NoReturn:
         """At the place of the file up to which the reader has read: its text has no spaces."""
         text = text_of(self.print)
-        body = without_labels(without_comments(text[display.begins : display.ends]))
-        read_so_far = error.text[: error.at].replace("&", "")
-        places = (
-            i
-            for start in (0, *(row.end() for row in re.finditer(r"\\\\", body)))
-            for i in range(start, len(body))
-            if not body[i].isspace() and plain(body[start:i]).replace("&", "") == read_so_far
-        )
         if error.at >= len(error.text):
             refuse(self.print, text, display.ends, f"({display.number}) ends before a formula is whole")
-        why = error.why or f"no letter of {TOML} is written so, and it is no sign that is read"
-        what = f"cannot read {error.text[error.at : error.at + 20]!r} in ({display.number}): {why}"
-        refuse(self.print, text, display.begins + next(places, 0), what)
+        place = place_of(display.text, error, self.expanded) or 0
+        why = error.why or error.hint or f"no letter of {TOML} is written so, and it is no sign that is read"
+        what = f"cannot read '{short(display.text[place:])}' in ({display.number}): {why}"
+        refuse(self.print, text, display.begins + place, what)
+
+    @cached_property
+    def macros(self) -> dict[str, str]:
+        """Those of paper.toml and of printed.tex, by name."""
+        text = text_of(self.print) if self.print.is_file() else ""
+        try:
+            return {**self.toml.macros(), **declared(text)}
+        except ValueError as error:
+            refuse(self.print, text, 0, str(error))
+
+    def expanded(self, latex: str) -> str:
+        """With macros in their places; as it is, where an argument of one is missing."""
+        try:
+            return expanded(latex, self.macros)
+        except ValueError:
+            return latex
 
     def check_numbers(self, numbers: Iterable[str]) -> None:
         """That paper.toml and derivation.toml speak of equations that there are."""

@@ -11,7 +11,7 @@ from boresight.derive.ledger.lines import read_lines
 from boresight.derive.ledger.passages import OPERATIONS
 from boresight.derive.ledger.reader import FUNCTIONS
 from boresight.derive.papers.macros import ARGUMENT, USE, expanded
-from boresight.derive.papers.toml import Toml
+from boresight.derive.papers.toml import Toml, joined
 from boresight.errors import BoresightError, did_you_mean
 
 CLAIMS = ("exact", "definition", "identity", "first-order", "order", "limit", "approximation")
@@ -44,8 +44,8 @@ class Steps:
     Raises BoresightError with file, line and column of what is wrong.
     """
 
-    def __init__(self, path: Path):
-        self.toml = Toml(path, needed=False)
+    def __init__(self, path: Path, macros: Mapping[str, str] = MappingProxyType({})):
+        self.toml, self.known = Toml(path, needed=False), macros
         self.numbers = tuple(number for number in self.toml.data if number not in TABLES)
 
     def refuse(self, number: str, index: int, what: str, *key: str) -> NoReturn:
@@ -54,17 +54,8 @@ class Steps:
 
     @cached_property
     def macros(self) -> dict[str, str]:
-        """By name their LaTeX, in which those before them may stand."""
-        found: dict[str, str] = {}
-        for name, latex in self.toml.typed(self.toml.data.get("macros", {}), dict, "a table", "macros").items():
-            if not USE.fullmatch(f"\\{name}"):
-                self.toml.refuse(f"{name!r} is no name of a macro: letters alone", "macros", name)
-            text = self.toml.typed(joined(latex), str, "a text", "macros", name)
-            try:
-                found[name] = expanded(text, found)
-            except ValueError as error:
-                self.toml.refuse(str(error), "macros", name)
-        return found
+        """By name their LaTeX, with those of the paper."""
+        return self.toml.macros(self.known)
 
     @property
     def letters(self) -> dict[str, Any]:
@@ -134,11 +125,6 @@ class Steps:
             if part not in parts:
                 near = did_you_mean(str(part), parts)
                 self.refuse(number, index, f"the witness has no error {part!r}{near}", "small")
-
-
-def joined(text: Any) -> Any:
-    """A text that is written in parts, as one."""
-    return " ".join(text) if isinstance(text, list) and all(isinstance(part, str) for part in text) else text
 
 
 def made(step: Mapping[str, Any]) -> Line:

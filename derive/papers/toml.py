@@ -2,11 +2,13 @@
 
 import re
 import tomllib
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, NoReturn
 
+from boresight.derive.papers.macros import USE, expanded
 from boresight.errors import BoresightError, did_you_mean
 
 Place = tuple[str | int, ...]  # keys, and numbers of what stands in a list, counted from 0
@@ -64,6 +66,19 @@ class Toml:
         if key not in keys:
             near, all_ = did_you_mean(key, keys), ", ".join(sorted(keys))
             self.refuse(f"no key {key!r} here{near}; there are {all_}", *place)
+
+    def macros(self, known: Mapping[str, str] = MappingProxyType({})) -> dict[str, str]:
+        """Of its table [macros] by name their LaTeX, in which those before them may stand."""
+        found = dict(known)
+        for name, latex in self.typed(self.data.get("macros", {}), dict, "a table", "macros").items():
+            if not USE.fullmatch(f"\\{name}"):
+                self.refuse(f"{name!r} is no name of a macro: letters alone", "macros", name)
+            text = self.typed(joined(latex), str, "a text", "macros", name)
+            try:
+                found[name] = expanded(text, found)
+            except ValueError as error:
+                self.refuse(str(error), "macros", name)
+        return found
 
     def typed(self, value: Any, kind: Any, what: str, *place: str | int) -> Any:
         if not isinstance(value, kind):
@@ -146,3 +161,8 @@ def places(text: str) -> Iterator[tuple[Place, tuple[int, int]]]:
             i += 1
             yield from value((*table, *names), at)
         blank()
+
+
+def joined(text: Any) -> Any:
+    """A text that is written in parts, as one."""
+    return " ".join(text) if isinstance(text, list) and all(isinstance(part, str) for part in text) else text

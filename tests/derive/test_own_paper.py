@@ -14,7 +14,7 @@ from tools import needs
 from boresight import BoresightError, cli, kept_ledger
 from boresight.derive.ledger.dimensions import listed
 from boresight.derive.ledger.entries import entry_of, ledger, unheld
-from boresight.derive.ledger.equation import Relation, negative
+from boresight.derive.ledger.equation import Relation, letter, negative
 from boresight.derive.ledger.judge import judge
 from boresight.derive.ledger.mends import mends, same
 from boresight.derive.ledger.mutation import free_values
@@ -27,6 +27,7 @@ from boresight.derive.pages.booklet import pdf_from_latex
 from boresight.derive.pages.page import notation
 from boresight.derive.pages.render import render
 from boresight.derive.papers import PAPERS, paper
+from boresight.derive.papers.displays import displays
 from boresight.derive.papers.own import own
 from boresight.derive.papers.scenarios import SCENARIOS
 
@@ -169,6 +170,64 @@ def test_a_number_by_label_is_one_too(folder):
     tex = folder / "printed.tex"
     tex.write_text(tex.read_text().replace(r"\tag{2}", r"\label{eq:2}"))
     assert [e.number for e in own(folder).equations] == ["1", "2"]
+
+
+ROWS = {  # by their numbers what stands in printed.tex
+    "1 two": r"\begin{align} x &= y \tag{1} \\ y &= x \label{eq:two} \end{align}",
+    "1 2": r"\begin{align} x &= y \nonumber \\ &\quad + x \tag{1} \\[2pt] y &= x \tag{2} \\ &= x + y \end{align}",
+    "3.1 3.2": r"\begin{eqnarray} x & = & y \label{3.1} \\ y & = & x \label{3.2} \end{eqnarray}",
+    "5 6": r"\begin{gather} x = y \tag{5} \\ \begin{bmatrix} x \\ y \end{bmatrix} = y \tag{6} \end{gather}",
+    "4a 4b 4c": r"\begin{subequations} \label{eq:4} \begin{align} x &= y \\ y &= x \end{align} \[ x = x + y \] "
+    r"\end{subequations}",
+    "4a X": r"\begin{subequations} \begin{align} x &= y \label{4a} \\ y &= x \tag{X} \end{align} \end{subequations}",
+    "7": r"\begin{align} x &= y \\ y &= x \tag{7} \end{align}",
+    "8": r"\begin{equation} \begin{split} x &= y \\ &\quad + x \end{split} \label{eqn:8} \end{equation}",
+    "9": r"$$ x = y \eqno(9) $$",
+}
+LOST = {  # what is said where a number would be lost
+    r"\begin{align} x &= y \tag{1} \\ y &= x \\ x &= x \tag{2} \end{align}": "1:33: this row has no number: add \\tag",
+    r"\begin{align} x &= y \tag{1} \\ &= x \tag{2} \end{align}": "1:33: (2) begins with a sign: write its left side",
+    r"\[ x = y \tag{1} y = x \tag{2} \]": "1:24: one equation is called 1 and 2: write align",
+    r"\[ x = y \tag{1} \] \begin{dmath} y = x \tag{2} \end{dmath}": "1:41: this number stands in no display",
+    r"\[ x = y \tag{\ref{a}'} \]": "1:10: this number cannot be read",
+}
+
+
+@pytest.mark.parametrize("numbers", ROWS)
+def test_each_row_with_a_number_is_an_equation_and_none_is_lost(tmp_path, numbers):
+    (tmp_path / "printed.tex").write_text(ROWS[numbers])
+    found = list(displays(tmp_path / "printed.tex"))
+    assert [one.number for one in found] == numbers.split()
+    x, y = (letter(name, name, "s", "") for name in "xy")
+    sides = [str(relation.sides[0]) for one in found for relation in read(one.latex, (x, y))]
+    assert len(sides) == ROWS[numbers].count("=") - ROWS[numbers].count(r"&= x + y")
+
+
+@pytest.mark.parametrize("latex", LOST)
+def test_a_number_that_would_be_lost_is_asked_for(tmp_path, latex):
+    (tmp_path / "printed.tex").write_text(latex)
+    with pytest.raises(BoresightError) as refused:
+        list(displays(tmp_path / "printed.tex"))
+    assert f"printed.tex:{LOST[latex]}" in str(refused.value)
+
+
+def test_rates_and_macros_are_read_as_they_are_typed(tmp_path):
+    letters = {"v": r"{ latex = '\vel', value = 'v_n' }", "p": "{ latex = 'p^n', value = 'p_n' }"}
+    rates = (
+        r"\frac{d p^n}{dt}",
+        r"\frac{d}{dt} p^{n}",
+        "dp^n/dt",
+        r"\frac{\mathrm{d} p^n}{\mathrm{d} t}",
+        r"\rate{p^n}",
+    )
+    prints = {str(i): rf"\vel = {rate}" for i, rate in enumerate(rates)}
+    prints["4"] = r"\newcommand{\rate}[1]{\dot{#1}} " + prints["4"] + " % \\def\\rate{x}\n"
+    one = written(tmp_path, "motion", letters, prints, "[macros]\nvel = '\\mathbf{v}^n'\n")
+    assert statuses(one) == dict.fromkeys("01234", "exact")
+    tex = tmp_path / "printed.tex"
+    tex.write_text(tex.read_text().replace(r"\vel = \rate", r"\vel + \unknown = \rate"))
+    with pytest.raises(BoresightError, match=r"printed.tex:5:43: cannot read '\\unknown = \\rate"):
+        own(tmp_path)
 
 
 def test_a_folder_without_a_paper_says_how_one_begins(tmp_path, monkeypatch, capsys):
@@ -479,7 +538,7 @@ WRONG = [  # file, what stands there, what is written in its place, line and col
     ("paper.toml", "planted =", 'small = ["step2"]\nplanted =', "22:1", "motion has no error 'step2' (did you mean"),
     ("paper.toml", "[letters]", "[sizes]\nattitude = -1\n[letters]", "15:1", "attitude must be a size"),
     ("printed.tex", r"n_g \tag{2}", r"n_x \tag{2}", "8:64", "cannot read 'n_x' in (2): no letter of paper.toml"),
-    ("printed.tex", "- n_g", r"- \cdots", "8:64", r"cannot read '\\cdots' in (2)"),
+    ("printed.tex", "- n_g", r"- \cdots", "8:64", r"cannot read '\cdots' in (2): of a sum that goes on only the end"),
     ("printed.tex", r"\tag{2}", "", "7:1", r"the equation has no number: add \tag{1}"),
     ("printed.tex", r"\tag{2}", r"\tag{1}", "7:1", "two equations are called 1; line 3 has the first"),
     ("printed.tex", r"\begin{equation}", "", "1:1", "no equation is displayed; write"),

@@ -116,6 +116,7 @@ TYPED = (
     Quantity(A, "A", "m", "", (3, 3)),
 )
 SKEW = Function("skew", commutative=False)(w)
+BRACKETS = (("(", ")"), ("[", "]"), (r"\{", r"\}"), (r"\left[", r"\right]"))
 NORM, CONJ = Function("norm")(w), Function("conj", commutative=False)(q)
 
 
@@ -156,6 +157,23 @@ NORM, CONJ = Function("norm")(w), Function("conj", commutative=False)(q)
         (r"\begin{bmatrix} x & y \end{bmatrix}^T", column(x, y)),
         (r"\begin{bmatrix} A & x \end{bmatrix}^{\mathsf{T}}", column(transpose(A), x)),
         (r"\max(x, y)", Function("max")(x, y)),
+        *(
+            (latex, (x + y) * y)
+            for latex in (r"\left\{ x + y \right\} y", r"\{ x + y \} y", r"\lbrace x + y \rbrace y")
+        ),
+        *((rf"{left} A + \mathbf{{v}} {right}^{{-1}}", (A + v) ** -1) for left, right in BRACKETS),
+        *((rf"{left} A + \mathbf{{v}} {right}^T", transpose(A + v, evaluate=False)) for left, right in BRACKETS),
+        *((rf"{left} \boldsymbol{{\omega}} {right}_\times", SKEW) for left, right in BRACKETS),
+        *((latex, SKEW) for latex in (r"\{ \boldsymbol{\omega} \times \}", r"\boldsymbol\omega^\times")),
+        *((rf"{left}x, y{right}^T", column(x, y)) for left, right in BRACKETS[:2]),
+        *((rf"{left}\mathbf{{v}}^T, \boldsymbol\omega^T{right}^T", column(v, w)) for left, right in BRACKETS[:2]),
+        (r"{x \over y}", x / y),
+        ("+ x + y", x + y),
+        (r"\begin{bmatrix} + x \\[2pt] y \end{bmatrix}", column(x, y)),
+        (r"10^3 y^23", 1000 * y**2 * 3),
+        ("A^{-T}", transpose(A**-1, evaluate=False)),
+        (r"A \mathbf v \cdot \boldsymbol \omega", transpose(A * v, evaluate=False) * w),
+        (r"\mathbf{I} - A", Symbol("I_3x3", commutative=False) - A),
     ],
 )
 def test_what_people_type_is_read(latex, right):
@@ -168,6 +186,49 @@ def test_what_people_type_is_read(latex, right):
 def test_a_transpose_may_stand_within_what_is_above_a_letter(latex):
     (relation,) = read((f"A = {latex} A",), (*TYPED, Quantity(v, "C_b^n", "m", "", (3, 3))))
     assert relation.sides[1] == transpose(v) * A
+
+
+@pytest.mark.parametrize(
+    "latex, other",
+    [
+        (r"\mathbf v_{N}^{n}", r"\mathbf{v}_N^n"),
+        (r"\mathbf{v}^{n}_{N}", r"\mathbf{v}_N^n"),
+        (r"\hat\omega_{\tau}", r"\hat{\omega}_\tau"),
+        (r"\bm P_{k}^{-}", r"\boldsymbol{P}_k^-"),
+        ("C^n_{b_{k}}", "C_{b_k}^n"),
+    ],
+)
+def test_what_looks_the_same_is_one_letter_and_what_does_not_is_not(latex, other):
+    for one, two in ((latex, other), (other, latex)):
+        (relation,) = read((f"x = y {one}",), (*TYPED[:2], Quantity(v, two, "v", "", (3,))))
+        assert relation.sides[1].args == (y, v)
+    for unlike in (r"\mathbf{v}_{Nn}", r"\mathbf{v}_n^N", "v_N^n", r"\omega_\tau", "P_k^-", "C_{bk}^n", "C_{b_k^n}"):
+        with pytest.raises(BoresightError, match="cannot read"):
+            read((f"x = {unlike}",), (*TYPED[:2], Quantity(v, other, "v", "", (3,))))
+
+
+@pytest.mark.parametrize(
+    "between", [", ", r"\quad ", r", \qquad ", r"; \quad\quad ", r" \text{ and } ", r", \quad \mbox{and} \quad "]
+)
+def test_equations_of_one_row_stand_apart(between):
+    first, second = read(
+        (rf"\max(x, y) = y{between} \begin{{bmatrix}} x & y \end{{bmatrix}}^T = A \mathbf{{v}}.",), TYPED
+    )
+    assert first.sides == (Function("max")(x, y), y) and second.sides == (column(x, y), A * v)
+
+
+@pytest.mark.parametrize(("latex", "hint"), [
+    (r"[x, y]", "for a commutator: it can be each"),
+    (r"\mathbf{I} y", "as an identity its size is open: write I_3"),
+    (r"y \wedge \int x", r"write \times for a cross product"),
+    (r"y + \int_0^t x \, dt", r"cannot read '\int_0^t x \, dt' in 'x = y + \int_0^t x \, dt': no integral and no sum"),
+    (r"\frac{d}{dt} (x + y)", r"a rate is read of one letter that has a value"),
+    (r"\{ x, y \}", "write an equation for each"),
+])  # fmt: skip
+def test_what_stays_refused_is_shown_as_it_is_typed_with_what_to_do(latex, hint):
+    with pytest.raises(BoresightError) as refused:
+        read((f"x = {latex}",), TYPED)
+    assert hint in str(refused.value)
 
 
 @pytest.mark.parametrize(
