@@ -193,11 +193,13 @@ def equations(
         name = paper_of(paper)
         one = equation(name, number.strip("()"), lambda wanted, numbers: one_of(wanted, numbers, "equation"))
         (row,) = one["entries"]
+        of = functions().get(f"{name} ({row['number']})", {})
         if as_json:
             print_json([row])
-            return
-        of = functions().get(f"{name} ({row['number']})", {})
-        terminal.page(*report.equation(row, one["conditions"], [unit for names in of.values() for unit in names]))
+        else:
+            terminal.page(*report.equation(row, one["conditions"], [unit for names in of.values() for unit in names]))
+        if row["number"] in one["refused"]:
+            raise typer.Exit(1)
         return
     papers = [paper_of(paper)] if paper else paper_names()
     with terminal.progress() as progress:
@@ -209,6 +211,8 @@ def equations(
         terminal.page(*report.equations(rows))
     else:
         terminal.page(*report.paper(paper, rows[paper], ledgers[paper]))
+    if any(kept["refused"] for kept in ledgers.values()):
+        raise typer.Exit(1)
 
 
 @app.command()

@@ -24,10 +24,12 @@ DERIVE = Path(__file__).parent / "derive"
 
 def compute(paper: str, progress: Progress = lambda done, total, text: None) -> dict[str, Any]:
     """`entries`, the rows of `boresight equations PAPER --json`, `findings`, the sentences beside them, `unheld`, what
-    nothing holds, and `conditions`: what the sizes hold for, and the point at which errata are computed."""
+    nothing holds, `conditions`: what the sizes hold for, and the point at which errata are computed, `refused`: the
+    numbers whose derivations do not stand, and `labels`: other names of equations, with their numbers."""
     from boresight.codegen.generate import load_model
     from boresight.derive import papers
     from boresight.derive.ledger.entries import findings, ledger, unheld
+    from boresight.derive.ledger.lines import standing
 
     one = papers.paper(paper, load_model)
     return {
@@ -35,6 +37,8 @@ def compute(paper: str, progress: Progress = lambda done, total, text: None) -> 
         "findings": list(findings(one)),
         "unheld": list(unheld(one)),
         "conditions": [one.conditions.text, one.point.text],
+        "refused": [equation.number for equation in one.equations if standing(one, equation).refused],
+        "labels": dict(one.labels),
     }
 
 
@@ -57,6 +61,7 @@ def equation(paper: str, number: str, check: Callable[[str, list[str]], object])
     if whole is None:
         place = f"ledger/{name}-{quote(number, safe='')}"
         return kept(place, dict, lambda: one_row(paper, number, check), files)
+    number = whole["labels"].get(number, number)
     check(number, [row["number"] for row in whole["entries"]])
     return {**whole, "entries": [row for row in whole["entries"] if row["number"] == number]}
 
@@ -65,12 +70,15 @@ def one_row(paper: str, number: str, check: Callable[[str, list[str]], object]) 
     from boresight.codegen.generate import load_model
     from boresight.derive import papers
     from boresight.derive.ledger.entries import entry_of
+    from boresight.derive.ledger.lines import standing
 
     one = papers.paper(paper, load_model)
+    number = one.labels.get(number, number)
     check(number, [each.number for each in one.equations])
     return {
         "entries": [entry_of(one, one.equation(number)).to_dict()],
         "conditions": [one.conditions.text, one.point.text],
+        "refused": [number] * bool(standing(one, one.equation(number)).refused),
     }
 
 

@@ -105,7 +105,7 @@ def paper(name: str, entries: Sequence[dict[str, str]], kept: dict[str, Any]) ->
     total = ", ".join(f"{counts[status]} {status}" for status in STATUSES if counts[status])
     beside: Parts = ["", "Beside the equations:", bullets(kept["findings"])] if kept["findings"] else []
     return [
-        f"{name}: {numbered} equations{beside_them}, {total}",
+        f"{name}: {numbered} equation{'s' * (numbered != 1)}{beside_them}, {total}",
         "",
         rows,
         "",

@@ -35,7 +35,8 @@ def computed(name):
     one = paper(name)
     entries = [asdict(entry) for entry in ledger(one)]
     texts = {"findings": list(findings(one)), "unheld": list(unheld(one))}
-    return {"entries": entries, **texts, "conditions": [one.conditions.text, one.point.text]}
+    texts |= {"conditions": [one.conditions.text, one.point.text], "refused": 0, "labels": {}}
+    return {"entries": entries, **texts}
 
 
 def forge(folder):

@@ -40,7 +40,7 @@ from boresight.derive.ledger.judge import (
     shares,
 )
 from boresight.derive.ledger.latex import latex_relations
-from boresight.derive.ledger.lines import check_derivation, count_steps
+from boresight.derive.ledger.lines import count_steps, standing, without_steps
 from boresight.derive.ledger.mends import contradicted, definition_mends, may_be_to_blame, mends, rivals, users
 from boresight.derive.ledger.numbers import Matrix, digits, middle
 from boresight.derive.ledger.paper import Paper
@@ -98,12 +98,13 @@ def findings(paper: Paper) -> tuple[str, ...]:
 
 def unheld(paper: Paper) -> tuple[str, ...]:
     """What no check of the ledger holds, a sentence each."""
+    equations = [standing(paper, equation) for equation in paper.equations]
     entries = [entry_of(paper, equation) for equation in paper.equations]
     flown = held_beside(paper)[0] if paper.folder else ()
     defined = [e.label for e, entry in zip(paper.equations, entries, strict=True)
                if entry.status == "definition" and e.label not in flown]  # fmt: skip
-    bare = [e.label for e in paper.equations if e.label not in (*defined, *flown) and not e.derivation.lines]
-    counted = count_steps(paper.equations)
+    bare = [e.label for e in equations if e.label not in (*defined, *flown) and not e.derivation.lines]
+    counted = count_steps(equations)
     left_out: dict[str, list[str]] = {}
     for equation in paper.equations:
         if equation.number in paper.witness.left_out:
@@ -138,16 +139,17 @@ def entry_of(paper: Paper, equation: Equation) -> Entry:
 
 
 def _entry(paper: Paper, equation: Equation) -> Entry:
-    check_derivation(paper, equation)
+    equation = standing(paper, equation)
     if paper.folder and not equation.derivation.steps:
         return _underived(paper, equation)
     check_maps(paper, equation.number)
     ours = judge(paper, equation, equation.derived)
     if ours.status == "refuted":
-        raise BoresightError(
-            f"{equation.paper} {equation.label}: the derived form itself is refuted, {ours.why}; "
-            f"check {paper.folder or 'derive/papers/' + paper.name.replace('-', '_')}/derivation.toml"
-        )
+        where = f"{paper.folder or 'derive/papers/' + paper.name.replace('-', '_')}/derivation.toml"
+        why = f"{equation.paper} {equation.label}: the derived form itself is refuted, {ours.why}; check {where}"
+        if paper.folder:
+            return _underived(paper, without_steps(equation, why))
+        raise BoresightError(why)
     verdict = judge(paper, equation, equation.read())
     status = "erratum" if verdict.status == "refuted" else verdict.status
     kind = origin = ""
@@ -157,6 +159,7 @@ def _entry(paper: Paper, equation: Equation) -> Entry:
         kinds = {slip.kind for slip in slips}
         kind = kinds.pop() if len(kinds) == 1 else "structure"
         origin, why = origin_of(paper, equation, slips)
+        edits = mends(paper, equation) if paper.folder else []
         if paper.folder:
             origin = ""
         else:
@@ -168,6 +171,7 @@ def _entry(paper: Paper, equation: Equation) -> Entry:
         else:
             why = f"{verdict.why[:1].upper()}{verdict.why[1:]}."
             found = why if verdict.empty or not equation.note else re.split(r"(?<=\.) ", notes[1])[0]
+        found += f" True with one edit: {edits[0].what}." if edits else ""
     else:
         evidence, found = _stands(paper, equation, status)
     own = paper.evidence(equation.number)
@@ -229,6 +233,7 @@ def _underived(paper: Paper, equation: Equation) -> Entry:
     """The line of an equation of which nothing is derived: the witness alone says whether it is true, and what single
     edits of a misprint are.  A definition may be to blame for what fails with it."""
     verdict = judge(paper, equation, equation.read())
+    refused = f"Its derivation is refused: {equation.refused}. By the witness alone: " if equation.refused else ""
     failing = contradicted(paper, equation)
     edits = definition_mends(paper, equation)
     if failing and any(definition_mends(paper, other) for other in rivals(paper, equation)):
@@ -241,6 +246,7 @@ def _underived(paper: Paper, equation: Equation) -> Entry:
             for one in may_be_to_blame(paper, equation)[:1]:
                 evidence += f"; with one edit of this one it would hold: {one.what}"
             found = f"{evidence[:1].upper()}{evidence[1:]}."
+        found = refused + found
         status = (verdict.status, "", "")
         return _made(paper, equation, verdict, status, (found, evidence, equation.note), equation.derived)
     mended = _with_mended(paper, equation)
@@ -260,7 +266,7 @@ def _underived(paper: Paper, equation: Equation) -> Entry:
     if blamed := rivals(paper, equation) if not edits and not equation.defines else ():
         off = f" One edit of {' or of '.join(one.label for one in blamed)} would."
     edit = f"True with one edit: {edits[0].what}." if edits else f"No single edit makes it true.{off}"
-    found = f"{verdict.why[:1].upper()}{verdict.why[1:]}. {edit}"
+    found = f"{refused}{verdict.why[:1].upper()}{verdict.why[1:]}. {edit}"
     evidence = f"{verdict.why}; {_true_and_printed(paper, equation)}" if not failing else verdict.why
     status = ("erratum", kind, "")
     return _made(

@@ -186,6 +186,7 @@ class Equation:
     unit: of all rows, or of each row of one side of the relations in turn.
     quantities: the letters of the print; step_letters: what more the derivation needs.
     neglected: what the print, of one relation, leaves out of its last side on purpose; it is judged with it.
+    refused: why a derivation that was written does not stand; it is left out then.
     """
 
     paper: str
@@ -204,6 +205,7 @@ class Equation:
     note: str = ""
     unit: str | tuple[str, ...] = ""
     small: tuple[str, ...] = ()
+    refused: str = ""
     quantities: tuple[Quantity, ...] = field(default=(), repr=False, compare=False)
     step_letters: tuple[Quantity, ...] = field(default=(), repr=False, compare=False)
     neglected: object = None

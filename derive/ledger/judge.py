@@ -148,7 +148,8 @@ def falls(relation: Relation, at: Sequence[Point], power: int) -> Fall:
                 rows.add(k % size // columns)
                 if after > most * before:
                     share, row = mp.nstr(mp.mpf(after / before), 4), k % size // columns + 1
-                    return Fall(f"halving the errors leaves {share} of the difference in row {row}")
+                    right = f"{0.5**power:g} or less would be right"
+                    return Fall(f"halving the errors leaves {share} of the difference in row {row}, and {right}")
         larger = smaller
     return Fall("", frozenset(rows))
 

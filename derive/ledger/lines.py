@@ -6,6 +6,7 @@ kinematics and never from the line; only a definition gives its letter the value
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields, replace
+from functools import cache
 from itertools import pairwise
 from types import MappingProxyType
 from typing import Any
@@ -13,8 +14,8 @@ from typing import Any
 import mpmath as mp
 
 from boresight import BoresightError
-from boresight.derive.ledger.equation import Claim, Equation, Line, Quantity, Relation, total
-from boresight.derive.ledger.evaluate import Point, evaluate, residual
+from boresight.derive.ledger.equation import Claim, Derivation, Equation, Line, Quantity, Relation, total
+from boresight.derive.ledger.evaluate import DIGITS, Point, evaluate, residual
 from boresight.derive.ledger.free import free_point
 from boresight.derive.ledger.judge import (
     EXACT,
@@ -28,7 +29,7 @@ from boresight.derive.ledger.judge import (
     paper_points,
     witness_point,
 )
-from boresight.derive.ledger.numbers import Matrix, middle
+from boresight.derive.ledger.numbers import Matrix, digits, middle
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.passages import judge_passage
 from boresight.derive.ledger.reader import read
@@ -126,6 +127,9 @@ def _judged(paper: Paper, equation: Equation, claim: Claim, relation: Relation, 
         (term,) = dropped.sides
         whole = Relation((relation.sides[0], *(total(side, term) for side in relation.sides[1:])))
         verdict = _falls(whole, point, 2) if claim.small else _exactly(whole, (point(seed, FULL) for seed in SEEDS))
+        if not verdict.holds:
+            more = "" if claim.small else "; where it is of first order only, name the errors as `small`"
+            return LineVerdict(False, f"with what is dropped on the right, {verdict.why}{more}")
         if _exactly(relation, (point(seed, FULL) for seed in SEEDS)).holds:
             return LineVerdict(False, "nothing is dropped")
         size, side = (_size(paper, part, given) for part in (term, relation.sides[0]))
@@ -258,6 +262,31 @@ def check_derivation(paper: Paper, equation: Equation) -> None:
             used = names([relation for i in later for relation in steps[i].formulas])
             if letter.name not in used and not any(index in equation.derivation.taken(i) for i in later):
                 raise BoresightError(f"{where}: nothing uses {letter}")
+
+
+@cache
+def standing(paper: Paper, equation: Equation) -> Equation:
+    """The equation; of a paper of one's own, where its derivation does not stand, without it, `refused` saying why.
+
+    Raises BoresightError where that of another paper does not.
+    """
+    if not equation.derivation.steps and not paper.folder:
+        return equation
+    with digits(DIGITS):
+        try:
+            check_derivation(paper, equation)
+            for number in _stands_on(paper, equation):
+                if standing(paper, paper.equation(number)).refused:
+                    raise BoresightError(f"it stands on ({number}), whose derivation is refused")
+        except BoresightError as error:
+            if not paper.folder:
+                raise
+            return without_steps(equation, str(error))
+    return equation
+
+
+def without_steps(equation: Equation, why: str) -> Equation:
+    return replace(equation, derivation=Derivation(()), derived=equation.read(), refused=why)
 
 
 def _letters(side) -> set:

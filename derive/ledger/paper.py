@@ -56,7 +56,8 @@ class Paper:
     differ by an error from those that they stand for, beside primed ones. frames: of letters whose names show none,
     or another, and of lines that take one for another; see ledger/frames.py. conventions: the paper's own axes and
     signs, a sentence each. maps: to the models that make C from it; unflown: the equations of which no function that
-    flies computes a side, each with why. folder: of a paper of one's own.
+    flies computes a side, each with why. folder: of a paper of one's own. labels: other names of equations, with their
+    numbers.
     """
 
     name: str
@@ -78,6 +79,7 @@ class Paper:
     maps: tuple["Map", ...] = ()
     unflown: Mapping[str, str] = field(default_factory=dict)
     folder: str = ""
+    labels: Mapping[str, str] = field(default_factory=dict)
 
     @cached_property
     def equations(self) -> tuple[Equation, ...]:
@@ -87,7 +89,7 @@ class Paper:
     def equation(self, number: str) -> Equation:
         """The equation of a number, with or without brackets.  Raises BoresightError with the right ones."""
         for equation in self.equations:
-            if equation.number == number.strip("()"):
+            if equation.number == self.labels.get(number.strip("()"), number.strip("()")):
                 return equation
         numbers = ", ".join(equation.number for equation in self.equations)
         raise BoresightError(f"{self.name} has no equation {number!r}; it has {numbers}")

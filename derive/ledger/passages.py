@@ -72,6 +72,19 @@ OPERATIONS = {
     "take the quaternion": "of rotations; q and -q are one",
     "solve": "the line, linear in the letter `letters`, gives it",
 }
+NEEDS = {  # keys of a step in derivation.toml
+    **dict.fromkeys(("substitute", "add line", "subtract line", "chain", "put in", "stack"), ("using",)),
+    **dict.fromkeys(("multiply", "add", "take rows", "take an entry"), ("with",)),
+    **dict.fromkeys(("expand", "leave out", "identify", "solve"), ("letters",)),
+    **dict.fromkeys(("differentiate", "carry over"), ("letters", "with")),
+}
+RATE = r"write in `with` for each of `letters` its rate, one letter as \dot{x}, or a number"
+# What each key says, for who leaves it out.
+NEEDED = {
+    "letters": r"letters = ['\delta x'], which it is about",
+    "using": 'using = ["1"] or ["(2)"], the steps or equations that it takes in',
+    "with": "with = ['...'], the factor, the term or the numbers of rows",
+}
 
 
 # ---- Carrying out ----------------------------------------------------------------------------------------------------
@@ -258,10 +271,13 @@ def _carried(paper: Paper, passage: Passage, before: Relation, relation_of, poin
         return [evaluate(side, point) for side in renamed.sides]
     if name == "differentiate":
         letters = [symbol.name for symbol in _symbols(paper, passage.letters)]
-        given = [_expression(paper, rate) for rate in passage.with_]
+        try:
+            given = [_expression(paper, rate) for rate in passage.with_]
+        except BoresightError as error:
+            raise ValueError(f"{str(error).removesuffix(': add it to the table')}: {RATE}") from None
         for latex, rate in zip(passage.with_, given, strict=True):
             if not (isinstance(rate, Symbol) or rate.is_Number):
-                raise ValueError(f"{latex} is no letter: a line must say which rate it is")
+                raise ValueError(f"{latex} is no letter: {RATE}")
         rates = [evaluate(rate, point) for rate in given]
 
         def shifted(t) -> Point:

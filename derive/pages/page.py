@@ -15,7 +15,7 @@ from boresight.derive.ledger.dimensions import grids
 from boresight.derive.ledger.entries import LONG, Entry, apart, entry_of, findings, letter_units, numbers_of
 from boresight.derive.ledger.equation import Derivation, Equation, Line, Passage, Quantity, Relation
 from boresight.derive.ledger.evaluate import DIGITS
-from boresight.derive.ledger.lines import count_steps, judge_line
+from boresight.derive.ledger.lines import count_steps, judge_line, standing
 from boresight.derive.ledger.mends import SHOWN, mends
 from boresight.derive.ledger.numbers import digits
 from boresight.derive.ledger.paper import Paper
@@ -32,7 +32,7 @@ def paper_page(paper: Paper, functions: Functions) -> Page:
     page = equations_page(paper.name, [(paper, e) for e in paper.equations], functions)
     steps = str(count_steps(paper.equations))
     if paper.folder:  # nothing stands on it that is not its own
-        bare = sum(not equation.derivation.steps for equation in paper.equations)
+        bare = sum(not standing(paper, equation).derivation.steps for equation in paper.equations)
         steps = f"{bare} without a derivation" if bare else steps
     return replace(
         page,
@@ -80,8 +80,10 @@ def letters_in(equation: Equation) -> list[Quantity]:
 
 def equation_section(paper: Paper, equation: Equation, functions: Functions) -> Section:
     """What is judged, the print against what follows, the evidence, the steps; then who uses and who holds it."""
-    entry, letters = entry_of(paper, equation), equation.alphabet
-    blocks: list[Block] = [Prose(f"{entry.decisions} {entry.depends}".strip(), "Decided by hand")]
+    entry, equation = entry_of(paper, equation), standing(paper, equation)
+    letters = equation.alphabet
+    refused = [Prose(equation.refused, "Its derivation is refused")] if equation.refused else []
+    blocks: list[Block] = [*refused, Prose(f"{entry.decisions} {entry.depends}".strip(), "Decided by hand")]
     blocks += [*forms(paper, equation, entry, letters), *evidence(paper, equation, entry)]
     if entry.note:
         blocks.append(Prose(entry.note, "Note"))
@@ -322,7 +324,8 @@ def anchor(equation: Equation) -> str:
 def counted(equations: Iterable[Equation]) -> str:
     numbers = [equation.numbered for equation in equations]
     beside = f" and {numbers.count(False)} without a number" if False in numbers else ""
-    return f"{numbers.count(True)} equations{beside}"
+    count = numbers.count(True)
+    return f"{count} equation{'s' * (count != 1)}{beside}"
 
 
 def counts(entries: Iterable[Entry]) -> str:

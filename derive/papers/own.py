@@ -15,7 +15,7 @@ from sympy import Symbol
 
 from boresight import BoresightError
 from boresight.derive.ledger.dimensions import UNKNOWN, misfits
-from boresight.derive.ledger.equation import Derivation, Equation, Quantity, Relation, letter
+from boresight.derive.ledger.equation import Derivation, Equation, Line, Quantity, Relation, letter
 from boresight.derive.ledger.evaluate import DIGITS, Point, evaluate
 from boresight.derive.ledger.frames import NONE, SAME, TURN, UPPER
 from boresight.derive.ledger.frames import plain as plain_frames
@@ -300,7 +300,7 @@ class Folder(Source):
         found = []
         for number, (display, relations) in self.prints.items():
             more = self.data.get("equations", {}).get(number, {})
-            lines = self.steps.of(number, self.quantities, self.scenario.errors)
+            lines, refused = self.lines[number]
             results = tuple(line.relation for line in lines if line.result and line.relation is not None)
             used = names([relation for line in lines for relation in line.formulas])
             for part in more.get("small", ()):
@@ -329,6 +329,7 @@ class Folder(Source):
                     ),
                     small=tuple(more.get("small", ())),
                     neglected=self.term(more["neglects"], number) if "neglects" in more else None,
+                    refused=refused,
                     note=" ".join(filter(None, (planted, more.get("note", "")))),
                     quantities=(*self.used, *here),
                     step_letters=tuple(one for one in self.quantities if one.symbol.name in used),
@@ -347,6 +348,27 @@ class Folder(Source):
         return side
 
     @cached_property
+    def lines(self) -> dict[str, tuple[tuple[Line, ...], str]]:
+        """By number the steps of an equation; none, and why, where one cannot be read."""
+
+        def of(number: str) -> tuple[tuple[Line, ...], str]:
+            try:
+                return self.steps.of(number, self.quantities, self.scenario.errors), ""
+            except BoresightError as error:
+                return (), str(error)
+
+        return {number: of(number) for number in self.prints}
+
+    @cached_property
+    def step_letters(self) -> tuple[Quantity, ...]:
+        """The rates that stand in derivations alone."""
+        text = " ".join(plain(self.steps.expanded(latex)) for latex in self.steps.latex)
+        print_has = {one.symbol.name for one in self.used}
+        rates = [one for one in self.quantities if one.symbol.name not in print_has]
+        named = {one.symbol.name for one in rates if plain(one.latex) in text}
+        return tuple(one for one in rates if one.symbol.name in named)
+
+    @cached_property
     def used(self) -> tuple[Quantity, ...]:
         """The declared letters, and the rates that stand in the print."""
         every = {name for _, relations in self.prints.values() for name in names(relations)}
@@ -360,8 +382,10 @@ class Folder(Source):
 
     @cached_property
     def felt(self) -> tuple[str, ...]:
-        """The errors of the scenario with which a letter of the print changes."""
-        every = {name for _, relations in self.prints.values() for name in names(relations)} & self.bound.keys()
+        """The errors of the scenario with which a letter of the print, or of a step, changes."""
+        every = {name for _, relations in self.prints.values() for name in names(relations)}
+        every |= names([one for lines, _ in self.lines.values() for line in lines for one in line.formulas])
+        every &= self.bound.keys()
 
         def at(sizes: Any) -> Values:
             base = draw(self.scenario.base, 1, sizes)
@@ -378,8 +402,10 @@ class Folder(Source):
 
     # ---- all of it
 
-    def paper(self, inputs: Mapping[str, ast.expr] = MappingProxyType({}), **more: Any) -> Paper:
-        """inputs: values beside those of the letters.  more: parts of a Paper."""
+    def paper(
+        self, inputs: Mapping[str, ast.expr] = MappingProxyType({}), beside: tuple[Quantity, ...] = (), **more: Any
+    ) -> Paper:
+        """inputs: values beside those of the letters.  beside: letters of them.  more: parts of a Paper."""
         name = self.folder.resolve().name
         owned = self.scenario
         self.defined  # noqa: B018  refuses here what has no value
@@ -407,6 +433,7 @@ class Folder(Source):
             reference=self.reference,
             make_equations=lambda: self.equations(name),
             quantities=lambda: self.used,
+            letters=lambda: (*self.step_letters, *beside),
             witness=Witness(owned.base, values, owned.sizes, errors, owned.words, owned.parts, left_out),
             conditions=Stated(self.sizes, text, POINTS),
             point=Stated(draw(owned.base, POINTS, self.sizes), f"a point with {text}" if errors else text),
@@ -417,6 +444,7 @@ class Folder(Source):
             units={name: unit for name, unit in self.units.items() if several(unit) or unit == UNKNOWN},
             conventions=tuple(self.data.get("conventions", ())),
             folder=str(self.folder),
+            labels={label: one.number for one in self.displays for label in one.labels if label != one.number},
             **more,
         )
         return made

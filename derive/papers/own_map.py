@@ -29,7 +29,7 @@ def tied(folder: Path, load: Load) -> Paper:
     if "model" not in whole.data:
         return whole.paper()
     own = OwnMap(whole, load)
-    return whole.paper(own.values, letters=own.letters, maps=(own.map(whole.equations(own.folder.folder.name)),))
+    return whole.paper(own.values, beside=own.letters(), maps=(own.map(whole.equations(own.folder.folder.name)),))
 
 
 def input_letter(name: str) -> str:

@@ -1,5 +1,6 @@
 """The files of a paper, as its folder has them: paper.toml, printed.tex and derivation.toml, each read once."""
 
+import re
 from collections.abc import Iterable, Mapping
 from functools import cached_property
 from pathlib import Path

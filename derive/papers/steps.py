@@ -8,8 +8,8 @@ from typing import Any, NoReturn
 
 from boresight.derive.ledger.equation import Claim, Line, Passage, Quantity
 from boresight.derive.ledger.lines import read_lines
-from boresight.derive.ledger.passages import OPERATIONS
-from boresight.derive.ledger.reader import FUNCTIONS
+from boresight.derive.ledger.passages import NEEDED, NEEDS, OPERATIONS, RATE
+from boresight.derive.ledger.reader import FUNCTIONS, UnreadError
 from boresight.derive.papers.macros import ARGUMENT, USE, expanded
 from boresight.derive.papers.toml import Toml, joined
 from boresight.errors import BoresightError, did_you_mean
@@ -57,6 +57,22 @@ class Steps:
         """By name their LaTeX, with those of the paper."""
         return self.toml.macros(self.known)
 
+    def expanded(self, latex: str) -> str:
+        """With macros in their places; as it is, where an argument of one is missing."""
+        try:
+            return expanded(latex, self.macros)
+        except ValueError:
+            return latex
+
+    @property
+    def latex(self) -> Iterator[str]:
+        """Of all steps what stands in letters."""
+        for number in self.numbers:
+            rows = self.toml.data[number]
+            for step in (row for row in rows if isinstance(row, Mapping)) if isinstance(rows, list) else ():
+                parts = (step.get(key, ()) for key in ("line", "dropped", "letters", "with"))
+                yield from (str(one) for part in parts for one in ([part] if isinstance(part, str) else part))
+
     @property
     def letters(self) -> dict[str, Any]:
         """Rows of letters that the derivations need and the paper does not print."""
@@ -78,6 +94,10 @@ class Steps:
             self.judge_keys(number, index, step, parts)
             try:
                 found += read_lines([made(one) for one in self.written(step)], quantities, flown)
+            except UnreadError as error:
+                alone = isinstance(step["line"], str) and "\\" in step["line"] and not self.macros
+                column = error.place if alone and step["line"][error.place :].startswith(error.typed) else None
+                self.toml.refuse(f"step {index + 1} of ({number}): {error}", number, index, "line", column=column)
             except (BoresightError, ValueError) as error:
                 self.refuse(number, index, str(error), *("line",) * ("line" in step))
         return tuple(found)
@@ -121,6 +141,19 @@ class Steps:
                 self.refuse(number, index, f"{step[key]!r} is no {what}{near}; there are {', '.join(known)}", key)
         if "line" in step and "claim" not in step:
             self.refuse(number, index, f"it says of its line no claim; there are {', '.join(CLAIMS)}")
+        if step.get("claim") == "approximation" and not step.get("dropped"):
+            self.refuse(number, index, "an approximation needs dropped = '...', the whole term that is left out: with "
+                        "it added to the right side the line is true")  # fmt: skip
+        for key in NEEDS.get(step.get("by", ""), ()):
+            if not step.get(key):
+                self.refuse(number, index, f"{step['by']} needs {NEEDED[key]}", "by")
+        if step.get("by") in ("differentiate", "carry over") and len(step["letters"]) != len(step["with"]):
+            why = (
+                RATE if step["by"] == "differentiate" else "write in `with` for each of `letters` what takes its place"
+            )
+            self.refuse(
+                number, index, f"{len(step['letters'])} letters, and {len(step['with'])} in `with`: {why}", "with"
+            )
         for part in step.get("small", ()):
             if part not in parts:
                 near = did_you_mean(str(part), parts)

@@ -166,10 +166,17 @@ def test_numbers_are_as_books_have_them(folder, capsys, number):
     assert status == 1 and err == f"boresight: no equation '99'; there are 1, {number}\n"
 
 
-def test_a_number_by_label_is_one_too(folder):
+def test_a_number_by_label_is_one_too_and_the_label_itself(folder, capsys):
     tex = folder / "printed.tex"
     tex.write_text(tex.read_text().replace(r"\tag{2}", r"\label{eq:2}"))
     assert [e.number for e in own(folder).equations] == ["1", "2"]
+    tex.write_text(tex.read_text().replace("eq:2", "eq:rates").replace(r"\tag{1}", r"\tag{1} \label{eq:first}"))
+    toml = folder / "paper.toml"
+    toml.write_text(toml.read_text().replace('[equations."2"]', '[equations."rates"]'))
+    for label, shown in (("rates", "rates"), ("eq:rates", "rates"), ("eq:first", "(1)"), ("1", "(1)")):
+        for command in ("equations", "show"):
+            status, out, _ = run(capsys, command, "mine", label)
+            assert status == 0 and out.startswith(f"mine {shown}")
 
 
 ROWS = {  # by their numbers what stands in printed.tex

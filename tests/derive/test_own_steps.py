@@ -1,12 +1,16 @@
 """Derivations of a paper of one's own: each step is judged and carried out, and what does not follow is refused."""
 
+import re
+
 import making as mk
 import pytest
+from conftest import ROOT
 
-from boresight import BoresightError
+from boresight import BoresightError, cli
 from boresight.derive.ledger import passages
 from boresight.derive.ledger.entries import ledger, unheld
 from boresight.derive.ledger.equation import Passage
+from boresight.derive.ledger.lines import standing
 from boresight.derive.pages.render import render
 from boresight.derive.papers.own import own
 
@@ -117,11 +121,78 @@ def test_steps_in_a_list_with_macros_are_those_written_out(tmp_path):
     ('[["2"]]', '[["2"]', "derivation.toml:2:6: Expected"),
 ])  # fmt: skip
 def test_what_does_not_follow_is_one_line(old, new, found, tmp_path):
+    """Of the equation alone whose step it is; what is of no equation there is refuses the paper."""
     assert old in STEPS
-    with pytest.raises(BoresightError) as raised:
-        ledger(written(tmp_path, STEPS.replace(old, new, 1)))
-    text = str(raised.value)
+    try:
+        one = written(tmp_path, STEPS.replace(old, new, 1))
+        (text,) = [text for e in one.equations if (text := standing(one, e).refused)]
+    except BoresightError as error:
+        text = str(error)
+        assert "no such equation" in text or "Expected" in text
     assert found in text and "\n" not in text, text
+
+
+def test_a_derivation_that_does_not_stand_leaves_the_other_equations_their_statuses(tmp_path, monkeypatch, capsys):
+    monkeypatch.setenv("BORESIGHT_CACHE", str(tmp_path / "cache"))
+    monkeypatch.chdir(tmp_path)
+    later = '[["2"]]\nline = \'\\dot{v} = C f + g - (\\omega_{ie} + \\omega_{in}) \\times v\'\nclaim = "exact"\n'
+    later += 'by = "rearrange"\nof = "(3)"\nwhy = "of what is refused"\n'
+    one = written(tmp_path, STEPS.replace(r"C - [\phi", r"C + [\phi", 1) + later)
+    found = {entry.number: entry for entry in ledger(one)}
+    assert [entry.status for entry in found.values()] == ["exact", "exact", "erratum"]
+    assert (
+        found["2"].found.startswith("Its derivation is refused: ") and "By the witness alone: Both" in found["2"].found
+    )
+    assert "(3), line 2, " in found["3"].found and "True with one edit: " in found["3"].found
+    assert "Its derivation is refused:" in render(one, "3", "text") and "rearrange" not in render(one, "3", "text")
+    assert "Without a derivation, judged by the witness alone: (1), (2), (3)." in unheld(one)
+    with pytest.raises(SystemExit) as ended:
+        cli.main(["equations", "."])
+    assert ended.value.code == 1 and "3 equations, 2 exact, 1 erratum" in capsys.readouterr().out
+
+
+TURN = """title = "A turn"
+witness = "strapdown-ned"
+[letters]
+"C" = { latex = 'C', value = "C_b2n" }
+"Ĉ" = { latex = '\\hat{C}', value = "C_b2n_hat" }
+"θ" = { latex = '\\theta', value = "-phi" }
+"I" = { latex = 'I', value = "eye(3)" }
+"""
+RATES = r"""
+[["1"]]
+line = '\hat{C} = (I + [\theta \times]) C'
+claim = "first-order"
+why = "a small turn"
+result = true
+
+[["1"]]
+line = '\dot{\hat{C}} = [\dot{\theta} \times] C + (I + [\theta \times]) \dot{C}'
+claim = "first-order"
+by = "differentiate"
+letters = ['\hat{C}', '\theta', 'C']
+with = ['\dot{\hat{C}}', '\dot{\theta}', '\dot{C}']
+why = "by time"
+"""
+
+
+@pytest.mark.parametrize(("old", "new", "found"), [
+    ("", "", ""),  # the rates stand in no row, and in no print
+    (", 'C']", "]", ":13:1: step 2 of (1): 2 letters, and 3 in `with`: write in `with` for each of `letters` its rate"),
+    (r"'\dot{C}']", r"'C \dot{t}']", r"differentiate: cannot read '\dot{t}' in 'C \dot{t}': write in `with` for each"),
+    (r"'\dot{C}']", r"'C C']", r"differentiate: C C is no letter: write in `with` for each of `letters` its rate"),
+    (r"letters = ['\hat{C}', '\theta', 'C']", "", r"differentiate needs letters = ['\delta x'], which it is about"),
+    ('claim = "first-order"\nby', 'claim = "approximation"\nby', "an approximation needs dropped = '...', the whole"),
+    (r"\hat{C} = (I", r"\hat{C} = Q (I", r"derivation.toml:3:19: step 1 of (1): cannot read 'Q (I + [\theta \times])'"),
+])  # fmt: skip
+def test_what_a_step_lacks_is_said_with_what_to_write(old, new, found, tmp_path):
+    (tmp_path / "paper.toml").write_text(TURN, encoding="utf-8")
+    (tmp_path / "printed.tex").write_text(r"\[ \hat{C} - C = [\theta \times] C \tag{1} \]")
+    (tmp_path / "derivation.toml").write_text(RATES.replace(old, new, 1))
+    one = own(tmp_path)
+    (equation,) = one.equations
+    text = standing(one, equation).refused
+    assert found in text and bool(found) == bool(text), text
 
 
 def test_every_operation_may_be_named():
@@ -131,3 +202,12 @@ def test_every_operation_may_be_named():
     made = {maker("1") if maker.__name__ in words else maker({}) if maker.__name__ in ("differentiate", "elsewhere")
             else maker(1, 1) if maker.__name__ == "take_entry" else maker() for maker in makers}  # fmt: skip
     assert {one.operation for one in made} == set(passages.OPERATIONS)
+
+
+def test_the_page_has_each_operation_with_what_it_needs():
+    page = (ROOT / "docs" / "your-paper.md").read_text()
+    table = re.search(r"\| operation \|.*?\n\n", page, re.DOTALL)[0]
+    rows = [[re.findall(r"`([^`]*)`", cell) for cell in row.split("|")[1:4]] for row in table.splitlines()[2:] if row]
+    assert sorted(name for names, _, _ in rows for name in names) == sorted(passages.OPERATIONS)
+    for names, _, keys in rows:
+        assert all(set(passages.NEEDS.get(name, ())) <= set(keys) for name in names), names
