@@ -62,6 +62,8 @@ def paper_as_of(folder: Path, against: str) -> Iterator[Path]:
         yield Path(against)
         return
     with tempfile.TemporaryDirectory(prefix="boresight-") as aside:
+        if git(folder, "rev-parse", "--show-toplevel").returncode:
+            raise BoresightError(f"{folder} lies in no git repository; name another folder of a paper with --against")
         for name in FILES:
             (Path(aside) / name).write_text(committed(folder / name, against), encoding="utf-8")
         with suppress(BoresightError):  # there may have been none
@@ -75,4 +77,4 @@ def git(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
             ["git", *words], cwd=folder, capture_output=True, text=True, encoding="utf-8", check=False
         )
     except FileNotFoundError:
-        raise BoresightError("git is not installed; name a generated folder with --against") from None
+        raise BoresightError("git is not installed; name another folder with --against") from None

@@ -103,7 +103,7 @@ def greek(word: str) -> str:
 
 def latex_name(name: str) -> str:
     """LaTeX of a symbol's name: Greek letters, hats and dots, scripts, C_b2n, [v x], dR_E/dL."""
-    name = name.replace("_hat", "\u0302")  # as the headers of C write it
+    name = re.sub(r"^([^_^]+)((?:_[^_]+?)*?)_hat(?![a-z])", "\\1\u0302\\2", name)  # as the headers of C write it
     if "^" in name:
         base, _, above = name.partition("^")
         return f"{latex_name(base)}^{{{_scripted(above)}}}"

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterable, Mapping, Set
 from dataclasses import replace
+from functools import cache
 from shlex import quote
 from types import MappingProxyType
 from typing import Any
@@ -10,6 +11,7 @@ from typing import Any
 from mpmath import nstr
 from sympy import Symbol
 
+from boresight import BoresightError
 from boresight.derive.ledger.differences import Place, deciding, differences, marks
 from boresight.derive.ledger.dimensions import grids
 from boresight.derive.ledger.entries import LONG, Entry, apart, entry_of, findings, letter_units, numbers_of
@@ -21,6 +23,7 @@ from boresight.derive.ledger.numbers import digits
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.pages.blocks import Block, Form, Formulas, Page, Pair, Prose, Section, Table
 from boresight.derive.pages.maps import sections as maps
+from boresight.derive.units import unit as unit_of
 
 NOTHING: Mapping[Any, str] = MappingProxyType({})
 Functions = Mapping[str, Mapping[str, tuple[str, ...]]]  # "song-lee-2001 (19)": model: its C functions
@@ -298,16 +301,26 @@ def notation(paper: Paper, letters: Iterable[Quantity] | None = None) -> Table:
     mixed = grids(paper, (one for one in letters if {one.symbol.name, one.kind} & paper.units.keys()))
 
     def row(forms: list[Form], meaning: str) -> tuple[str | tuple[Form, ...], ...]:
-        text, unit = _with_unit(meaning)
+        text, unit = _with_unit(meaning, bool(paper.folder))
         own = {str(entry) for form in forms for entry in mixed.get(form.relation.sides[0].name, ()) if entry}
         return tuple(forms), text, unit if not own else own.pop() if len(own) == 1 else "by entry"
 
     return Table(("letter", "meaning", "unit"), tuple(row(forms, meaning) for meaning, forms in rows.items()), 1)
 
 
-def _with_unit(meaning: str) -> tuple[str, str]:
-    text, _, unit = meaning.strip().rpartition(", ")
-    return (text, unit) if text and re.fullmatch(UNIT, unit) else (meaning.strip(), "")
+def _with_unit(meaning: str, any_unit: bool) -> tuple[str, str]:
+    text, comma, unit = meaning.strip().rpartition(", ")
+    known = comma and (re.fullmatch(UNIT, unit) or (any_unit and is_unit(unit)))
+    return (text, unit) if known else (meaning.strip(), "")
+
+
+@cache
+def is_unit(text: str) -> bool:
+    try:
+        unit_of(text)
+    except BoresightError:
+        return False
+    return True
 
 
 UNIT = r"(1|m|rad|s|Hz)(/s|/s\^2)?"

@@ -1,13 +1,17 @@
 """A page for the terminal: text in at most 100 columns."""
 
+import re
 from collections.abc import Iterable
 from itertools import zip_longest
-from textwrap import fill, indent, wrap
+from textwrap import indent, wrap
+from typing import Any
+from unicodedata import combining
 
-from boresight.derive.ledger.text import cells, columns, text_relation
+from boresight.derive.ledger.text import FIRST, cells, columns, text_relation
 from boresight.derive.pages.blocks import TYPED, Block, Form, Formulas, Page, Pair, Prose, Section, Table
 
 INDENT = 4  # of a formula
+MARKS = "".join(filter(combining, map(chr, range(0x300, 0x370))))
 
 
 def text_page(page: Page) -> str:
@@ -17,6 +21,22 @@ def text_page(page: Page) -> str:
     rule = "=" * max(map(len, title.split("\n")))
     head = [f"{title}\n{rule}", *(fill(text, columns()) for text in page.lead)] if several else []
     return "\n\n".join([*head, *map(_section, (*page.front, *page.sections, *page.back))]) + "\n"
+
+
+def fill(text: str, width: int, **more: Any) -> str:
+    return "\n".join(wrapped(text, width, **more))
+
+
+def wrapped(text: str, width: int, **more: Any) -> list[str]:
+    """Lines as textwrap makes them, where a letter and the marks above it are one character."""
+    letters: list[str] = []
+
+    def sign(found: re.Match) -> str:
+        letters.append(found[0])
+        return chr(FIRST + len(letters) - 1)
+
+    lines = wrap(re.sub(f"[^{MARKS}][{MARKS}]+", sign, text), width, **more)
+    return [line.translate({FIRST + n: letter for n, letter in enumerate(letters)}) for line in lines]
 
 
 def _section(section: Section) -> str:
@@ -62,7 +82,7 @@ def _table(block: Table) -> str:
 
 
 def _wrapped(row: Iterable[str], widths: list[int]) -> list[str]:
-    parts = [wrap(cell, width) or [""] for cell, width in zip(row, widths, strict=True)]
+    parts = [wrapped(cell, width) or [""] for cell, width in zip(row, widths, strict=True)]
     lines = zip_longest(*parts, fillvalue="")
     return [
         "  ".join(part + " " * (w - cells(part)) for part, w in zip(line, widths, strict=True)).rstrip()

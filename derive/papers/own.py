@@ -32,6 +32,10 @@ from boresight.derive.papers.values import TIMES, ValueOfLetterError, Values, ch
 from boresight.errors import did_you_mean
 
 NAME = r"[A-Za-z]\w*'?"  # of a frame
+UNIT_OF_FUNCTION = {
+    **dict.fromkeys(("eye", "sin", "cos", "tan", "exp", "rotation", "quaternion"), "1"),
+    **dict.fromkeys(("rotation_vector", "angles", "asin", "atan", "atan2"), "rad"),
+}
 POINTS = 4  # of the stated sizes, from which a remainder's size is taken
 
 
@@ -152,7 +156,7 @@ class Folder(Source):
             self.refuse(f"{name} has no latex: write latex = '...', as the paper prints it", "letters", name)
         named = self.scenario.names.get(str(entry.get("value", "")))
         unit = str(entry.get("unit", named.unit if named else self.unit_of_value(symbol)))
-        words = str(entry.get("meaning", named.meaning if named else ""))
+        words = str(entry.get("meaning", named.meaning if named else entry.get("value", "")))
         if "value" in entry:
             shape = self.shape_of(symbol, name, at)
             if "shape" in entry and shape != shaped(entry["shape"]):
@@ -173,20 +177,48 @@ class Folder(Source):
         return made
 
     def unit_of_value(self, symbol: str) -> str:
-        """Of a letter without a unit of its own: that of its value, where it is the same as that of a name in it."""
-        node: Any = self.bound.get(symbol)
-        while isinstance(node, ast.UnaryOp | ast.BinOp):
-            if isinstance(node, ast.BinOp) and not isinstance(node.op, ast.Add | ast.Sub):
-                return UNKNOWN
-            node = node.operand if isinstance(node, ast.UnaryOp) else node.left
+        """Of a letter without a unit of its own: that of its value, where it is plain."""
+        return self.unit_of_node(self.bound.get(symbol), symbol)
+
+    def unit_of_node(self, node: Any, own: str) -> str:
+        def of(one: Any) -> str:
+            return self.unit_of_node(one, own)
+
         if isinstance(node, ast.Constant):
             return "1"
-        if not isinstance(node, ast.Name):
+        if isinstance(node, ast.Name):
+            if node.id in self.data["letters"] and node.id != own:
+                return str(self.data["letters"][node.id].get("unit", self.unit_of_value(node.id)))
+            named = self.scenario.names.get(node.id)
+            return named.unit if named else UNKNOWN
+        if isinstance(node, ast.UnaryOp):
+            return of(node.operand)
+        if isinstance(node, ast.BinOp):
+            if isinstance(node.op, ast.Add | ast.Sub):
+                return of(node.left)
+            bare = [not any(isinstance(one, ast.Name) for one in ast.walk(part)) for part in (node.left, node.right)]
+            if isinstance(node.op, ast.Mult) and bare[0]:
+                return of(node.right)
+            return of(node.left) if isinstance(node.op, ast.Mult | ast.Div) and bare[1] else UNKNOWN
+        if isinstance(node, ast.Subscript):
+            units, at = of(node.value), node.slice
+            if not several(units):
+                return units
+            each = units.split(", ")
+            if isinstance(at, ast.Constant) and not (" by " in units or any(one[0].isdigit() for one in each)):
+                return {str(i): one for i, one in enumerate(each)}.get(str(at.value), UNKNOWN)
             return UNKNOWN
-        if node.id in self.data["letters"] and node.id != symbol:
-            return str(self.data["letters"][node.id].get("unit", self.unit_of_value(node.id)))
-        named = self.scenario.names.get(node.id)
-        return named.unit if named else UNKNOWN
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+            if node.func.id in UNIT_OF_FUNCTION:
+                return UNIT_OF_FUNCTION[node.func.id]
+            units = of(node.args[0]) if node.args else UNKNOWN
+            if node.func.id == "rate":
+                return per_second(units)
+            if node.func.id in ("old", "after", "before"):
+                return units
+            if node.func.id in ("T", "skew", "vee", "norm", "conjugate"):
+                return UNKNOWN if several(units) else units
+        return UNKNOWN
 
     def frame_of(self, symbol: str, name: str, entry: Mapping[str, Any], shape: tuple[int, ...], at: Values) -> str:
         """As Paper.frames has it: as it is declared, or as the value shows it.  Raises BoresightError."""

@@ -178,7 +178,9 @@ def parsed(text: str) -> ast.expr:
             name = node.func.id if isinstance(node.func, ast.Name) else ""
             if name not in FUNCTIONS and name not in TIMES:
                 near = did_you_mean(name, (*FUNCTIONS, *TIMES))
-                raise ValueOfLetterError(f"no function is called {name!r}{near}; see docs/your-paper.md", column)
+                raise ValueOfLetterError(
+                    f"no function is called {name!r}{near}; see docs/reference/witnesses.md", column
+                )
             if name in TIMES and len(node.args) != 1:
                 raise ValueOfLetterError(f"{name} takes one value", column)
         if not isinstance(node, PARTS):
@@ -212,7 +214,7 @@ def _check(
             _check(letters[node.id], node.id, letters, scenario, (*path, node.id), time)
         elif node.id not in scenario.names:
             near = did_you_mean(node.id, {*scenario.names, *letters} - {own})
-            raise refuse(f"{scenario.name} has no {node.id!r}{near}; docs/your-paper.md lists its names")
+            raise refuse(f"{scenario.name} has no {node.id!r}{near}; docs/reference/witnesses.md lists its names")
         elif time not in ("", "rate") and node.id not in scenario.exact:
             raise refuse(f"{node.id} is exact at its own time only, and not in {time}()")
         return

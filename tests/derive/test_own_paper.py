@@ -16,6 +16,7 @@ from boresight.derive.ledger.dimensions import listed
 from boresight.derive.ledger.entries import entry_of, ledger, unheld
 from boresight.derive.ledger.equation import Relation, letter, negative
 from boresight.derive.ledger.judge import judge
+from boresight.derive.ledger.latex import latex_name
 from boresight.derive.ledger.mends import mends, same
 from boresight.derive.ledger.mutation import free_values
 from boresight.derive.ledger.mutation import mutants as all_mutants
@@ -25,6 +26,7 @@ from boresight.derive.ledger.witness import draw
 from boresight.derive.pages import notebook, witnesses
 from boresight.derive.pages.booklet import pdf_from_latex
 from boresight.derive.pages.page import notation
+from boresight.derive.pages.plain import wrapped
 from boresight.derive.pages.render import render
 from boresight.derive.papers import PAPERS, paper
 from boresight.derive.papers.displays import displays
@@ -473,6 +475,47 @@ def test_a_letter_without_a_unit_has_that_of_its_value_or_of_its_equation_or_non
     one = written(tmp_path, "strapdown-ned", letters, equations)
     assert one.findings() == ("The units of (2) do not fit: m/s and m/s^2.",)
     assert 'No unit is known of b, s: write unit = "...".' in unheld(one)
+
+
+@pytest.mark.parametrize(("value", "unit"), [
+    ("v_n[0]", "m/s"), ("v_n_hat[1] - v_n[1]", "m/s"), ("eye(3)", "1"), ("-2*lat", "rad"), ("rate(C_b2n_hat)", "1/s"),
+    ("rotation_vector(C_b2n)", "rad"), ("T(C_b2n)", "1"), ("C_b2n[0, 1]", "1"), ("sin(lat)", "1"), ("v_n/2", "m/s"),
+    ("lat*height", "?"), ("cross(omega_ib_b, lever_b)", "?"),
+])  # fmt: skip
+def test_the_unit_of_a_value_is_known_where_it_is_plain(tmp_path, value, unit):
+    one = written(tmp_path, "strapdown-ned", {"x": f"{{ latex = 'x', value = '{value}' }}"}, {"1": "x = x"})
+    text = f" {value}" if unit == "?" else f"{value}, {unit}"
+    assert one.quantities()[0].meaning.endswith(text.strip())
+    ((_, meaning, shown),) = notation(one).rows
+    assert (meaning, shown) == (value, "" if unit == "?" else unit)
+
+
+def test_a_letter_and_its_marks_stay_on_one_line():
+    text = "rate of φ̇ and δλ̇̂ " * 9
+    for width in range(4, 40):
+        lines = wrapped(text, width)
+        assert all(len(line.translate(dict.fromkeys((0x302, 0x307)))) <= max(width, 4) for line in lines)
+        assert not any(line.startswith(("\u0302", "\u0307")) for line in lines) and "".join(lines).count("λ̇̂") == 9
+
+
+@pytest.mark.parametrize(("name", "latex"), [("C_b2n_hat", r"\hat{C}_{b}^{n}"), ("v_n_hat", r"\hat{v}_{n}"),
+                                             ("x_hat", r"\hat{x}"), ("v_hat_n", r"\hat{v}_{n}")])  # fmt: skip
+def test_a_hat_at_the_end_of_a_name_stands_on_its_letter(name, latex):
+    assert latex_name(name) == latex
+
+
+@needs("git")
+def test_a_difference_outside_git_wants_another_folder_of_a_paper(folder, capsys):
+    status, _, err = run(capsys, "diff", "mine")
+    assert status == 1 and "lies in no git repository; name another folder of a paper with --against" in err
+
+
+def test_one_equation_is_one(folder, capsys):
+    tex = folder / "printed.tex"
+    tex.write_text(tex.read_text().partition(r"\end{equation}")[0] + r"\end{equation}")
+    toml = folder / "paper.toml"
+    toml.write_text(toml.read_text().partition("[equations")[0])
+    assert "mine: 1 equation, 1 exact" in run(capsys, "equations", "mine")[1]
 
 
 @pytest.mark.parametrize("name", SCENARIOS)
