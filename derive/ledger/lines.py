@@ -250,7 +250,8 @@ def check_derivation(paper: Paper, equation: Equation) -> None:
         if step.relation is None:
             continue
         name = f"{paper.folder}/derivation.toml," if paper.folder else paper.name
-        where = f"{name} ({equation.number}), line {index + 1}, {step.latex}"
+        latex = f"`{step.latex}`" if paper.folder else step.latex
+        where = f"{name} ({equation.number}), line {index + 1}, {latex}"
         verdict = judge_line(paper, equation, index)
         if verdict.holds and step.passage is not None:
             verdict = judge_passage(paper, equation, index)

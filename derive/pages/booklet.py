@@ -10,7 +10,7 @@ from types import MappingProxyType
 
 from boresight import BoresightError
 from boresight.derive.ledger.equation import Quantity, Relation
-from boresight.derive.ledger.latex import LETTERS, SIGNS, latex_name, latex_relation, script_latex
+from boresight.derive.ledger.latex import LETTERS, SIGNS, ascii_latex, latex_name, latex_relation, script_latex
 from boresight.derive.pages.blocks import (
     NAME,
     REFERENCE,
@@ -98,9 +98,12 @@ def _block(block: Block, page: Page) -> str:
     return _table(block)
 
 
+SPECIAL = {c: f"\\{c}" for c in "_&%$#{}"} | {c: rf"\char{ord(c)}\relax{{}}" for c in r"\^~"}
+
+
 def _code(text: str) -> str:
     """Names which may be broken behind a sign."""
-    escaped = re.sub(r"([_&%$#])", r"\\\1", text)
+    escaped = re.sub(r"[_&%$#{}\\^~]", lambda found: SPECIAL[found[0]], ascii_latex(text))
     broken = re.sub(r"(/|::|\\_)", r"\1\\allowbreak{}", escaped)
     return ", ".join(rf"\texttt{{\small {name}}}" for name in broken.split(", "))
 

@@ -34,13 +34,14 @@ def paper_page(paper: Paper, functions: Functions) -> Page:
     beside = tuple(Prose(finding) for finding in findings(paper))
     page = equations_page(paper.name, [(paper, e) for e in paper.equations], functions)
     steps = str(count_steps(paper.equations))
+    name = f"`{paper.name}`" if paper.folder else paper.name  # a folder's, no letter
     if paper.folder:  # nothing stands on it that is not its own
         bare = sum(not standing(paper, equation).derivation.steps for equation in paper.equations)
         steps = f"{bare} without a derivation" if bare else steps
     return replace(
         page,
         title=paper.reference,
-        lead=(f"{paper.name}: {counted(paper.equations)}: {counts(entries)}; {steps}.",),
+        lead=(f"{name}: {counted(paper.equations)}: {counts(entries)}; {steps}.",),
         front=(
             Section("Conventions", (*conventions(paper), *STATUSES)),
             Section("Notation", (notation(paper),)),
@@ -85,7 +86,7 @@ def equation_section(paper: Paper, equation: Equation, functions: Functions) -> 
     """What is judged, the print against what follows, the evidence, the steps; then who uses and who holds it."""
     entry, equation = entry_of(paper, equation), standing(paper, equation)
     letters = equation.alphabet
-    refused = [Prose(equation.refused, "Its derivation is refused")] if equation.refused else []
+    refused = [Prose(typed(equation.refused), "Its derivation is refused")] if equation.refused else []
     blocks: list[Block] = [*refused, Prose(f"{entry.decisions} {entry.depends}".strip(), "Decided by hand")]
     blocks += [*forms(paper, equation, entry, letters), *evidence(paper, equation, entry)]
     if entry.note:
@@ -103,6 +104,14 @@ def equation_section(paper: Paper, equation: Equation, functions: Functions) -> 
     source = f"printed.tex, line {first}" if paper.folder else source if first else "derived here"
     title = f"{equation.paper} {equation.label}"
     return Section(title, tuple(blocks), anchor(equation), status(entry), source)
+
+
+def typed(text: str) -> str:
+    """With files and LaTeX marked as what is typed."""
+    text = re.sub(r"(?<!\w)'([^'`]*\\[^'`]*)'(?!\w)", r"`\1`", text)
+    parts = re.split(r"(`[^`]*`)", text)
+    parts[::2] = [re.sub(r"\S+\.toml(?::\d+)*|\\[A-Za-z]+(?:\{[^{}]*\})*", r"`\g<0>`", part) for part in parts[::2]]
+    return "".join(parts)
 
 
 def forms(paper: Paper, equation: Equation, entry: Entry, letters: tuple[Quantity, ...]) -> list[Block]:

@@ -5,12 +5,14 @@ import re
 import making as mk
 import pytest
 from conftest import ROOT
+from tools import needs
 
 from boresight import BoresightError, cli
 from boresight.derive.ledger import passages
 from boresight.derive.ledger.entries import ledger, unheld
 from boresight.derive.ledger.equation import Passage
 from boresight.derive.ledger.lines import standing
+from boresight.derive.pages.booklet import pdf_from_latex
 from boresight.derive.pages.render import render
 from boresight.derive.papers.own import own
 
@@ -105,7 +107,7 @@ def test_steps_in_a_list_with_macros_are_those_written_out(tmp_path):
 
 @pytest.mark.parametrize(("old", "new", "found"), [
     (r"= \omega_{ie} + \omega_{en}", r"= \omega_{ie} - \omega_{en}", "derivation.toml, (2), line 1, "),
-    (r"C - [\phi", r"C + [\phi", "(3), line 2, \\hat{C} = C + [\\phi \\times] C: halving the errors leaves 0.5"),
+    (r"C - [\phi", r"C + [\phi", "(3), line 2, `\\hat{C} = C + [\\phi \\times] C`: halving the errors leaves 0.5"),
     (r"'\hat{C} - C = -[\phi \times] C'", r"'C = \hat{C} + \frac{1}{2} [\phi \times] (C + \hat{C})'", "(3), line 3, "),
     ('of = "(1)"', 'of = "(3)"', "substitute: "),
     ('using = ["1"]', 'using = ["7"]', "substitute: line 7 does not stand before line 2"),
@@ -202,6 +204,14 @@ def test_every_operation_may_be_named():
     made = {maker("1") if maker.__name__ in words else maker({}) if maker.__name__ in ("differentiate", "elsewhere")
             else maker(1, 1) if maker.__name__ == "take_entry" else maker() for maker in makers}  # fmt: skip
     assert {one.operation for one in made} == set(passages.OPERATIONS)
+
+
+@needs("pdflatex")
+def test_the_page_of_a_refused_derivation_compiles(tmp_path):
+    one = written(tmp_path, STEPS.replace(r"\hat{C} = C - ", r"\hat{C} = \zeta^2 φ_{k} - ", 1))
+    assert pdf_from_latex(render(one, None, "latex")).startswith(b"%PDF")
+    for form in ("text", "html"):
+        assert r"\zeta^2 φ_{k}" in re.sub(r"<[^>]*>|\n *", "", render(one, "3", form))
 
 
 def test_the_page_has_each_operation_with_what_it_needs():
