@@ -35,7 +35,7 @@ def computed(name):
     one = paper(name)
     entries = [asdict(entry) for entry in ledger(one)]
     texts = {"findings": list(findings(one)), "unheld": list(unheld(one))}
-    texts |= {"conditions": [one.conditions.text, one.point.text], "refused": 0, "labels": {}}
+    texts |= {"conditions": [one.conditions.text, one.point.text], "refused": [], "labels": {}}
     return {"entries": entries, **texts}
 
 
