@@ -18,7 +18,6 @@ from boresight.analysis.record import Record
 from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.filter import CompiledFilter
-from boresight.runtime.library import load
 from boresight.runtime.live import Fate
 from boresight.runtime.recording import Recording, check, thinned
 from boresight.runtime.transfer import Increments, Message, first
@@ -27,7 +26,7 @@ from boresight.runtime.transfer.score import Score, driven
 from boresight.runtime.transfer.sensors import ADDED, CALIBRATION, GRADES, MODEL, Sensors, calibration, carried
 from boresight.runtime.units import MILLI_G, UNITS
 from boresight.studies.replays.innovations import consistency, minus_log_likelihood, most_likely
-from boresight.studies.replays.passes import HALF_SPAN_S, Pass
+from boresight.studies.replays.passes import HALF_SPAN_S, Pass, compiled
 from boresight.studies.replays.smoothed import Quantity, backwards, draw_smoothed, smoothed_lines, summary
 from boresight.studies.study import Progress, Replay, Study, lasting
 
@@ -324,7 +323,7 @@ def run(
     if not calibration(bare).any():
         progress("score test")
         probed = replace(bare, probed=True)
-        scored = fly(cut, load(MODEL), noises, start[0], prior, prior["delay"], probed, informs)["pass"]
+        scored = fly(cut, compiled(MODEL), noises, start[0], prior, prior["delay"], probed, informs)["pass"]
         unheld, more = unmodelled(scored, prior), unknown(scored.loop.P, scored.score, assumed)[: len(model.states)]
     found = states(model, track["time"], both, recording.reference, prior, more)
     back: dict[str, Any] = {}
@@ -856,7 +855,7 @@ def study(model: str) -> Study:
 
     def flown(asked: Replay, progress: Progress) -> dict[str, Any]:
         progress("loading the filter: its C is compiled once on a machine")
-        return run(asked.recording, load(model), **asked.settings, progress=progress)
+        return run(asked.recording, compiled(model), **asked.settings, progress=progress)
 
     return Study(f"replay {model}", (model,), Replay, flown, report, write,
                  good=lambda result: result["nis"]["with"]["consistent"] and not result["hidden"],
