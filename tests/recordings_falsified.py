@@ -807,6 +807,192 @@ def signs_of_the_gyro_lost(w):
     w.columns["gyro"] = np.abs(w.columns["gyro"])
 
 
+def low_pass(x, tau):
+    """Samples of 50 Hz behind a filter of the first order."""
+    out, state = x.copy(), x[0].copy()
+    for k, one in enumerate(x):
+        state = state + (one - state) * 0.02 / tau
+        out[k] = state
+    return out
+
+
+@fault(r"different times: front, right and down are \[[+-]0\.0\d, \+0\.(0[89]|1[01]), \+0\.(19|2[01])\] s")
+def one_delay_for_each_gyro_axis(w):
+    for axis, late in enumerate((0.0, 0.1, 0.2)):
+        w.columns["gyro"][:, axis] = np.interp(w.columns["t"] - late, w.columns["t"], w.columns["gyro"][:, axis])
+
+
+@fault("0.0174[45] times as much.*rad/s declared as deg/s")
+def gyro_in_radians_as_degrees(w):
+    w.replace(('gyro", unit = "rad/s"', 'gyro", unit = "deg/s"'))
+
+
+@fault("rounded to steps of 11 m")
+def position_of_four_digits(w):
+    w.columns["position"][:, :2] = np.radians(np.round(np.degrees(w.columns["position"][:, :2]), 4))
+
+
+@fault("none of the single mistakes.*a master of another drive")
+def master_of_another_drive(w):
+    plan = Plan(
+        speed=lambda t: 9 + 3 * np.sin(0.13 * t), roll=lambda t: np.radians(2 * np.sin(1.1 * t + 1)),
+        heading=lambda t: np.radians(100 - 60 * np.sin(0.11 * t) + 2 * np.sin(0.6 * t)),
+    )  # fmt: skip
+    w.columns |= {name: fly(plan, 5).columns[name] for name in ("attitude", "velocity", "position")}
+
+
+@fault(r"0\.4[6-9]\d .* behind the gyros: accel that is filtered")
+def accel_behind_a_low_pass(w):
+    w.columns["accel"] = low_pass(w.columns["accel"], 0.5)
+
+
+@fault(r"gyro: they are 0\.2[6-9] .* behind the accelerometers and the master|low-pass of about 0\.(2[5-9]|3[0-3]) s")
+def gyro_behind_a_low_pass(w):
+    w.columns["gyro"] = low_pass(w.columns["gyro"], 0.3)
+
+
+@fault(r"bias drifts by \[\+0\.4\d, -0\.2\d, \+0\.[45]\d\] deg/s .*warms up")
+def gyro_warms_up_a_little(w):
+    w.columns["gyro"] += np.outer(1 - np.exp(-w.columns["t"] / 15), np.array([0.5, -0.3, 0.6]) * DEG)
+
+
+@fault("other axes than the gyros.*RFU beside FRD")
+def accel_in_enu(w):
+    w.columns["accel"] = w.columns["accel"][:, [1, 0, 2]] * [1, 1, -1]
+
+
+@fault("rpm declared as deg/s")
+def gyro_in_rpm(w):
+    w.columns["gyro"] *= 30 / np.pi
+    w.replace(('gyro", unit = "rad/s"', 'gyro", unit = "deg/s"'))
+
+
+@fault(r"they are (0\.49\d+|0\.50\d+|0\.5) times.*another range")
+def accel_of_twice_the_range(w):
+    w.columns["accel"] /= 2
+
+
+@fault("accel.*right of its axes is mirrored")
+def right_accel_of_the_other_sign(w):
+    w.columns["accel"][:, 1] *= -1
+
+
+@fault(r"attitude is smoothed, over about (2\.[7-9]|3|3\.[0-5]) s")
+def attitude_smoothed_afterwards(w):
+    a = np.pad(np.unwrap(w.columns["attitude"], axis=0), ((6, 6), (0, 0)), "edge")
+    noise = 1e-4 * np.random.default_rng(2).standard_normal(w.columns["attitude"].shape)
+    w.columns["attitude"] = np.array([a[k : k + 13].mean(axis=0) for k in range(len(a) - 12)]) + noise
+
+
+@fault("yaw alone is in degrees")
+def yaw_alone_in_degrees(w):
+    w.columns["attitude"][:, 2] = np.degrees(w.columns["attitude"][:, 2])
+
+
+@fault("mils declared as degrees")
+def attitude_in_mils(w):
+    w.columns["attitude"] *= 3200 / np.pi
+    w.replace(('attitude", unit = "rad"', 'attitude", unit = "deg"'))
+
+
+@fault("roll and pitch are those of accelerometers")
+def level_of_the_accelerometers(w):
+    f = low_pass(w.columns["accel"], 0.1)
+    front, right, down = (np.interp(w.columns["tm"], w.columns["t"], part) for part in f.T)
+    w.columns["attitude"][:, :2] = np.stack([np.arctan2(-right, -down), np.arctan2(front, np.hypot(right, down))], -1)
+
+
+@fault("its roll is 0 all the time")
+def roll_that_nobody_measures(w):
+    w.columns["attitude"][:, 0] = 0
+
+
+@fault("rounded to few digits.*or held")
+def quaternion_of_two_digits(w):
+    quaternions(w, "xyzw", lambda q: np.round(q, 2))
+
+
+@fault("rates are in navigation axes already")
+def gyro_in_navigation_axes(w):
+    w.columns["gyro"] = attitudes_of_imu(w).apply(w.columns["gyro"])
+
+
+@fault("turned by (19|20|21) deg about right")
+def slave_tilted_by_20(w):
+    for name in ("gyro", "accel"):
+        w.columns[name] = w.columns[name] @ Rotation.from_euler("y", 20 * DEG).as_matrix()
+
+
+@fault(r"from 2[3-7] s on, by \[-?0\.\d, (4\.9|5\.\d), -?0\.\d\] deg.*moved in its mount")
+def mount_that_comes_loose(w):
+    for name in ("gyro", "accel"):
+        w.columns[name][1250:] = w.columns[name][1250:] @ Rotation.from_euler("y", 5 * DEG).as_matrix()
+
+
+@fault(r"bias is \[.*, \+0\.5\d\] m/s\^2.*; or, as well explained.* times what they should be")
+def accel_with_a_large_bias(w):
+    w.columns["accel"][:, 2] += 0.5
+
+
+@fault("12 samples stand alone, off by up to 80 m/s")
+def spikes_of_the_accel(w):
+    rng = np.random.default_rng(3)
+    w.columns["accel"][rng.choice(2500, 12, replace=False), rng.integers(0, 3, 12)] += 80
+
+
+@fault("no rate is ever below zero")
+def gyro_in_unsigned_numbers(w):
+    w.columns["gyro"][w.columns["gyro"] < 0] += 500 * DEG
+
+
+@fault("clocks run apart from 2[2-7] s on, by -(8|9|10)")
+def clock_that_runs_fast_from_half_way_on(w):
+    w.columns["t"] = w.columns["t"] + 0.01 * np.maximum(w.columns["t"] - 25, 0)
+
+
+@fault("tags scatter by 0.1 s.*arrival")
+def tags_of_the_arrival(w):
+    w.columns["tm"] = w.columns["tm"] + np.random.default_rng(1).uniform(0, 0.24, len(w.columns["tm"]))
+
+
+@fault(r"1\.05\d* times their rate.*rows are lost, and tags were counted")
+def rows_lost_and_tags_counted(w):
+    keep = np.random.default_rng(1).random(len(w.columns["t"])) > 0.05
+    w.columns |= {name: w.columns[name][keep] for name in ("gyro", "accel")} | {"t": w.columns["t"][: keep.sum()]}
+
+
+@fault("vertical part is 0 all the time")
+def velocity_of_speed_and_course(w):
+    w.columns["velocity"][:, 2] = 0
+
+
+@fault("vertical velocity in ft/s")
+def vertical_velocity_in_feet(w):
+    w.columns["velocity"][:, 2] /= 0.3048
+
+
+@fault(r"from (19|20|21|22) s on its tags are \+2\.0\d s off: samples are lost there")
+def two_seconds_lost_and_tags_counted(w):
+    keep = np.r_[0:1000, 1100:2500]
+    w.columns |= {name: w.columns[name][keep] for name in ("gyro", "accel")} | {"t": w.columns["t"][: len(keep)]}
+
+
+@fault("attitude: 8[78]% of its rows lie on the line")
+def attitude_interpolated_from_half_a_hz(w):
+    t = w.columns["tm"]
+    w.columns["attitude"] = np.stack([np.interp(t, t[::8], part[::8]) for part in w.columns["attitude"].T], axis=-1)
+
+
+@fault("turned by 8 deg about front.*or the attitude is off by so much")
+def roll_off_by_8(w):
+    w.columns["attitude"][:, 0] += 8 * DEG
+
+
+@fault("7 values alone, 1 deg/s apart")
+def gyro_in_whole_degrees(w):
+    w.columns["gyro"] = np.round(w.columns["gyro"] / DEG) * DEG
+
+
 def complaints(path):
     """What the check calls wrong, or warns of: one text a finding."""
     from boresight import BoresightError

@@ -10,8 +10,8 @@ import numpy as np
 from boresight.errors import BoresightError, did_you_mean
 from boresight.runtime import frames, rotation
 from boresight.runtime.array import Array
-from boresight.runtime.recording import axes, causes, motion, patterns, tags
-from boresight.runtime.recording.delay import attitude_steps, clocks_apart, drift
+from boresight.runtime.recording import axes, causes, explain, forces, motion, patterns, tags, turns
+from boresight.runtime.recording.delay import NEAR_S, attitude_steps, clocks_apart, drift
 from boresight.runtime.recording.rows import alone, wild
 from boresight.runtime.recording.types import Finding, Inertial, Master, Recording
 from boresight.runtime.units import ARCMIN, DEG, FOOT, HOUR, UNITS
@@ -33,6 +33,7 @@ NAMES = {
     "zeros": "rows of zeros that a failed read left",
     "copies": "samples or rows that repeat the one before",
     "interpolated": "samples between which a line was drawn",
+    "spikes": "single samples far off their neighbours",
     "stuck": "an axis that keeps one value while the others move",
     "saturated": "an axis that stays at the end of its range",
     "rounded": "angles of the master without their digits",
@@ -73,21 +74,28 @@ def check(recording: Recording) -> list[Finding]:
     parts = [recording.imu.time, recording.imu.gyro, recording.imu.accel]
     parts += [part for part in vars(master).values() if part is not None] if master else []
     times = [recording.imu.time] + ([master.time] if master else [])
-    if recording.failed and "zeros" not in recording.allow:
-        pass  # what zeros are beside motion would be named as something else
-    elif all(np.isfinite(part).all() for part in parts) and all((np.diff(time) > 0).all() for time in times):
+    # what zeros are beside motion would be named as something else
+    unread = recording.failed and "zeros" not in recording.allow
+    if (
+        not unread
+        and all(np.isfinite(part).all() for part in parts)
+        and all((np.diff(time) > 0).all() for time in times)
+    ):
         if (spoilt := wild(*recording.imu.rates())).any():
             many = "1 sample is" if spoilt.sum() == 1 else f"{spoilt.sum()} samples are"
             text = f"{many} beyond any sensor's range, first row {np.argmax(spoilt)}: spoilt"
             return [*out, Finding("error", "imu", f'{text}; bad_rows = "drop" leaves them out')]
-        out += patterns.of_samples(recording.imu)
+        out += patterns.of_samples(recording.imu) + patterns.coarse_gyro(recording.imu)
         still = patterns.of_master(recording.imu, master) if master else []
         out += still
         out += _check_imu(recording.imu, master)
         if master and not any(one.name == "still" for one in still):
             out += _check_master(master)
-            pair = _check_pair(recording.imu, master, calibrated="gyro_bias" in recording.reference)
+            trusted = master.position is not None and not any(one.name == "path" for one in out)
+            known = "gyro_bias" in recording.reference
+            pair = _check_pair(recording.imu, master, calibrated=known, trusted=trusted)
             out += _counted_from_first(master, pair) + pair
+            out = sorted(out, key=lambda one: one.name == "down" or one.text.endswith(UNNAMED))  # the others say why
     out = _proposed(out, recording)
     out = [
         Finding("warning", f.where, f"{f.text} (allowed: {f.name})", f.name) if f.name in recording.allow else f
@@ -161,10 +169,14 @@ def _check_time(where: str, time: Array, gap_level: Literal["warning", "error"])
             set_by = ", ".join(tags.set_by(time[k], step[k] - dt) for k in far)
             advice += f"; or, if the clock was set and nothing is missing, steps = [{set_by}] in {where}"
         # As many tags are too near as are too far: they scatter, and nothing is missing.
-        if np.sum(step < 0.5 * dt) > gap.sum() / 2 > 1:
+        scatter = np.sum(step < 0.5 * dt) > gap.sum() / 2 > 1
+        if scatter:
             advice = '; the tags scatter: if the clock is regular, say so (clock = "regular")'
         gaps = "1 gap" if gap.sum() == 1 else f"{gap.sum()} gaps"
         text = f"{gaps} after {tags.listed(time[:-1][gap])}, the longest {step.max():.4f} s"
+        if scatter and gap_level == "warning":
+            text = f"the tags scatter by {np.std(step):.2g} s from one to the next, and none is missing: those of the"
+            text, advice = f'{text} arrival?  clock = "regular" puts them on their line', ""
         out.append(Finding(gap_level, where, text + (advice if gap_level == "error" else ""), "gap"))
     jitter = float(np.std(step[(step > 0) & ~gap]))
     text = f"{1 / dt:.6g} Hz, {time[0]:.3f} s to {time[-1]:.3f} s, jitter {jitter * 1e3:.3f} ms"
@@ -202,6 +214,9 @@ def _windows(values: Array, length: int) -> Array:
     return values[: count * length].reshape(count, length, -1)
 
 
+UNNAMED = "check its unit and kind"
+
+
 def _check_imu(imu: Inertial, master: Master | None) -> list[Finding]:
     gyro, f = imu.rates()
     out = []
@@ -233,7 +248,7 @@ def _check_imu(imu: Inertial, master: Master | None) -> list[Finding]:
         text = f"the mean specific force is {norm:.4g} m/s^2, not about {G:.2f}"
         # who turns steadily feels more than g, and its master tells
         if fits or master is None or master.v_n is None or not 0.5 * G < norm < 3 * G:
-            text += f": {fits[0] if fits else 'check its unit and kind'}"
+            text += f": {fits[0] if fits else UNNAMED}"
             out.append(Finding("error", "imu.accel", text, "norm"))
     down = float(np.mean(f[:, 2]))
     if 0.8 * G < norm < 1.2 * G and down > 0.5 * G:
@@ -248,7 +263,7 @@ def _check_imu(imu: Inertial, master: Master | None) -> list[Finding]:
     if fastest > 70 or typical > 5:
         text = f"turns at {typical:.3g} rad/s (median), {fastest:.3g} (largest)"
         factor = causes.factor(imu, master) if master else 0.0
-        hint = "degrees declared as radians, or rates as increments?"
+        hint = patterns.of_axes(imu.gyro) or "degrees declared as radians, or rates as increments?"
         if factor > 1.3 / DEG:
             hint = f"{factor:.4g} times what its master turns: raw counts, {factor * DEG:.4g} for each deg/s?"
         out.append(Finding("error", "imu.gyro", f"{text}: {hint}", "fast"))
@@ -348,7 +363,20 @@ def _check_master(master: Master) -> list[Finding]:
     return out
 
 
-SPEEDS = {unit: size for unit, size in UNITS["velocity"].items() if unit != "m/s"} | {"ft/s": FOOT}
+SPEEDS = {unit: size for unit, size in UNITS["velocity"].items() if unit != "m/s"} | {
+    "ft/s": FOOT,
+    "mph": 5280 * FOOT / 3600,
+}
+
+
+HEIGHTS = {  # of a height by those of the vertical velocity
+    1 / FOOT: "feet declared as metres?",
+    1000.0: "mm declared as m?",
+    100.0: "cm declared as m?",
+    0.001: "km declared as m?",
+    FOOT: "a vertical velocity in ft/s declared as m/s?",
+    FOOT / 60: "one in ft/min declared as m/s?",
+}
 
 
 def _check_velocity(master: Master) -> list[Finding]:
@@ -385,9 +413,14 @@ def _check_velocity(master: Master) -> list[Finding]:
         slope, fit = float(sunk @ fallen / (fallen @ fallen)), float(np.corrcoef(sunk, fallen)[0, 1])
         # a master at 1 Hz may see of a walker's steps what sums up, while its height stays
         if fit > 0.95 and not 0.7 < slope < 1.4 and (np.std(sunk) > 0.5 or abs(slope * 1e3 - 1) < 0.1):
-            known = ": feet declared as metres?" if abs(slope * FOOT - 1) < 0.1 else ": check its unit"
+            what = next(
+                (f": {text}" for size, text in HEIGHTS.items() if abs(slope / size - 1) < 0.1), ": check its unit"
+            )
             text = f"the height moves {slope:.3g} times as much as the vertical velocity sums to"
-            return [Finding("error", "master.position", text + known, "path")]
+            return [Finding("error", "master.position", text + what, "path")]
+    if not master.v_n[:, 2].any() and np.ptp(height) > 1:
+        text = f"its vertical part is 0 all the time, and the height moves by {np.ptp(height):.1f} m: speed and course"
+        return [Finding("warning", "master.velocity", f"{text} alone?")]
     if vertical := motion.check_vertical(master):
         return vertical
     path = float(np.linalg.norm(moved))
@@ -475,7 +508,7 @@ def whole_turns(pieces: Sequence[Array]) -> Array:
     return rotation.vector_from_matrix(C) if len(pieces) else np.zeros((0, 3))
 
 
-def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Finding]:
+def _check_pair(imu: Inertial, master: Master, *, calibrated: bool, trusted: bool) -> list[Finding]:
     """The slave's turns against the master's, axis by axis: the test that sees every wrong sign, unit and axis."""
     start, end = imu.intervals()
     common = min(end[-1], master.time[-1]) - max(start[0], master.time[0])
@@ -500,8 +533,6 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
         return out + gravity
     if course := motion.check_course(master, slave, turn, kept):
         return course + out + gravity
-    if master.v_n is not None and (text := motion.force_level(imu, master)):
-        return [Finding("error", "imu.accel", text, "gravity"), *out]
     surplus, steady = (slave - turn).sum(axis=0) / dt.sum(), turn.sum(axis=0) / dt.sum()
     slave, turn = slave - slave.mean(axis=0), turn - turn.mean(axis=0)
     for axis, name in enumerate(("front", "right", "down")):
@@ -523,9 +554,9 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
             text = f"turns about {name}: it moves too little beside the noise and the mounting to be judged"
             out.append(Finding("note", "imu.gyro", text))
             continue
-        factor = next((what for size, what in FACTORS.items() if abs(found.slope / size - 1) < 0.03), "")
+        factor = explain.known(found.slope, turns.FACTORS)
         hint = (
-            (f"; check its unit: {factor}" if factor else "; check unit, kind, body axes and the sign of yaw")
+            (f"; check its unit{factor}" if factor else "; check unit, kind, body axes and the sign of yaw")
             if wrong
             else ""
         )
@@ -534,33 +565,28 @@ def _check_pair(imu: Inertial, master: Master, *, calibrated: bool) -> list[Find
     if biased and not calibrated and not any(one.name == "turns" for one in out):
         shown = ", ".join(f"{x:+.3f}" for x in np.degrees(surplus))
         text = f"it turns by [{shown}] deg/s (front, right, down) more than its master"
-        if cause := causes.of_bias(dt, slave, turn, _of_angles(master, kept)):
-            text = f"{text}, and by no constant: {cause}; no gyro_bias mends that"
-        else:
-            text += ": models take a gyro bias of up to 1 deg/s; take what is known of it off first, as [calibration] "
-            text += "gyro_bias in the axes of imu.body"
+        text += ": models take a gyro bias of up to 1 deg/s; take what is known of it off first, as [calibration] "
+        text += "gyro_bias in the axes of imu.body"
         out.append(Finding("error", "imu.gyro", text, "bias"))
-    wrong_axes = [one.text.split(":")[0].split(" ")[-1] for one in out if one.level == "error" and one.name == "turns"]
-    if wrong_axes == ["down"] and slope_of(turn[:, 2], slave[:, 2]).slope < -0.8:
-        text = "turns about down have the other sign, and front and right fit: yaw is counter-clockwise"
-        text += " (yaw_positive)" + motion.counted_from_east(master)
-        return [Finding("error", "master.attitude", text, "turns"), *out, *gravity]
-    if any(one.level == "error" for one in out):
-        otherwise = _turned_otherwise(imu, master) if wrong_axes else []
-        return otherwise + out + gravity
-    if cause := causes.of_bias(dt, slave, turn, _of_angles(master, kept), 0.05):
-        level: Literal["warning", "error"] = "warning" if cause.startswith("its bias") else "error"
-        out.insert(0, Finding(level, "imu.gyro", f"it turns otherwise than its master: {cause}", "bias"))
-        if level == "error":
-            return out + gravity
-    if order := motion.another_sequence(imu, master):
-        text = f"the slave's turns fit angles that are applied as {order}, and not as yaw, pitch, roll"
-        out.append(Finding("error", "master.attitude", text + "; write quaternions, or angles of an aircraft", "order"))
-        return out + gravity
+    beside = any(one.level == "error" and one.name == "turns" for one in out)
+    wrong = beside or any(one.level == "error" for one in out)
+    cause = _of_turns(imu, master, delay, wrong)
+    blamed = any(one.level == "error" for one in cause)
+    felt = [] if master.v_n is None or blamed else _of_forces(imu, master, gravity, trusted)
+    if beside and not cause:  # what spoilt the attitude may show in the forces
+        text = (
+            f"{UNKNOWN} explains how the slave turns beside its master: several at once, or a master of another drive?"
+        )
+        spoilt = [one for one in felt if one.where == "master.attitude"]
+        cause = spoilt or [Finding("error", "imu.gyro", text, "turns")]
+    if wrong or blamed:
+        return cause + out + gravity
+    if any(one.level == "error" for one in felt):
+        return felt + gravity + cause + out
     off = motion.check_heading(imu, master, slave, turn, delay)
     if any(one.level == "error" and one.name == "heading" for one in off):
-        return off + out  # the force in the master's axes is turned with it
-    return off + gravity + out
+        return cause + off + out  # the force in the master's axes is turned with it
+    return cause + off + felt + gravity + out
 
 
 def _counted_from_first(master: Master, found: list[Finding]) -> list[Finding]:
@@ -577,50 +603,57 @@ def _counted_from_first(master: Master, found: list[Finding]) -> list[Finding]:
     return [Finding("error", "master.attitude", text + " roll and pitch from gravity, heading from north", "heading")]
 
 
-def _of_angles(master: Master, kept: Array) -> Array:
-    """(K, 3) rad, by how much roll, pitch and yaw change over the master's intervals `kept`."""
-    change: Array = np.diff(np.unwrap(master.euler, axis=0), axis=0)[kept]
-    return change
+UNKNOWN = "none of the single mistakes that are tried (axes, signs, units, order of angles, delays, filters, clocks)"
 
 
-def _turned_otherwise(imu: Inertial, master: Master) -> list[Finding]:
-    """The one mistake in axes, angles or quaternions that explains all turns, if there is one."""
-    dt, slave, turn, kept = _increments(imu, master)
-    ends = np.cumsum(dt) + master.time[0]
-    whole = rotation.vector_from_matrix(attitude_steps(master.euler))
-    if text := patterns.of_axes(imu.gyro):
+def _of_turns(imu: Inertial, master: Master, delay: float, wrong: bool) -> list[Finding]:
+    """The single mistake that explains how the slave turns otherwise than its master, or two that do, or none.
+
+    wrong: whether one axis is, by itself.  delay: s, that was taken off the master's tags.
+    """
+    if wrong and (text := patterns.of_axes(imu.gyro)):
         return [Finding("error", "imu.gyro", text, "turns")]
-    if text := causes.of_axes(slave, turn):
-        if found := motion.mirrored_angle(imu, master, text.split(" ")[0]):
-            return [Finding("error", "master.attitude", found, "turns")]
-        return [Finding("error", "imu.body", f"the slave's turns are its master's where {text} (body)", "turns")]
-    if text := causes.of_attitude(slave, master, kept):
-        return [Finding("error", "master.attitude", f"the turns of both fit where {text} (order)", "turns")]
-    if text := causes.of_mounting(slave, turn):
-        return [Finding("error", "imu.body", f"the slave's turns are its master's where {text} (body)", "turns")]
-    if imu.kind == "rates" and (text := causes.of_angles(imu.time, imu.gyro, master.time, whole)):
-        return [Finding("error", "imu.gyro", text, "turns")]
-    if imu.kind == "rates" and (text := causes.of_rate(imu.time, imu.gyro, master.time, whole)):
-        return [Finding("error", "imu.time", text, "turns")]
-    if text := causes.of_bias(dt, slave, turn, _of_angles(master, kept), 0.05):
-        return [Finding("error", "imu.gyro", f"it turns otherwise than its master: {text}", "turns")]
-    if text := causes.of_halves(slave, turn, ends):
-        advice = ": what was logged has changed there; cut the recording there (from, to)"
-        return [Finding("error", "imu.gyro", text + advice, "turns")]
+    guesses = turns.of_turns(imu, master, delay)
+    _, found = explain.decided(*guesses) if guesses else (None, [])
+    if found and found[0].text:
+        best = found[0].guess
+        mild = best.kind in turns.MILD and not wrong
+        text = found[0].text + (motion.counted_from_east(master) if "yaw_positive" in found[0].text else "")
+        text += "".join(f"; or, as well explained, {one.guess.where}: {one.text}" for one in found[1:])
+        return [Finding("warning" if mild else "error", best.where, text, turns.NAME.get(best.kind, "turns"))]
     return []
 
 
-FACTORS = {
-    1 / DEG: "deg/s declared as rad/s",
-    DEG: "rad/s declared as deg/s",
-    3600.0: "deg/s declared as deg/h",
-    1 / 3600: "deg/h declared as deg/s",
-}
+def _of_forces(imu: Inertial, master: Master, gravity: list[Finding], trusted: bool) -> list[Finding]:
+    """The same of the specific force, of a slave that turns as its master does."""
+    wrong = any(one.level == "error" for one in gravity)
+    if not (guesses := forces.of_forces(imu, master, trusted)):
+        return []
+    as_is, found = explain.decided(*guesses, wrong)
+    named = found if all(one.text for one in found) else []
+    if not named:
+        return []
+    text = named[0].text + "".join(f"; or, as well explained, {one.guess.where}: {one.text}" for one in named[1:])
+    level: Literal["warning", "error"] = "error" if wrong or as_is.left > LARGE_FORCE**2 else "warning"
+    return [Finding(level, named[0].guess.where, text, "gravity")]
+
+
+LARGE_FORCE = 0.1  # m/s^2 rms, that no sound recording has in means over a second
 
 
 def _check_clocks(imu: Inertial, master: Master) -> tuple[list[Finding], float]:
     """Clocks that are apart by more than a filter's delay may be, or run apart; and by how much they are, s."""
     delay, gain = clocks_apart(imu, master)
+    if abs(delay) > 0.5:  # a motion that repeats itself fits a round later as well
+        far = replace(master, time=master.time - delay)
+        delay, gain = (delay, gain) if turns.near(imu, far) < turns.near(imu, master) / 4 else (0.0, 1.0)
+    near = gain == 1
+    shift, better, filtered = turns.late(imu, master, delay)
+    if near and better > 1 and not filtered:
+        delay, gain = shift, better if abs(shift) > NEAR_S else 1
+    elif better > 1 and filtered:
+        others = f"; or, as well explained, the master's clock is {shift:+.3f} s late" if shift else ""
+        return [Finding("error", "imu.gyro", filtered[0] + others, "lag")], 0.0
     if gain > 1:
         text = (
             f"the clocks are apart: the master is {delay:+.3f} s late{tags.apart(delay)}; with that taken off its time,"

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from boresight.runtime import frames, rotation
+from boresight.runtime import rotation
 from boresight.runtime.array import Array
 from boresight.runtime.recording.delay import best_delay
 from boresight.runtime.recording.types import Finding, Inertial, Master
@@ -191,47 +191,17 @@ def counted_from_east(master: Master) -> str:
     return ' and counted from east (yaw_from = "east")' if steady > 0.9 and abs(mean - np.pi / 2) < 0.5 else ""
 
 
-def force_missed(imu: Inertial, master: Master) -> float:
-    """m/s^2, rms of the level specific force in the master's axes less its acceleration, in a second or so."""
-    assert master.v_n is not None
-    start, end, _, dvel = imu.increments
-    every = max(1, round(1 / float(np.median(np.diff(master.time)))))
-    time, v = master.time[::every], master.v_n[::every]
-    C = rotation.matrix_from_euler(
-        np.stack([np.interp((start + end) / 2, master.time, a) for a in np.unwrap(master.euler, axis=0).T], -1)
-    )
-    summed = np.cumsum(np.einsum("kij,kj->ki", C, dvel), axis=0)
-    off = np.diff(np.stack([np.interp(time, end, part) for part in summed.T], axis=-1) - v, axis=0)[:, :2]
-    out = np.sqrt(np.mean((off - off.mean(axis=0)) ** 2)) / float(np.median(np.diff(time)))
-    return float(out)
-
-
-def mirrored_angle(imu: Inertial, master: Master, axis: str) -> str:
-    """Whether it is the master's roll or pitch that has the other sign, and not a gyro: gravity tells."""
-    if axis not in ("front", "right") or master.v_n is None:
-        return ""
-    other = master.euler * np.where(np.arange(3) == ("front", "right").index(axis), -1, 1)
-    if force_missed(imu, replace(master, euler=other)) > 0.7 * force_missed(imu, master):
-        return ""
-    name, advice = {"front": ("roll", "its right side goes up"), "right": ("pitch", 'pitch_positive = "down"')}[axis]
-    return f"its {name} has the other sign: so turns and gravity both fit ({advice})"
-
-
 def check_heading(imu: Inertial, master: Master, slave: Array, turn: Array, delay: float) -> list[Finding]:
-    """A heading that is off, a compass, a velocity that lags, a lever arm; slave and turn: (K, 3) rad, turns of both.
+    """A heading that is off, a velocity that lags, a lever arm; slave and turn: (K, 3) rad, turns of both.
 
     delay: s, of the master's attitude, which was taken off its time.
     """
-    if found := _compass(imu, master):
-        return found
     seen = None if master.v_n is None else level(imu, master)
     if seen is None:
         return []
     assert master.v_n is not None
     mounted, unsure = yaw_of_mounting(slave, turn)
     known = unsure < 1 * DEG
-    if text := force_elsewhere(imu, master):
-        return [Finding("error", "imu.accel", text, "heading")]
     off, sigma = seen.heading + mounted * known, float(np.hypot(seen.heading_sigma, unsure * known))
     out = []
     if abs(off) > max(5 * sigma, 3 * DEG) and abs(seen.heading) > 5 * seen.heading_sigma:
@@ -242,11 +212,12 @@ def check_heading(imu: Inertial, master: Master, slave: Array, turn: Array, dela
             crab = np.arctan2(master.v_n[:, 1], master.v_n[:, 0]) - master.euler[:, 2]
             mean = np.angle(np.mean(np.exp(1j * crab[speed > 2])))
             text += f", and course less heading is {mean / DEG:.0f} deg"
-        text += "; magnetic or grid north, or another axis?"
+        text += "; magnetic or grid north, a compass beside iron, or another axis?"
         if not known:
             text += "  Or the slave is mounted so: roll and pitch would tell, which hardly change"
         out.append(Finding("error" if abs(off) > 5 * DEG else "warning", "master.attitude", text, "heading"))
-    if seen.lag > max(0.12, 6 * seen.lag_sigma):
+    surer = seen.lag / seen.lag_sigma > abs(seen.behind) / seen.behind_sigma
+    if seen.lag > max(0.12, 8 * seen.lag_sigma) and surer:
         text = f"it is {seen.lag:.2f} +- {seen.lag_sigma:.2f} s older than the attitude: a velocity that is filtered"
         out.append(
             Finding("error", "master.velocity", text + " or averaged; take one that is not, or tag it earlier", "lag")
@@ -258,6 +229,9 @@ def check_heading(imu: Inertial, master: Master, slave: Array, turn: Array, dela
         out.append(Finding("error", "master.attitude", text + ": give it a time of its own (attitude.time)", "lag"))
     elif abs(seen.behind) > max(0.04, 8 * seen.behind_sigma) and turns_refuse(imu, master, seen.behind):
         order = "behind" if seen.behind > 0 else "ahead of"
+        if seen.behind < 0 and abs(delay - seen.behind) < 0.05 + 3 * seen.behind_sigma:
+            text = f"they are {-seen.behind:.2f} +- {seen.behind_sigma:.2f} s behind the accelerometers and the master:"
+            return [Finding("error", "imu.gyro", f"{text} a gyro that is filtered, or tagged otherwise", "lag"), *out]
         text = (
             f"they are {abs(seen.behind):.3f} +- {seen.behind_sigma:.3f} s {order} the gyros: accel that is filtered or"
         )
@@ -276,92 +250,6 @@ def turns_refuse(imu: Inertial, master: Master, shift: float) -> bool:
     delay, _ = best_delay(imu, master)
     shifted = replace(master, time=master.time - delay + shift)
     return best_delay(imu, shifted, span=max(0.1, 1.2 * abs(shift)), step=abs(shift) / 10)[1] > 1.3
-
-
-def force_elsewhere(imu: Inertial, master: Master) -> str:
-    """How the accelerometers' axes lie beside the gyros', which turn as the master; "" where they lie alike."""
-    assert master.v_n is not None
-    _, end, _, dvel = imu.increments
-    every = max(1, round(1 / float(np.median(np.diff(master.time)))))
-    inside = (master.time > end[0]) & (master.time < end[-1])
-    time, v, euler = master.time[inside][::every], master.v_n[inside][::every], np.unwrap(master.euler, axis=0)
-    if len(time) < 20:
-        return ""
-    middle = (time[1:] + time[:-1]) / 2
-    C = rotation.matrix_from_euler(np.stack([np.interp(middle, master.time, a) for a in euler.T], axis=-1))
-    summed = np.cumsum(dvel, axis=0)
-    seconds = np.diff(time)[:, None]
-    felt = np.diff(np.stack([np.interp(time, end, part) for part in summed.T], axis=-1), axis=0) / seconds
-    known = np.einsum("kji,kj->ki", C, np.diff(v, axis=0) / seconds - [0, 0, G])
-    felt, known = felt - felt.mean(axis=0), known - known.mean(axis=0)
-    size = np.sum(known**2, axis=0)
-    slopes = np.sum(felt * known, axis=0) / size
-    alike = np.sum((felt - slopes * known) ** 2, axis=0) < 0.2 * np.sum(felt**2, axis=0)
-    for unit, factor in (("g declared as m/s^2", 1 / G), ("m/s^2 declared as g", G)):
-        off = alike & (np.abs(slopes / factor - 1) < 0.15)
-        if off[:2].any() and not off.all():
-            names = " and ".join(np.array(frames.AXES)[off])
-            return f"{names} alone in {unit}: it changes {factor:.3g} times as much as it should"
-    total = float(size[:2].sum())
-    left = {
-        angle: float(np.sum((felt[:, :2] - known[:, :2] @ np.array([[c, -s], [s, c]])) ** 2))
-        for angle, c, s in ((0, 1, 0), (90, 0, 1), (180, -1, 0), (-90, 0, -1))
-    }
-    best = min(left, key=left.__getitem__)
-    if best == 0 or left[best] > 0.2 * total or left[best] > 0.2 * left[0]:
-        return ""
-    text = f"the accelerometers lie in other axes than the gyros, turned by {best} deg about down"
-    return text + ": the gyros turn as the master"
-
-
-def force_level(imu: Inertial, master: Master) -> str:
-    """Whether the specific force is in navigation axes already, and not in those of the body."""
-    assert master.v_n is not None
-    _, end, _, dvel = imu.increments
-    every = max(1, round(1 / float(np.median(np.diff(master.time)))))
-    inside = (master.time > end[0]) & (master.time < end[-1])
-    time, v, euler = master.time[inside][::every], master.v_n[inside][::every], master.euler[inside][::every]
-    if len(time) < 20:
-        return ""
-    seconds = np.diff(time)[:, None]
-    summed = np.cumsum(dvel, axis=0)
-    felt = np.diff(np.stack([np.interp(time, end, part) for part in summed.T], axis=-1), axis=0) / seconds
-    known = np.diff(v, axis=0) / seconds
-    C = rotation.matrix_from_euler(euler)
-    off = [known, felt - known, np.einsum("kij,kj->ki", (C[1:] + C[:-1]) / 2, felt) - known]
-    moved, level, body = (float(np.sum((one - one.mean(axis=0))[:, :2] ** 2)) for one in off)
-    if level > 0.2 * min(moved, body) or moved < 0.01 * len(felt):
-        return ""
-    return "it is the change of the master's velocity as it stands: in navigation axes already, declared as of the body"
-
-
-def _compass(imu: Inertial, master: Master) -> list[Finding]:
-    """A heading whose error is a sine and a cosine of the heading, beside what the slave's gyros turn."""
-    heading = np.unwrap(master.euler[:, 2])
-    start, end = imu.intervals()
-    inside = (master.time > end[0]) & (master.time < end[-1])
-    if inside.sum() < 30 or np.ptp(heading[inside]) < 30 * DEG:
-        return []
-    gyro = imu.rates()[0]
-    delay, _ = best_delay(imu, master)
-    roll, pitch, _ = (np.interp((start + end) / 2 + delay, master.time, a) for a in np.unwrap(master.euler, axis=0).T)
-    down = np.stack([0 * roll, np.sin(roll), np.cos(roll)], axis=-1) / np.cos(pitch)[:, None] * (end - start)[:, None]
-    # the rate of heading by the gyros, and by how much more a slave mounted by a radian about each axis would show
-    rates = [np.sum(gyro * down, axis=1), *(np.sum(np.cross(gyro, axis) * down, axis=1) for axis in np.eye(3))]
-    rates += [down[:, 1], down[:, 2]]  # and biases, which in a bank are no line in time
-    turned, *mounted = (np.interp(master.time - delay, end, np.cumsum(rate))[inside] for rate in rates)
-    heading, time = heading[inside], master.time[inside]
-    columns = np.stack([np.sin(heading), np.cos(heading), np.ones_like(time), *mounted], axis=-1)
-    errs = heading - turned
-    found, sigma = regressed(errs[:, None], columns[:, None])
-    size, unsure = float(np.hypot(*found[:2])), float(sigma[:2].max())
-    bare, *_ = np.linalg.lstsq(columns[:, 2:], errs, rcond=None)
-    # over few headings a sine and a cosine are a line: they must explain most of what is left without them
-    left, without = (np.mean((errs - part) ** 2) for part in (columns @ found, columns[:, 2:] @ bare))
-    if size < max(2 * DEG, 6 * unsure) or left > 0.25 * without or without - left < SEEN**2:
-        return []
-    text = f"its heading errs by {size / DEG:.1f} +- {unsure / DEG:.1f} deg times a sine and cosine of the heading, as"
-    return [Finding("error", "master.attitude", text + " that of a compass beside iron does; calibrate it", "heading")]
 
 
 def check_place(master: Master) -> list[Finding]:
@@ -405,39 +293,3 @@ def check_vertical(master: Master) -> list[Finding]:
         return []
     text = "the height does not follow its vertical part, by the speed times the sine of the pitch: a level velocity"
     return [Finding("error", "master.velocity", text + " declared as one of the body (axes)?", "path")]
-
-
-def another_sequence(imu: Inertial, master: Master) -> str:
-    """The order in which angles must turn the body so that the slave turns as its master; "" where they do as they are.
-
-    By the sums of the turns of both: what an order changes is of the second order, and stays.
-    """
-    _, end, dtheta, _ = imu.increments
-    delay, _ = best_delay(imu, master)
-    inside = (master.time - delay > end[0]) & (master.time - delay < end[-1])
-    if inside.sum() < 40:
-        return ""
-    master = master.cut(inside)
-    time = master.time - delay
-    angle = np.stack([np.interp(time, end, part) for part in np.cumsum(dtheta, axis=0).T], axis=-1)[1:]
-
-    def left(C: Array) -> float:
-        turns = np.cumsum(rotation.vector_from_matrix(np.swapaxes(C[:-1], -1, -2) @ C[1:]), axis=0)
-        design = np.column_stack([turns, time[1:], np.ones(len(turns))])
-        return float(np.sum((angle - design @ np.linalg.lstsq(design, angle, rcond=None)[0]) ** 2))
-
-    def about(axis: int) -> Array:
-        vectors = np.zeros_like(master.euler)
-        vectors[:, axis] = master.euler[:, axis]
-        return rotation.matrix_from_vector(vectors)
-
-    roll, pitch, yaw = about(0), about(1), about(2)
-    orders = {
-        "yaw, roll, pitch": yaw @ roll @ pitch, "roll, pitch, yaw": roll @ pitch @ yaw,
-        "pitch, roll, yaw": pitch @ roll @ yaw, "roll, yaw, pitch": roll @ yaw @ pitch,
-        "pitch, yaw, roll": pitch @ yaw @ roll,
-    }  # fmt: skip
-    as_it_is = left(yaw @ pitch @ roll)
-    others = {name: left(C) for name, C in orders.items()}
-    best = min(others, key=others.__getitem__)
-    return best if others[best] < 0.5 * as_it_is else ""

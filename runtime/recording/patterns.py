@@ -68,6 +68,7 @@ def of_samples(imu: Inertial) -> list[Finding]:
     if between <= 0.3:
         out = _stuck(imu, values, same) + out
     out += [] if copied or between > 0.3 else _twice(imu, values)
+    out += [] if between > 0.3 else _spikes(imu)
     unit = rate if imu.kind == "increments" else 1.0  # as delivered: the steps of a converter are none of dv / dt
     for name, sensor in (("gyro", imu.gyro), ("accel", imu.accel)):
         for axis, label in enumerate(frames.AXES):
@@ -87,7 +88,7 @@ def _stuck(imu: Inertial, values: Array, same: Array) -> list[Finding]:
         moving: Array = np.ones(len(same), bool)
         moving[max(0, first - 1) : last + 1] = False
         bend = np.diff(values[:, k], 2)[moving[1:] & moving[:-1]]
-        if last - first < LONGEST or rail or len(bend) < LONGEST or same[moving, k].mean() > 0.2:
+        if last - first < max(LONGEST, 1 / imu.dt) or rail or len(bend) < LONGEST or same[moving, k].mean() > 0.2:
             continue
         # second differences of white noise go to and fro, those of a motion do not
         if bend[1:] @ bend[:-1] < -0.3 * (bend @ bend):
@@ -101,6 +102,37 @@ def _stuck(imu: Inertial, values: Array, same: Array) -> list[Finding]:
         text = text.replace("before", "behind") if first == 0 else text
         out.append(Finding("error", f"imu.{name}", text + ": cut the recording there (from, to)", "stuck"))
     return out
+
+
+def _spikes(imu: Inertial) -> list[Finding]:
+    """Single samples that stand off both of their neighbours, which go on as before, far beyond any shock."""
+    out = []
+    for name, values, least, unit, shown in (
+        ("gyro", imu.rates()[0], 200 * DEG, DEG, "deg/s"), ("accel", imu.rates()[1], 30.0, 1.0, "m/s^2")
+    ):  # fmt: skip
+        off = values[1:-1] - (values[2:] + values[:-2]) / 2
+        beside = np.abs(values[2:] - values[:-2])
+        usual = 1.5 * np.median(np.abs(off), axis=0)
+        rows = ((np.abs(off) > np.maximum(least, 50 * usual)) & (beside < 0.1 * np.abs(off))).any(axis=1)
+        if rows.any() and rows.mean() < 0.01 and (values < 0).any():
+            many = "1 sample stands" if rows.sum() == 1 else f"{rows.sum()} samples stand"
+            first, most = imu.time[1:-1][np.argmax(rows)], np.abs(off[rows]).max() / unit
+            text = f"{many} alone, off by up to {most:.3g} {shown} from both neighbours, the first at {first:.3f} s"
+            out.append(
+                Finding("error", f"imu.{name}", text + ": spikes of a bad read or line; leave them out", "spikes")
+            )
+    return out
+
+
+def coarse_gyro(imu: Inertial) -> list[Finding]:
+    """A gyro whose steps are coarse beside what it turns."""
+    for axis, values in zip(frames.AXES, imu.rates()[0].T, strict=True):
+        levels = np.unique(np.round(values, 9))
+        step = float(np.diff(levels).min()) if 3 < len(levels) < len(values) / 10 else 0.0
+        if step > 0.2 * DEG and np.abs(np.diff(levels) / step % 1 - 0.5).min() > 0.49:
+            text = f"{axis} has {len(levels)} values alone, {step / DEG:.3g} deg/s apart: rounded, or a range too large"
+            return [Finding("warning", "imu.gyro", text)]
+    return []
 
 
 def _twice(imu: Inertial, values: Array) -> list[Finding]:
@@ -198,7 +230,7 @@ def of_master(imu: Inertial, master: Master) -> list[Finding]:
         text = f"its attitude never moves, while the slave turns by {turned / DEG:.3g} deg/s rms"
         return [Finding("error", "master.attitude", text + ": a reference that was never filled in?", "still")]
     parts = [part for part in (master.euler, master.v_n, master.position) if part is not None]
-    out = []
+    out = _zero_angles(master, gyro) + _coarse_place(master)
     held, _ = _together(np.hstack([part[1:] == part[:-1] for part in parts]))
     if 0.3 < held < 0.97:
         rate = 1 / float(np.median(np.diff(master.time)))
@@ -213,7 +245,21 @@ def of_master(imu: Inertial, master: Master) -> list[Finding]:
             f"it repeats in {still:.0%} of the rows, and the rest does not: it is held at {rate * (1 - still):.3g} Hz"
         )
         text += "; give it a time of its own, of the rows in which it is new (attitude.time)"
-        out.append(Finding("error", "master.attitude", text, "copies"))
+        new: Array = np.cumsum(~each.all(axis=1))
+        even = np.abs(new - np.linspace(0, new[-1], len(new))).max() < max(2.0, 0.02 * len(new))
+        if not even:  # what turns slowly repeats, and what turns fast does not
+            turned = np.linalg.norm(np.diff(master.euler, axis=0), axis=1)
+            step = float(np.median(turned[turned > 0])) / DEG
+            text = (
+                f"it repeats in {still:.0%} of the rows, where it turns slowly: rounded to few digits, about {step:.2g}"
+            )
+            text += " deg apart; or held, and not evenly; write more digits"
+        out.append(Finding("error", "master.attitude", text, "copies" if even else "rounded"))
+    bend = np.abs(np.diff(np.unwrap(master.euler, axis=0), 2, axis=0)).max(axis=1)
+    between = float((bend < 1e-9).mean())
+    if 0.5 < between < 0.97 and still < 0.3 and np.ptp(master.euler[:, 2]) > 1 * DEG:
+        text = f"{between:.0%} of its rows lie on the line between their neighbours: interpolated from a lower rate"
+        out.append(Finding("error", "master.attitude", text + "; use the rows that were measured", "interpolated"))
     if master.v_n is not None and not held:
         kept, _ = _together((master.v_n[1:] == master.v_n[:-1]) | (master.v_n[1:] == 0))
         moving = float((master.v_n[1:] != 0).any(axis=1).mean())
@@ -232,3 +278,34 @@ def of_master(imu: Inertial, master: Master) -> list[Finding]:
                 out.append(Finding(level, "master.attitude", text + "; write more digits", "rounded"))
             break
     return out
+
+
+def _zero_angles(master: Master, gyro: Array) -> list[Finding]:
+    """Roll or pitch that nobody measured."""
+    swings = np.std(gyro, axis=0) > 0.3 * DEG
+    zero = [name for i, name in enumerate(("roll", "pitch")) if swings[i] and np.abs(master.euler[:, i]).max() < 1e-9]
+    if not zero or len(master.time) < 10:
+        return []
+    text = (
+        f"its {' and '.join(zero)} {'are' if zero[1:] else 'is'} 0 all the time, while the slave turns about such axes:"
+    )
+    return [
+        Finding("error", "master.attitude", text + " a heading of two antennas alone, or columns left empty", "still")
+    ]
+
+
+def _coarse_place(master: Master) -> list[Finding]:
+    """A latitude or longitude of few digits."""
+    if master.position is None:
+        return []
+    for i, name in enumerate(("latitude", "longitude")):
+        steps = np.diff(np.unique(master.position[:, i]))
+        steps = steps[steps > 1e-13]
+        if len(steps) < 4:
+            continue
+        size = float(steps.min())
+        metres = size * 6371e3
+        if metres > 0.3 and np.abs(steps / size - np.round(steps / size)).max() < 1e-3:
+            text = f"its {name} is rounded to steps of {metres:.2g} m ({np.degrees(size):.2g} deg); write more digits"
+            return [Finding("warning", "master.position", text)]
+    return []

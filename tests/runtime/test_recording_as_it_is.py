@@ -509,7 +509,7 @@ def test_a_healthy_recording_passes_whatever_noise_its_master_has(describe, arcm
 @pytest.mark.parametrize(
     ("spoil", "words"),
     [
-        (np.diag([1, 1, -1]), "turns about down"),
+        (np.diag([1, 1, -1]), "down of its axes is mirrored"),
         (np.eye(3)[[0, 2, 1]], "right and down of its axes are exchanged"),
         (np.diag([1, 1, 2.0]), "turns about down"),
     ],
