@@ -58,18 +58,21 @@ class Folder:
     @cached_property
     def code(self) -> str:
         """Of its C and headers without the self-tests."""
-        code = [path for path in self.sources if path.parent.name != "selftest"]
-        return Texts(code).hash(code)
+        return Texts(self.code_files).hash(self.code_files)
+
+    @property
+    def code_files(self) -> list[Path]:
+        return [path for path in self.sources if path.parent.name != "selftest"]
 
     @cached_property
     def texts(self) -> Texts:
         return Texts(self.sources)
 
     def filter_hash(self, harness: Path) -> str:
-        """Of the filter, of all that it includes and calls, and of the C of evidence that calls it."""
+        """Of the filter, of all that it includes and calls, and of the C of evidence that calls it; of no self-test."""
         (header,) = (path for path in self.files("include/*_filter.h") if path.name != "boresight_filter.h")
         roots = {*self.files("src/*_filter.c"), header}
-        return self.texts.hash(roots, WORD.findall(harness.read_text()), [harness])
+        return Texts(self.code_files).hash(roots, WORD.findall(harness.read_text()), [harness])
 
     @property
     def identity(self) -> list[Path]:

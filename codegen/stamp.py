@@ -24,7 +24,7 @@ GENERATOR = tuple(PACKAGE / "codegen" / name for name in ("functions", "text", "
 EXPORTED = PACKAGE / "codegen" / "templates" / "export"  # which no generated folder is made of
 DERIVED = PACKAGE / "derive" / "linear.py"  # what a model leaves open is made by it, before any C
 # What judges and shows a model, imported only when it is asked to, and words of errors: no C is made by it.
-BESIDE = re.compile(r"boresight\.(errors|derive\.(ledger|pages|papers\.(own\w*|built_in)))\b")
+BESIDE = re.compile(r"boresight\.(errors|derive\.(ledger|pages|papers\.\w+\.paper))\b")
 
 
 def made_from(model: Path | None, read: Iterable[Path] = ()) -> dict[str, str]:
