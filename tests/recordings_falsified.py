@@ -993,6 +993,13 @@ def gyro_in_whole_degrees(w):
     w.columns["gyro"] = np.round(w.columns["gyro"] / DEG) * DEG
 
 
+@fault("degrees and minutes")
+def position_in_degrees_and_minutes(w):
+    for i in (0, 1):
+        whole, part = np.divmod(w.columns["position"][:, i] / DEG, 1)
+        w.columns["position"][:, i] = (whole + 0.6 * part) * DEG
+
+
 def complaints(path):
     """What the check calls wrong, or warns of: one text a finding."""
     from boresight import BoresightError

@@ -407,8 +407,10 @@ def _check_velocity(master: Master) -> list[Finding]:
             what = next(
                 (f": {unit} declared as m/s?" for unit, size in SPEEDS.items() if abs(ratio * size - 1) < 0.05), ""
             )
-            text = f"the velocity sums to {ratio:.3g} times what the position moves{what or ': check its unit'}"
-            return [Finding("error", "master.velocity", text, "path")]
+            where, text = "master.velocity", f"the velocity sums to {ratio:.3g} times what the position moves"
+            if abs(0.6 * ratio - 1) < 0.02:
+                where, what = "master.position", ": degrees and minutes (dd.mmmm of ddmm.mm) declared as degrees?"
+            return [Finding("error", where, text + (what or ": check its unit"), "path")]
     if np.std(fallen) > 1.0 and np.std(sunk) > 0:
         slope, fit = float(sunk @ fallen / (fallen @ fallen)), float(np.corrcoef(sunk, fallen)[0, 1])
         # a master at 1 Hz may see of a walker's steps what sums up, while its height stays
