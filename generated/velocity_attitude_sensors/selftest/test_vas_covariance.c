@@ -330,8 +330,8 @@ static int predict(int k)
     vas_ud_predict(packed, Phi, Q, Q, work);
     /* [VAS-C-030] */
     failures += expect("ud predicted in the place of Q", k, memcmp(Q, after, sizeof(Q)) == 0);
-    for (int j = MOVING; j < N; ++j) { /* as much noise as variance */
-        before[(j * (j + 3)) / 2] = given.P[j * (N + 1)];
+    for (int j = MOVING; j < N; ++j) { /* as much more noise as variance */
+        before[(j * (j + 3)) / 2] += given.P[j * (N + 1)];
     }
     vas_ud_predict(packed, Phi, before, after, work);
     vas_ud_dense(after, dense);
