@@ -156,6 +156,8 @@ def axes_named(M: Array) -> str:
         if len(where) == 1 and np.trace(np.abs(M)) == 3:
             return f"{where[0]} of its axes is mirrored: left-handed axes, or one sign"
         moved = [AXES[i] for i in range(3) if M[i, i] == 0]
+        if not moved:
+            return "all three of its axes are mirrored: left-handed axes, or each sign"
         angles = ", or the master's roll and pitch are" if moved == ["front", "right"] else ""
         return f"{' and '.join(moved)} of its axes are exchanged, left-handed{angles}"
     also = {"FLU": "as FLU beside FRD", "RFU": "as RFU beside FRD, and ENU beside NED"}

@@ -50,6 +50,7 @@ NAME = {"warm": "bias", "high": "bias", "mean": "bias", "Euler": "bias", "compas
         "attitude": "order"}  # fmt: skip
 LOW, TAUS = "it is filtered, by a low-pass of about {:.2g} s", np.geomspace(0.05, 2, 24)
 E = np.eye(3)
+LEAST = 12  # instants of the master of which anything is judged
 
 
 class Turned:
@@ -100,7 +101,7 @@ def off_line(x: Array, since: Array) -> Array:
 def of_turns(imu: Inertial, master: Master, delay: float) -> tuple[Iterator[Guess], Freedom] | None:
     """Guesses of the sums of turns; None of a recording that is too short.  master: with `delay` taken off its tags."""
     T = Turned(imu, master, delay)
-    if len(T.time) < 20:
+    if len(T.time) < LEAST:
         return None
     return guesses(T), freedom(T)
 
@@ -108,7 +109,7 @@ def of_turns(imu: Inertial, master: Master, delay: float) -> tuple[Iterator[Gues
 def near(imu: Inertial, master: Master) -> float:
     """rad^2, mean square of what the turns of both do not share, at the best delay within a tenth of a second."""
     T = Turned(imu, master, 0.0)
-    if len(T.time) < 20:
+    if len(T.time) < LEAST:
         return np.inf
     S = summed(rotation.matrix_from_euler(T.master.euler))
     tried = [Guess("", "", "", T.slave(by), S) for by in np.arange(-8, 9) * 0.0125]
