@@ -620,8 +620,8 @@ def _of_turns(imu: Inertial, master: Master, delay: float, wrong: bool) -> list[
     if found and found[0].text:
         best = found[0].guess
         mild = best.kind in turns.MILD and not wrong
-        text = found[0].text + (motion.counted_from_east(master) if "yaw_positive" in found[0].text else "")
-        text += "".join(f"; or, as well explained, {one.guess.where}: {one.text}" for one in found[1:])
+        more = motion.counted_from_east(master) if "yaw_positive" in found[0].text else ""
+        text = explain.in_words(found, more)
         return [Finding("warning" if mild else "error", best.where, text, turns.NAME.get(best.kind, "turns"))]
     return []
 
@@ -635,7 +635,7 @@ def _of_forces(imu: Inertial, master: Master, gravity: list[Finding], trusted: b
     named = found if all(one.text for one in found) else []
     if not named:
         return []
-    text = named[0].text + "".join(f"; or, as well explained, {one.guess.where}: {one.text}" for one in named[1:])
+    text = explain.in_words(named)
     level: Literal["warning", "error"] = "error" if wrong or as_is.left > LARGE_FORCE**2 else "warning"
     return [Finding(level, named[0].guess.where, text, "gravity")]
 

@@ -131,6 +131,12 @@ def decided(guesses: Iterable[Guess], free: Freedom, wrong: bool = False) -> tup
 # ---------------------------------------------------------------- words
 
 
+def in_words(found: list[Judged], more: str = "") -> str:
+    """The best guess, with `more` of it, and what explains as well."""
+    best, *others = found
+    return best.text + more + "".join(f"; or, as well explained, {one.guess.where}: {one.text}" for one in others)
+
+
 def known(factor: float, of: dict[float, str], within: float = 0.03) -> str:
     """What has such a factor, as the end of a sentence."""
     return next((f": {what}" for size, what in of.items() if abs(factor / size - 1) < within), "")
