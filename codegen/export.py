@@ -17,6 +17,7 @@ import numpy as np
 from boresight import BoresightError
 from boresight.codegen import proof, requirements
 from boresight.codegen.boxes import with_boxes
+from boresight.codegen.flight import FLOWN, with_flight
 from boresight.codegen.folder import Folder
 from boresight.codegen.form import chosen, self_test, with_form
 from boresight.codegen.functions.samples import generator
@@ -275,7 +276,10 @@ def exported(
         page = proof.page_view(of, found, why, make)
     run_here = page["lowest"]["golden"] < proof.Verdict.LISTED or "coverage" not in found
     if run_here:
-        check_self_test(files, precision)
+        flown = dict(zip([precision], FLOWN.findall(check_self_test(files, precision)), strict=False))
+    else:
+        flown = found["golden"]["units"].get(f"{manifest['c_prefix']}_live", {}).get("flown", {})
+    files = {path: with_flight(text, flown) for path, text in files.items()}
     demanded = requirements.requirements(files, manifest)
     page["loops"] = loops(files)
     page["trace"] = requirements.rows(demanded, files, ran(files, found, precision, run_here))
@@ -315,8 +319,11 @@ def arduino(files: dict[str, str], view: dict[str, Any]) -> dict[str, str]:
     return flat | texts
 
 
-def check_self_test(files: dict[str, str], precision: str) -> None:
-    """Raise BoresightError where the self-test of an export fails on this machine; files: text by path."""
+def check_self_test(files: dict[str, str], precision: str) -> str:
+    """What the self-test of an export prints on this machine; BoresightError where it fails.
+
+    files: text by path.
+    """
     with tempfile.TemporaryDirectory() as aside:
         folder, program = Path(aside), Path(aside) / "selftest.out"
         write_all(folder, {path: text for path, text in files.items() if path.endswith((".c", ".h", ".inc"))})
@@ -333,6 +340,7 @@ def check_self_test(files: dict[str, str], precision: str) -> None:
             f"the self-test fails on this machine ({first}), so that nothing is written; narrow the boxes of the model "
             "to where it flies, or report it"
         )
+    return done.stdout
 
 
 def ran(files: dict[str, str], found: dict[str, Any], precision: str, here: bool) -> dict[str, str]:
@@ -475,6 +483,7 @@ def export_view(
         "quantiles": quantiles() if "component" in manifest else [],
         "over_nonzeros": described is not None and described["prediction"] == "non-zeros",
         "minute": flown,
+        "live": f"src/{manifest['c_prefix']}_live.c" in files,
         "why_not": why_not,
         "seconds": SECONDS,
         "near": NEAR[precision],

@@ -12,21 +12,13 @@ from enum import IntEnum
 from pathlib import Path
 from typing import Any
 
+from boresight.codegen import deviations
 from boresight.codegen.folder import Folder, Source
 from boresight.codegen.stamp import PACKAGE
 from boresight.runtime.manifest import generated
 
 RESULTS = PACKAGE / "evidence" / "results"
 CORES = ("cortex-m4f float", "cortex-m7 float", "cortex-m7 double")
-
-# Rules of MISRA C:2012 that the C deviates from on purpose, each with its reason.
-DEVIATED = {
-    "15.5": "a guard returns at once: what follows may rely on it, and an output is written by no later line",
-    "20.10": "BS_REAL joins a literal and its suffix, BS_FORM a name and its ending: the one way to print each once",
-    "5.5": "a macro gives each function the ending of its precision and form, so that they never link by mistake",
-    "2.5": "the headers offer the same macros to every model, and the indices of all states; no folder uses all",
-    "5.9": "a kernel's header stands in its unit's file and in the filter's, so that the call costs nothing",
-}
 
 # What the C takes for granted, and who sees to it.
 BY_COMPILER, BY_PROBE, BY_USER = "refused by the compiler", "found by bs_probe", "yours"
@@ -130,8 +122,8 @@ def rounds(of: Result) -> str:
 
 
 def beyond(of: Result) -> list[str]:
-    """Rules broken beyond those deviated."""
-    return [f"{rule} x{count}" for rule, count in sorted(of["rules"].items()) if rule not in DEVIATED]
+    """Rules broken where the C does not deviate from them."""
+    return [f"{rule} x{count}" for rule, count in sorted(deviations.split(of)[1].items())]
 
 
 def alarms(of: Result) -> str:
@@ -388,7 +380,7 @@ def page_view(folder: Folder, found: dict[str, Result], why: str, make: str) -> 
         "classes": classes(results.get("golden", {})),
         "library": sorted({name for of in stacks for name in of["library"]}),
         "assumed": ASSUMED,
-        "deviated": DEVIATED.items(),
+        "deviated": deviations.of_folder(results.get("misra", {}).values()),
         "how": [
             *((c.title, c.how, found[c.kind]["tools"]) for c in COLUMNS if c.kind in found),
             *((WHOLE[k][0], WHOLE[k][1], found[k]["tools"]) for k in WHOLE if k in found),

@@ -10,6 +10,7 @@ from collections.abc import Collection
 from pathlib import Path
 from typing import Any
 
+from boresight.codegen.flight import flies, from_words
 from boresight.codegen.folder import Folder
 from boresight.evidence.machine import Cost, Machine
 from boresight.evidence.targets import (
@@ -55,6 +56,9 @@ def golden(folder: Folder, out: Path, names: Collection[str] | None = None) -> d
     for precision in PRECISIONS:
         here = run_on_host(build(folder, GCC, precision, out), found)
         note(found, f"x86-64 {precision}", here, here)
+        for unit in folder.chosen(names):
+            if flies(unit.test):
+                found[unit.name].setdefault("flown", {})[precision] = from_words(here[unit.name].outputs[-1])
         note(found, f"{CLANG.name} {precision}", run_on_host(build(folder, CLANG, precision, out), found), here)
         for core in CORES:
             made = build(folder, core, precision, out)

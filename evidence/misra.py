@@ -5,11 +5,12 @@ import shutil
 from pathlib import Path
 from typing import Any
 
+from boresight.codegen.deviations import EVERYWHERE
 from boresight.codegen.folder import Folder
 from boresight.runtime.compiler import run
 
 MISSING = "" if shutil.which("cppcheck") else "cppcheck is not installed"
-FINDING = re.compile(r"^misra-c2012-(\S+) (\S+)$")
+FINDING = re.compile(r"^misra-c2012-(\S+) (\d+) (.+)$")
 
 
 def version() -> str:
@@ -17,7 +18,8 @@ def version() -> str:
 
 
 def misra(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
-    """By unit, and for the headers under `include`: how often each rule is broken, the deviated ones too."""
+    """By unit, and for the headers under `include`: by rule the lines that break it, or how often it is broken where
+    the C deviates from it everywhere."""
     place = out / "findings"
     # rows are for hosts
     command = [
@@ -27,14 +29,18 @@ def misra(folder: Folder, out: Path) -> dict[str, dict[str, Any]]:
         "--force",
         "-UBORESIGHT_ROWS",
         f"--output-file={place}",
-        "--template={id} {file}",
+        "--template={id} {line} {file}",
     ]
     run([*command, "-I", folder.include, *folder.files("src/*.c")], cwd=out)
     found: dict[str, dict[str, Any]] = {unit.name: {"rules": {}} for unit in folder.units} | {"include": {"rules": {}}}
     for line in place.read_text().splitlines():
         match = FINDING.match(line)
         if match:
-            name = Path(match[2]).stem.removesuffix("_kernel")
+            rule, number, file = match[1], int(match[2]), Path(match[3])
+            name = file.stem.removesuffix("_kernel")
             rules = found[name if name in found else "include"]["rules"]
-            rules[match[1]] = rules.get(match[1], 0) + 1
+            if rule in EVERYWHERE:
+                rules[rule] = rules.get(rule, 0) + 1
+            else:
+                rules.setdefault(rule, []).append(file.read_text().splitlines()[number - 1].strip())
     return found

@@ -23,13 +23,14 @@ import numpy as np
 from pycparser import c_ast, c_generator
 
 from boresight import BoresightError
+from boresight.codegen.flight import flies, from_words, with_flight
 from boresight.codegen.folder import Folder, Source
 from boresight.codegen.functions import tape
 from boresight.codegen.functions.mutants import SWAPS as SWAPPED
 from boresight.codegen.functions.samples import generator
 from boresight.evidence.calls import Points, call, callable_units, layout, points_of, shared_library
 from boresight.evidence.parsed import of_headers, parsed
-from boresight.evidence.targets import GCC, HARNESS, compile_units
+from boresight.evidence.targets import GCC, HARNESS, build, compile_units, run_on_host
 from boresight.runtime.compiler import PRECISIONS, compile_sources, run
 from boresight.runtime.library import Unit
 
@@ -202,6 +203,10 @@ class Mutator(c_generator.CGenerator):
         self.fixed = before
         return text
 
+    def visit_Case(self, n: Any) -> str:
+        label = c_generator.CGenerator().visit(n.expr)  # which is no choice either
+        return f"case {label}:\n" + "".join(self._generate_stmt(one, add_indent=True) for one in n.stmts or ())
+
     def visit_UnaryOp(self, n: Any) -> str:
         text = str(super().visit_UnaryOp(n))
         if self.inside and n.op == "-" and self.types.is_real(n.expr):
@@ -295,6 +300,11 @@ def mutants(
         run(["objcopy", "--redefine-sym=main=shipped_main", tests["selftest"]])
         for unit in folder.chosen(names):
             if unit.test.is_file() and not unit.elementary and (precision == "double" or unit.described is None):
+                if flies(unit.test):
+                    here = run_on_host(build(folder, GCC, precision, built), [unit.name])[unit.name]
+                    test = built / unit.test.name
+                    test.write_text(with_flight(unit.test.read_text(), {precision: from_words(here.outputs[-1])}))
+                    tests |= compile_sources([*common, "-I", folder.path / "selftest"], {test: ()}, built)
                 of = of_unit(unit, objects, list(tests.values()), built, most, precision)
                 before = found.get(unit.name)
                 found[unit.name] = {key: before[key] + value for key, value in of.items()} if before else of

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from boresight.codegen import proof
+from boresight.codegen import deviations, proof
 from boresight.codegen.folder import Source, folders
 from boresight.derive.ledger.mutation import ALIAS, SAME, SECOND_ORDER, UNEXPLAINED
 from boresight.evidence import results
@@ -38,7 +38,20 @@ def tables() -> str:
         kept = results.read(folder)
         rows = [row(unit, {kind: of["units"].get(unit.name, {}) for kind, of in kept.items()}) for unit in folder.units]
         parts.append(section(folder.name, HEAD, rows))
-    more = (covered, verifications, one_flight, hostile, on_a_gpu, drawn, proofs, steps, shown, written, flights)
+    more = (
+        covered,
+        deviated,
+        verifications,
+        one_flight,
+        hostile,
+        on_a_gpu,
+        drawn,
+        proofs,
+        steps,
+        shown,
+        written,
+        flights,
+    )
     return "".join(parts) + "".join(made() for made in more) + "\n"
 
 
@@ -56,6 +69,19 @@ def covered() -> str:
         for row in proof.coverage_of(list(results.read(folder).get("coverage", {}).get("units", {}).values()))
     ]
     return section("Coverage of the self-tests", head, rows)
+
+
+BAR = r"\|"  # within a cell
+
+
+def deviated() -> str:
+    """Where the C breaks a rule of MISRA C:2012 on purpose, with the reason."""
+    units = (of for folder in folders() for of in results.read(folder).get("misra", {}).get("units", {}).values())
+    rows: list[tuple[str, ...]] = [
+        (one.rule, str(count), f"`{one.words.replace('|', BAR)}`" if one.words else "all", one.reason)
+        for one, count in deviations.of_folder(units)
+    ]
+    return section("MISRA: deviated", ("rule", "times", "in lines like", "reason"), rows)
 
 
 HASHES = ("build", "samples", "SHA-256 begins", "first difference", "refused", "flush to zero", "control register")

@@ -396,6 +396,10 @@ def live_view(model: Model, made: list[Unit], views: list[dict[str, Any]]) -> di
             {"access": f"{'&' if v.size == 1 else ''}live->now.{owner[v.name]}.{v.name}", "size": v.size}
             for v in inputs.carried
         ],
+        "quiet": [
+            {"struct": s.name, "name": v.name, "size": v.size}
+            for s in model.structs if s.name in rules for v in s.fields if max(v.low) <= 0 <= min(v.high)
+        ],
         "start": start(inputs, made, test_dt), "test_dt": repr(test_dt), "test_us": round(test_dt * 1e6),
         "dt": {
             "low": number(inputs.dt.low[0]), "high": number(inputs.dt.high[0]),

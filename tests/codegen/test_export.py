@@ -83,6 +83,19 @@ def test_the_example_notices_a_wrong_filter(tmp_path):
     assert done.returncode != 0
 
 
+def test_what_the_self_test_of_a_live_loop_flies_has_the_bits_of_this_machine(tmp_path):
+    """A constant of the loop that is off is seen, which no requirement's own line sees; but not on soft-float."""
+    exported_c("euler-matching", tmp_path / "out")
+    loop, right = tmp_path / "out" / "src" / "em_live.c", "const bs_real own = BS_REAL(0.5) * (dt / sample->dt);"
+    assert make(tmp_path / "out", "test").returncode == 0
+    text = loop.read_text()
+    assert right in text
+    loop.write_text(text.replace(right, right.replace("0.5", "0.501")))
+    done = make(tmp_path / "out", "test")
+    assert done.returncode != 0 and "em_live, bits of what was flown: vector 0, element 0 is off by" in done.stdout
+    assert make(tmp_path / "out", "clean", "test", "CC=cc -DBORESIGHT_OTHER_BITS").returncode == 0
+
+
 def test_a_total_state_of_ones_own_is_exported_and_its_example_flies_every_measurement(radar_folder, tmp_path):
     """Rows that wrap, errors that depend on each other, values that the caller brings; and the README names all."""
     out = tmp_path / "out"

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "velocity_attitude_sensors_live.h"
+#include "boresight_digest.h"
 #include "selftest.h"
 
 enum { SAMPLES = 24, N = VAS_N_STATES };
@@ -56,6 +57,8 @@ static unsigned char all_considered[N];
 static unsigned char bytes[VAS_LIVE_SNAPSHOT_SIZE];
 static uint32_t seen[BS_EVENT_OFF + 1]; /* events, by their code */
 
+static bs_digest flight; /* of all that is flown below */
+
 static int expect(const char *what, int good)
 {
     if (!good) {
@@ -81,6 +84,8 @@ static void all_of(vas_live *live)
 
 static void prepare(void)
 {
+    memset(&message, 0, sizeof(message));
+    memset(&sample, 0, sizeof(sample));
     (void)vas_live_defaults(&rules);
     for (int i = 0; i < N; ++i) {
         sigma[i] = (bs_real)sigma_of[i];
@@ -1596,6 +1601,171 @@ static int foreign(void)
     return failures;
 }
 
+/* The bits of a loop, into those of the flight. */
+static void note(const vas_live *live)
+{
+    unsigned char made[BS_DIGEST_SIZE];
+    if (vas_live_digest(live, made) == BS_OK) {
+        (void)bs_digest_add(&flight, made, sizeof(made));
+    }
+}
+
+static void note_whole(int64_t value)
+{
+    for (unsigned int k = 0U; k < 8U; ++k) {
+        bs_digest_byte(&flight, (unsigned char)(((uint64_t)value >> (8U * k)) & 0xFFU));
+    }
+}
+
+/* What else can be read of it. */
+static void note_output(void)
+{
+    bs_event event;
+    int64_t at = 0;
+    if (vas_live_output(&first, sample.at, &output) == BS_OK) {
+        note_whole(output.at);
+        (void)bs_digest_reals(&flight, (const bs_real *)&output.carried,
+                              (int)(sizeof(output.carried) / sizeof(bs_real)));
+    }
+    if ((vas_live_sigmas(&first, P, &at) == BS_OK) &&
+        (vas_live_measured(&first, &measured) == BS_OK)) {
+        note_whole(at);
+        note_whole(measured.at);
+        (void)bs_digest_reals(&flight, P, N);
+        (void)bs_digest_reals(&flight, measured.innovation.nu,
+                              (int)(sizeof(measured.innovation.nu) / sizeof(bs_real)));
+        (void)bs_digest_reals(&flight, first.measuring.seeming, N);
+        (void)bs_digest_reals(&flight, (const bs_real *)first.sums,
+                              (int)(sizeof(first.sums) / sizeof(bs_real)));
+    }
+    while (vas_live_next_event(&first, &event) == BS_OK) {
+        note_whole((int64_t)event.sample);
+        note_whole((int64_t)event.value);
+        note_whole((256 * (int64_t)event.code) + (int64_t)event.which);
+    }
+}
+
+/* Sensors that turn and shake, samples that are missing, and messages of all kinds: late, early,
+ * doubled, doubtful, out of order; with gates and without. */
+static void flown(int way)
+{
+    static const double size[5] = { 1e-2, 1e4, 1e-4, 1e2, 1e18 };
+    static const double wide[4] = { 1.0, 1e-2, 100.0, 1e3 };
+    unsigned int seed = 1U;
+    prepare();
+    note_whole(rules.ahead_us);
+    note_whole(rules.silent_us);
+    note_whole(rules.half_us);
+    rules.hold_us = ((way % 2) == 1) ? (3 * 10000) : 0;
+    rules.bridge_us = 6 * 10000;
+    rules.silent_us = (way == 2) ? (8 * 10000) : 0;
+    rules.astray = (uint16_t)way;
+    rules.every = (uint16_t)(1 + (way % 3));
+    rules.latency = (uint16_t)(2 + way);
+    if (way > 3) {
+        rules.gates.gate = BS_REAL(0.0);
+        rules.gates.joint = BS_REAL(0.0);
+    }
+    for (int i = 0; i < VAS_N_SENSED; ++i) {
+        rules.full_scale[i] = (way == 3) ? BS_REAL(5e-3) : BS_REAL(0.0);
+    }
+    for (int i = 0; i < N; ++i) {
+        rules.open[i] = (bs_real)sigma_of[i] * BS_REAL(1e-3);
+        sigma[i] = (bs_real)(sigma_of[i] * wide[way % 4]);
+    }
+    rules.noise.gyro_noise[0] *= BS_REAL(1e-4); /* or P would be larger than the boxes */
+    rules.noise.gyro_noise[1] *= BS_REAL(1e-4); /* or P would be larger than the boxes */
+    rules.noise.gyro_noise[2] *= BS_REAL(1e-4); /* or P would be larger than the boxes */
+    rules.noise.accel_noise[0] *= BS_REAL(1e-4); /* or P would be larger than the boxes */
+    rules.noise.accel_noise[1] *= BS_REAL(1e-4); /* or P would be larger than the boxes */
+    rules.noise.accel_noise[2] *= BS_REAL(1e-4); /* or P would be larger than the boxes */
+    rules.noise.gyro_bias_noise[0] *= BS_REAL(1e-4); /* or P would be larger than the boxes */
+    rules.noise.gyro_bias_noise[1] *= BS_REAL(1e-4); /* or P would be larger than the boxes */
+    rules.noise.gyro_bias_noise[2] *= BS_REAL(1e-4); /* or P would be larger than the boxes */
+    rules.noise.accel_bias_noise[0] *= BS_REAL(1e-4); /* or P would be larger than the boxes */
+    rules.noise.accel_bias_noise[1] *= BS_REAL(1e-4); /* or P would be larger than the boxes */
+    rules.noise.accel_bias_noise[2] *= BS_REAL(1e-4); /* or P would be larger than the boxes */
+    rules.noise.mu_noise[0] *= BS_REAL(1e-4); /* or P would be larger than the boxes */
+    rules.noise.mu_noise[1] *= BS_REAL(1e-4); /* or P would be larger than the boxes */
+    rules.noise.mu_noise[2] *= BS_REAL(1e-4); /* or P would be larger than the boxes */
+    rules.noise.tau_noise *= BS_REAL(1e-4); /* or P would be larger than the boxes */
+    (void)vas_live_begin(&first, &rules, 0, &carried, sigma);
+    for (int k = 1; k <= 240; ++k) {
+        seed = (seed * 1103515245U) + 12345U;
+        sample.dtheta_ib_b[0] = (bs_real)((int)((seed >> 16U) & 1023U) - 511) * BS_REAL(1e-6);
+        seed = (seed * 1103515245U) + 12345U;
+        sample.dtheta_ib_b[1] = (bs_real)((int)((seed >> 16U) & 1023U) - 511) * BS_REAL(1e-6);
+        seed = (seed * 1103515245U) + 12345U;
+        sample.dtheta_ib_b[2] = (bs_real)((int)((seed >> 16U) & 1023U) - 511) * BS_REAL(1e-6);
+        seed = (seed * 1103515245U) + 12345U;
+        sample.dv_b[0] = (bs_real)((int)((seed >> 16U) & 1023U) - 511) * BS_REAL(1e-6);
+        seed = (seed * 1103515245U) + 12345U;
+        sample.dv_b[1] = (bs_real)((int)((seed >> 16U) & 1023U) - 511) * BS_REAL(1e-6);
+        seed = (seed * 1103515245U) + 12345U;
+        sample.dv_b[2] = (bs_real)((int)((seed >> 16U) & 1023U) - 511) * BS_REAL(1e-6);
+        if (((k % 23) != 0) && ((k % 31) < 29) && (give(&first, k) == BS_NOT_READY)) {
+            (void)vas_live_begin(&first, &rules, sample.at, &carried, sigma); /* it was lost */
+        }
+        for (int i = 0; i < 3; ++i) {
+            message.variance[i] = (bs_real)size[(way > 3) ? (way % 4) : ((k + way + i) % 5)];
+        }
+        if ((k % 3) != 1) {
+            send(&first, ((way < 6) ? k : way) % 4, (10000 * (int64_t)(k - (k % 5))) -
+                 (int64_t)((k * 37) % (10000 / 2)));
+        }
+        for (int i = 0; i < ((k % 7) * (k % 7)); ++i) {
+            (void)vas_live_background(&first);
+        }
+        if ((k % 4) == 0) {
+            note(&first);
+            note_output();
+        }
+    }
+    all_of(&first);
+    note(&first);
+    if (vas_live_snapshot(&first, bytes) == BS_OK) {
+        (void)bs_digest_add(&flight, bytes, 7U); /* what it is of; behind it the order of bytes is
+                                                  * the machine's own */
+    }
+}
+
+#ifndef BORESIGHT_OTHER_BITS /* to be defined where double is not that of IEEE 754, as in some
+                              * soft-float libraries */
+/* its first words on the machine that exported, in double and in float; 0: not known */
+static const unsigned short known[2][16] = { { 0U }, { 0U } };
+
+/* How many words of what was flown are not those of the machine that exported. */
+static int of_known_bits(void)
+{
+    static const char digits[] = "0123456789abcdef";
+    static const unsigned short at[16] = { 0U, 1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 10U, 11U, 12U,
+                                           13U, 14U, 15U };
+    const int precision = (sizeof(bs_real) == sizeof(float)) ? 1 : 0;
+    unsigned char made[BS_DIGEST_SIZE];
+    char text[(2U * BS_DIGEST_SIZE) + 1U] = { 0 };
+    bs_real words[16];
+    double expected[16];
+    float tolerance[16];
+    int is_known = 0;
+    (void)bs_digest_end(&flight, made);
+    for (int i = 0; i < 16; ++i) {
+        is_known += (known[precision][i] != 0U) ? 1 : 0;
+        expected[i] = (double)known[precision][i];
+        words[i] = (bs_real)((256 * (int)made[2 * i]) + (int)made[(2 * i) + 1]);
+    }
+    for (int i = 0; i < 16; ++i) {
+        tolerance[i] = (is_known == 0) ? 65536.0F : 0.0F;
+    }
+    for (unsigned int i = 0U; i < BS_DIGEST_SIZE; ++i) {
+        text[2U * i] = digits[made[i] >> 4U];
+        text[(2U * i) + 1U] = digits[made[i] & 15U];
+    }
+    selftest_print("vas_live: flown %s\n", text);
+    return selftest_compare("vas_live, bits of what was flown", 0, words, 16, expected, tolerance,
+                            at, 16, 0U);
+}
+#endif
+
 /* [VAS-L-034] */
 int test_vas_live(void)
 {
@@ -1801,5 +1971,13 @@ int test_vas_live(void)
     /* [VAS-L-035] */
     failures += expect("sizes", (vas_live_size() == sizeof(vas_live)) &&
                        (vas_live_snapshot_size() == sizeof(bytes)));
+    (void)bs_digest_begin(&flight); /* before it there are numbers that are none, whose bits no
+                                     * standard fixes */
+    for (int way = 0; way < 8; ++way) {
+        flown(way);
+    }
+#ifndef BORESIGHT_OTHER_BITS
+    failures += of_known_bits();
+#endif
     return failures;
 }
