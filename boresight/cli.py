@@ -916,8 +916,8 @@ def budget(
 
 def own_flight(target: str, library: Any) -> tuple[Any, Any, Any]:
     """P0, steps and x, or None, of a function FILE.py:NAME that is called with the model."""
-    from boresight.codegen import user_file
     from boresight.codegen.generate import source_of
+    from boresight.derive import user_file
 
     path = source_of(target)
     assert path is not None

@@ -44,7 +44,7 @@ def compute(paper: str, progress: Progress = lambda done, total, text: None) -> 
 
 def ledger(paper: str, progress: Progress = lambda done, total, text: None) -> dict[str, Any]:
     """As `compute` gives it, from the cache folder if nothing that reaches it has changed."""
-    if has_own_model(paper):
+    if has_own_code(paper):
         return compute(paper, progress)
     return kept(f"ledger/{name_of(paper)}", dict, lambda: compute(paper, progress), files_of(paper))
 
@@ -55,7 +55,7 @@ def equation(paper: str, number: str, check: Callable[[str, list[str]], object])
     check: refuses a number that is none of those that there are.
     """
     name, files = name_of(paper), files_of(paper)
-    if has_own_model(paper):
+    if has_own_code(paper):
         return one_row(paper, number, check)
     whole = held(f"ledger/{name}", dict, files)
     if whole is None:
@@ -84,7 +84,7 @@ def one_row(paper: str, number: str, check: Callable[[str, list[str]], object]) 
 
 def page(paper: str, number: str | None, form: str, width: int) -> str:
     """A paper, or one equation of it, in a format of boresight.derive.pages.render; kept likewise."""
-    if has_own_model(paper):
+    if has_own_code(paper):
         return rendered(paper, number, form)
     name = f"pages/{name_of(paper)}-{number or 'all'}-{form}-{width}"
     return kept(name, str, lambda: rendered(paper, number, form), files_of(paper))
@@ -98,13 +98,18 @@ def files_of(paper: str) -> tuple[Path, ...]:
     return tuple(Path(paper) / name for name in (*FILES, STEPS)) if is_folder(paper) else ()
 
 
-def has_own_model(paper: str) -> bool:
-    """Whether a paper of one's own is tied to a model of one's own: nobody knows what that file reads."""
+def has_own_code(paper: str) -> bool:
+    """Whether a paper of one's own has a witness or a model in Python: nobody knows what such a file reads."""
+    from boresight.derive.papers.files import PYTHON
+
     try:
-        model = [tomllib.loads(path.read_text(encoding="utf-8")).get("model") for path in files_of(paper)[:1]]
+        found = [tomllib.loads(path.read_text(encoding="utf-8")) for path in files_of(paper)[:1]]
     except (OSError, ValueError):  # which is refused in words where the paper is read
         return True
-    return any(isinstance(one, dict) and ":" in str(one.get("name", "")) for one in model)
+    models = [one.get("model") for one in found]
+    return any(one.get("witness") == PYTHON for one in found) or any(
+        isinstance(one, dict) and ":" in str(one.get("name", "")) for one in models
+    )
 
 
 def name_of(paper: str) -> str:

@@ -138,13 +138,14 @@ def whole(model: Any) -> Any:
 
 def own_model(target: str) -> Any:
     """The Model of FILE.py:NAME."""
-    from boresight.codegen import user_file
+    from boresight.codegen.user_file import noting
+    from boresight.derive import user_file
     from boresight.derive.model import Model
 
     file, name = target.rsplit(":", 1)
     path = source_of(target)
     assert path is not None
-    with user_file.noting(path):
+    with noting(path):
         module = user_file.run(path)
         if not hasattr(module, name):
             raise BoresightError(f"{file} has no {name!r}{did_you_mean(name, vars(module))}; {models_in(module)}")
@@ -177,7 +178,7 @@ def known(target: str, names: list[str]) -> None:
     if target in COMPONENTS:
         raise BoresightError(f"{target} comes from no model; models are {', '.join(model_names())}")
     if target.endswith(".py") and Path(target).is_file():
-        from boresight.codegen import user_file
+        from boresight.derive import user_file
 
         listed = models_in(user_file.run(Path(target).resolve()))
         raise BoresightError(f"{target} is a file; name a model in it, as {target}:NAME: {listed}")

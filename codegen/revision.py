@@ -7,7 +7,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from boresight import BoresightError
-from boresight.derive.papers.files import FILES, STEPS
+from boresight.derive.papers.files import FILES, PYTHON, STEPS
 
 
 def committed(path: Path, revision: str) -> str:
@@ -66,8 +66,9 @@ def paper_as_of(folder: Path, against: str) -> Iterator[Path]:
             raise BoresightError(f"{folder} lies in no git repository; name another folder of a paper with --against")
         for name in FILES:
             (Path(aside) / name).write_text(committed(folder / name, against), encoding="utf-8")
-        with suppress(BoresightError):  # there may have been none
-            (Path(aside) / STEPS).write_text(committed(folder / STEPS, against), encoding="utf-8")
+        for name in (STEPS, PYTHON):
+            with suppress(BoresightError):  # there may have been none
+                (Path(aside) / name).write_text(committed(folder / name, against), encoding="utf-8")
         yield Path(aside)
 
 

@@ -30,9 +30,9 @@ def watch(target: str, say: Say) -> None:
     say: takes the lines for the user.  Raises BoresightError where there is no such file or model.
     """
     from boresight.codegen.generate import known, model_names, source_of
-    from boresight.derive.papers.files import FILES, STEPS, holds_paper
+    from boresight.derive.papers.files import FILES, PYTHON, STEPS, holds_paper
 
-    files = {Path(target) / name for name in (*FILES, STEPS)} if holds_paper(target) else set()
+    files = {Path(target) / name for name in (*FILES, STEPS, PYTHON)} if holds_paper(target) else set()
     if not files:
         if ":" not in target:
             known(target, model_names())

@@ -150,7 +150,8 @@ def beside(paper: Paper) -> tuple[str, ...]:
     """The same as sentences."""
     held, apart = held_beside(paper)
     names = " and ".join(model_of(one).name for one in paper.maps)
-    return ((f"{names} makes what {', '.join(held)} say{'s' * (len(held) == 1)}.",) if held else ()) + apart
+    make = "makes" if len(paper.maps) == 1 else "make"
+    return ((f"{names} {make} what {', '.join(held)} say{'s' * (len(held) == 1)}.",) if held else ()) + apart
 
 
 def unmatched(one: Map) -> list[str]:

@@ -170,7 +170,7 @@ def _entry(paper: Paper, equation: Equation) -> Entry:
             found = f"It prints {', '.join(letters)}."
         else:
             why = f"{verdict.why[:1].upper()}{verdict.why[1:]}."
-            found = why if verdict.empty or not equation.note else re.split(r"(?<=\.) ", notes[1])[0]
+            found = why if verdict.empty or not equation.note else re.split(r"(?<=\.) ", equation.note)[0]
         found += f" True with one edit: {edits[0].what}." if edits else ""
     else:
         evidence, found = _stands(paper, equation, status)

@@ -36,12 +36,20 @@ def paper(name: str, load: Callable[[str], Any] | None = None) -> "Paper":
         if name in OWN:
             return OWN[name]
         raise BoresightError(f"no paper {name!r}: the papers are {', '.join((*PAPERS, *DERIVATIONS))}, or a folder")
-    from boresight.derive.papers.own import own
-    from boresight.derive.papers.own_map import tied
-
-    found = tied(Path(name), load) if load else own(Path(name))
+    found = of_folder(Path(name), load)
     OWN[found.name] = found
     return found
+
+
+def of_folder(folder: Path, load: Callable[[str], Any] | None = None) -> "Paper":
+    """The paper of a folder of one's own; load: as of `paper`.  Raises BoresightError with the place in a file."""
+    from boresight.derive.papers.own import own
+    from boresight.derive.papers.own_map import tied
+    from boresight.derive.papers.own_witness import has_witness, with_witness
+
+    if has_witness(folder):
+        return with_witness(folder)
+    return tied(folder, load) if load else own(folder)
 
 
 @cache

@@ -33,10 +33,13 @@ TRUTH = (bool, "true or false")
 @cache
 def built_in(name: str, python: Callable[[str], ModuleType]) -> Paper:
     """The paper of a folder beside this file; python: its modules by their names."""
-    return BuiltIn(name, python).paper()
+    return BuiltIn(name, HERE / name.replace("-", "_"), python).paper()
 
 
 class BuiltIn(Source):
+    """A paper whose letters have their values by a module in Python.  python: the modules of its folder by their
+    names."""
+
     KEYS: ClassVar[Keys] = {
         "": {**Source.KEYS[""], "meant": NAMES, "units": TABLE, "frames": TABLE, "meanings": TABLE,
              "model": (list, "a table [[model]]")},
@@ -48,9 +51,9 @@ class BuiltIn(Source):
         },
     }  # fmt: skip
 
-    def __init__(self, name: str, python: Callable[[str], ModuleType]):
+    def __init__(self, name: str, folder: Path, python: Callable[[str], ModuleType]):
         self.name, self.python = name, python
-        super().__init__(HERE / name.replace("-", "_"))
+        super().__init__(folder)
         self.computed = python(self.data["witness"].removesuffix(".py"))
 
     def beside(self, name: str) -> ModuleType | None:
@@ -66,14 +69,19 @@ class BuiltIn(Source):
         meaning = ", ".join(filter(None, (row.get("meaning", ""), "" if several(unit) else unit)))
         shape = row.get("shape", ())
         shape = (shape,) if isinstance(shape, int) else tuple(shape)
-        made = letter(symbol, row["latex"], row.get("kind", ""), meaning, shape, row.get("function", False))
+        kind = row.get("kind", f"{unit} {shape}")
+        made = letter(symbol, row["latex"], kind, meaning, shape, row.get("function", False))
         if unit:
             check_unit(toml, name, made, unit)
         return made
 
     @cached_property
-    def quantities(self) -> tuple[Quantity, ...]:
+    def declared(self) -> tuple[Quantity, ...]:
         return tuple(self.letter(self.toml, name, row) for name, row in self.letter_rows.items())
+
+    @cached_property
+    def quantities(self) -> tuple[Quantity, ...]:
+        return self.declared
 
     @cached_property
     def units(self) -> dict[str, str]:
@@ -210,7 +218,7 @@ class BuiltIn(Source):
             findings=beside.findings if beside else tuple,
             letters=lambda: self.step_letters,
             letters_of=self.letters_of if self.alike else None,
-            structure=self.computed.STRUCTURE,
+            structure=getattr(self.computed, "STRUCTURE", {}),
             units=self.units,
             computed=self.data.get("computed", {}),
             frames=self.data.get("frames", {}),

@@ -6,8 +6,8 @@ from typing import Any
 
 from boresight.derive.ledger.entries import findings, ledger
 from boresight.derive.letters import number_label
-from boresight.derive.papers.own import own
-from boresight.derive.papers.own_map import Load, tied
+from boresight.derive.papers import of_folder
+from boresight.derive.papers.own_map import Load
 
 Statuses = dict[str, Any]  # by number status, found and printed; what is beside the equations under ""
 
@@ -17,7 +17,7 @@ def statuses(folder: Path, load: Load | None = None) -> Statuses:
 
     load: as of `papers.paper`.
     """
-    paper = tied(folder, load) if load else own(folder)
+    paper = of_folder(folder, load)
     found: Statuses = {
         entry.number: {
             "status": " ".join(filter(None, (entry.status, entry.kind))),

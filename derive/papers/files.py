@@ -4,6 +4,7 @@ from pathlib import Path
 
 FILES = ("paper.toml", "printed.tex")
 STEPS = "derivation.toml"  # of which there may be none
+PYTHON = "witness.py"  # which is run where paper.toml names it as the witness
 
 
 def holds_paper(folder: str) -> bool:

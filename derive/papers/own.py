@@ -25,6 +25,7 @@ from boresight.derive.ledger.paper import Paper, Stated, Witness
 from boresight.derive.ledger.reader import UnreadError, plain, read
 from boresight.derive.ledger.witness import draw, scaled
 from boresight.derive.papers.displays import ASIDE, Display, aside
+from boresight.derive.papers.files import PYTHON
 from boresight.derive.papers.scenarios import Scenario, scenario
 from boresight.derive.papers.source import TABLE, TEXT, VALUE, Keys, Source, check_unit, several
 from boresight.derive.papers.value_frames import frame_of_value
@@ -102,7 +103,7 @@ class Folder(Source):
         try:
             return scenario(self.data["witness"])
         except BoresightError as error:
-            self.refuse(str(error), "witness")
+            self.refuse(f"{error}, and {PYTHON}, a file of your own", "witness")
 
     @cached_property
     def sizes(self) -> Any:

@@ -97,13 +97,14 @@ def test_what_is_wrong_in_the_table_is_one_line(old, new, found, tmp_path):
     assert found in text and "\n" not in text, text
 
 
-@pytest.mark.parametrize(("model", "own_one"), [
+@pytest.mark.parametrize(("more", "own_one"), [
+    ('witness = "witness.py"', True), ('witness = "motion"', False),
     ('[model]\nname = "filter.py:F"', True), ('model = { "name" = "filter.py:F" }', True),
     ('[model]\nname = "euler-matching"', False), ("", False), ("[model", True),
 ])  # fmt: skip
-def test_what_is_made_of_a_model_of_ones_own_is_not_kept(model, own_one, tmp_path):
-    (tmp_path / "paper.toml").write_text(f'title = "A"\n{model}\n[letters]\n')
-    assert kept_ledger.has_own_model(str(tmp_path)) == own_one
+def test_what_is_made_by_python_of_ones_own_is_not_kept(more, own_one, tmp_path):
+    (tmp_path / "paper.toml").write_text(f'title = "A"\n{more}\n[letters]\n')
+    assert kept_ledger.has_own_code(str(tmp_path)) == own_one
 
 
 def test_a_model_of_ones_own_is_tied_by_its_file(tmp_path):
