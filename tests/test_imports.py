@@ -29,8 +29,9 @@ FORBIDDEN = {
 # Within derive, each imports only what stands before it.  The `results` of a paper are functions of which
 # models are made; its letters, equations and witness judge them.
 ORDER = (
-    "where", "user_file", "within", "letters", "units", "constant", "named", "expressions", "checks", "model", "dimensions",
-    "mechanics", "gradients", "short", "linear", "papers/*/results", "models", "ledger", "papers", "pages",
+    "where", "user_file", "within", "letters", "units", "constant", "named", "expressions", "checks", "model",
+    "dimensions", "mechanics", "gradients", "short", "linear", "papers/*/results", "models", "ledger", "papers",
+    "pages",
 )  # fmt: skip
 # Types that stand in annotations alone, each of what calls the file: a second description of them would say no more.
 TYPES = {("derive/checks.py", "derive/model.py")}

@@ -40,7 +40,7 @@ from boresight.derive.ledger.judge import (
     shares,
 )
 from boresight.derive.ledger.latex import latex_relations
-from boresight.derive.ledger.lines import count_steps, standing, without_steps
+from boresight.derive.ledger.lines import count_steps, fallen_definitions, standing, without_steps
 from boresight.derive.ledger.mends import contradicted, definition_mends, may_be_to_blame, mends, rivals, users
 from boresight.derive.ledger.numbers import Matrix, digits, middle
 from boresight.derive.ledger.paper import Paper
@@ -213,6 +213,9 @@ def _made(
 ) -> Entry:
     """status: with kind and origin; text: found, evidence, note."""
     by_hand = decisions(paper, equation, verdict)
+    fallen = fallen_definitions(paper, equation) if paper.folder else ()
+    hangs = (f" {one.label} gives {', '.join(map(str, one.defines))} as it is printed, since its derivation is refused."
+             for one in fallen)  # fmt: skip
     return Entry(
         paper=equation.paper,
         number=equation.number,
@@ -223,7 +226,7 @@ def _made(
         derived=latex_relations(derived, equation.page_letters),
         note=text[2],
         evidence=text[1],
-        found=text[0],
+        found=text[0] + "".join(hangs),
         decisions=" ".join(by_hand.taken),
         depends=str(by_hand),
     )

@@ -290,6 +290,25 @@ def without_steps(equation: Equation, why: str) -> Equation:
     return replace(equation, derivation=Derivation(()), derived=equation.read(), refused=why)
 
 
+def sound(paper: Paper) -> Paper:
+    """Of a paper of one's own the same, but that a definition whose derivation is refused gives its letter the value
+    that it prints, and not what was derived."""
+    equations = tuple(standing(paper, e) if e.defines and e.derivation.lines else e for e in paper.equations)
+    return paper if equations == paper.equations else sound(replace(paper, make_equations=lambda: equations))
+
+
+def fallen_definitions(paper: Paper, equation: Equation) -> list[Equation]:
+    """The definitions, with a derivation that is refused, on which a letter of the equation hangs."""
+    defines = {symbol.name: one for one in paper.equations if one is not equation for symbol in one.defines}
+    seen, found = set[str](), list[Equation]()
+    left = [*equation.read(), *(relation for line in equation.derivation.lines for relation in line.formulas)]
+    while new := (names(left) & defines.keys()) - seen:
+        seen |= new
+        left = [relation for name in new for relation in defines[name].derived]
+        found += [defines[name] for name in sorted(new) if defines[name].refused]
+    return found
+
+
 def _letters(side) -> set:
     return getattr(side, "free_symbols", set())
 

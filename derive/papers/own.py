@@ -20,6 +20,7 @@ from boresight.derive.ledger.evaluate import DIGITS, Point, evaluate
 from boresight.derive.ledger.frames import NONE, SAME, TURN, UPPER
 from boresight.derive.ledger.frames import plain as plain_frames
 from boresight.derive.ledger.judge import differs, names
+from boresight.derive.ledger.lines import sound
 from boresight.derive.ledger.numbers import Matrix, digits
 from boresight.derive.ledger.paper import Paper, Stated, Witness
 from boresight.derive.ledger.reader import UnreadError, plain, read
@@ -480,7 +481,7 @@ class Folder(Source):
             labels={label: one.number for one in self.displays for label in one.labels if label != one.number},
             **more,
         )
-        return made
+        return sound(made)
 
 
 BLOCK = re.compile(r"(?P<what>[0I])_(?P<rows>\d+)x(?P<columns>\d+)")

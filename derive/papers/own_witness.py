@@ -16,6 +16,7 @@ from boresight.derive.ledger.dimensions import misfits
 from boresight.derive.ledger.equation import Quantity, Relation
 from boresight.derive.ledger.evaluate import DIGITS
 from boresight.derive.ledger.judge import names
+from boresight.derive.ledger.lines import sound
 from boresight.derive.ledger.numbers import Matrix, digits, eye, zeros
 from boresight.derive.ledger.paper import Paper, Stated, Witness
 from boresight.derive.ledger.witness import draw
@@ -162,4 +163,4 @@ class OwnWitness(BuiltIn):
             labels={label: one.number for one in self.displays for label in one.labels if label != one.number},
         )
         self.check_values(made)
-        return made
+        return sound(made)

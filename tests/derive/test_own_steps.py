@@ -221,3 +221,35 @@ def test_the_page_has_each_operation_with_what_it_needs():
     assert sorted(name for names, _, _ in rows for name in names) == sorted(passages.OPERATIONS)
     for names, _, keys in rows:
         assert all(set(passages.NEEDS.get(name, ())) <= set(keys) for name in names), names
+
+
+DEFINED = r"""
+[["1"]]
+line = 'S = \theta'
+claim = "definition"
+why = "a name"
+
+[["1"]]
+line = 'S = 2 \theta'
+claim = "exact"
+by = "rearrange"
+why = "which is wrong"
+result = true
+"""
+HANGING = r"""
+\begin{equation} S = \theta \tag{1} \end{equation}
+\begin{equation} W = [S \times] \tag{2} \end{equation}
+\begin{equation} \hat{C} - C = W C \tag{3} \end{equation}
+\begin{equation} \hat{C} - C = [\theta \times] C \tag{4} \end{equation}
+"""
+
+
+def test_a_definition_whose_derivation_is_refused_gives_what_it_prints_and_what_hangs_on_it_says_so(tmp_path):
+    letters = "\"S\" = { latex = 'S', shape = 3 }\n\"W\" = { latex = 'W', shape = [3, 3] }\n"
+    for name, text in (("paper.toml", TURN + letters), ("printed.tex", HANGING), ("derivation.toml", DEFINED)):
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    found = {entry.number: entry for entry in ledger(own(tmp_path))}
+    assert [entry.status for entry in found.values()] == ["definition", "definition", "first-order", "first-order"]
+    assert "Its derivation is refused" in found["1"].found
+    says = "(1) gives S as it is printed, since its derivation is refused."
+    assert [says in entry.found for entry in found.values()] == [False, True, True, False]
