@@ -21,7 +21,7 @@ from boresight.derive.ledger.reader import read
 from boresight.derive.papers.displays import Display
 from boresight.derive.papers.maps import maps
 from boresight.derive.papers.source import NAMES, TABLE, TEXT, Keys, Source, check_unit, several
-from boresight.derive.papers.toml import Toml
+from boresight.derive.papers.toml import Toml, numbered
 from boresight.errors import BoresightError, did_you_mean
 
 HERE = Path(__file__).parent
@@ -172,7 +172,7 @@ class BuiltIn(Source):
             introduces=introduces,
             meanings=tuple(self.meaning(name, *place, "meanings") for name in row.get("meanings", ())),
             conventions=tuple(row.get("conventions", ())),
-            leads_to=tuple(row.get("leads_to", ())),
+            leads_to=tuple(self.labels.get(one, one) for one in row.get("leads_to", ())),
             note=row.get("note", ""),
             unit=units(row.get("unit", "1")),
             small=tuple(row.get("small", ())),
@@ -221,10 +221,11 @@ class BuiltIn(Source):
             structure=getattr(self.computed, "STRUCTURE", {}),
             units=self.units,
             computed=self.data.get("computed", {}),
-            frames=self.data.get("frames", {}),
+            frames={numbered(where, self.labels): text for where, text in self.data.get("frames", {}).items()},
             conventions=tuple(self.data.get("conventions", ())),
-            maps=maps(self.toml, self.steps.macros) if "model" in self.data else (),
+            maps=maps(self.toml, self.steps.macros, self.labels) if "model" in self.data else (),
             unflown=of_equations("unflown"),
+            labels=self.labels,
         )
 
 

@@ -25,8 +25,10 @@ def made(text: str) -> tuple[str, tuple[str, ...]] | None:
     return found["what"] or found["of"] or found["output"], of
 
 
-def maps(toml: Toml, macros: Mapping[str, str]) -> tuple[Map, ...]:
-    """Of a paper.toml.  Raises BoresightError with file, line and column."""
+def maps(toml: Toml, macros: Mapping[str, str], labels: Mapping[str, str]) -> tuple[Map, ...]:
+    """Of a paper.toml; labels: of equations, with their numbers.  Raises BoresightError with file, line and column."""
+    for i in range(len(toml.data.get("model", ()))):
+        toml.renamed(labels, "model", i, "matches")
     return tuple(_map(toml, macros, table, ("model", i)) for i, table in enumerate(toml.data.get("model", ())))
 
 

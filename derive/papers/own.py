@@ -333,7 +333,7 @@ class Folder(Source):
     def equations(self, name: str) -> tuple[Equation, ...]:
         found = []
         for number, (display, relations) in self.prints.items():
-            more = self.data.get("equations", {}).get(number, {})
+            more = self.equation_rows.get(number, {})
             lines, refused = self.lines[number]
             results = tuple(line.relation for line in lines if line.result and line.relation is not None)
             used = names([relation for line in lines for relation in line.formulas])
@@ -478,7 +478,7 @@ class Folder(Source):
             units={name: unit for name, unit in self.units.items() if several(unit) or unit == UNKNOWN},
             conventions=tuple(self.data.get("conventions", ())),
             folder=str(self.folder),
-            labels={label: one.number for one in self.displays for label in one.labels if label != one.number},
+            labels=self.labels,
             **more,
         )
         return sound(made)

@@ -50,6 +50,7 @@ class OwnMap:
         for key, kind in ({"name": str, "inputs": dict, "matches": dict} | lists).items():
             what = {str: 'a model, as "filter.py:FILTER"', dict: "a table", list: "a list of names"}[kind]
             folder.typed(self.data.get(key, kind()), kind, what, "model", key)
+        folder.toml.renamed(folder.labels, "model", "matches")
         if not self.data.get("name") or not self.data.get("states"):
             folder.refuse('give name = "filter.py:FILTER" and states = [...], in the order of the paper', "model")
         name = self.data["name"]

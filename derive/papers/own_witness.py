@@ -160,7 +160,6 @@ class OwnWitness(BuiltIn):
             witness=replace(plain.witness, values=self.values),
             findings=odd_units,
             folder=str(self.folder),
-            labels={label: one.number for one in self.displays for label in one.labels if label != one.number},
         )
         self.check_values(made)
         return sound(made)

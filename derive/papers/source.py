@@ -89,8 +89,9 @@ class Source:
         rows: dict[str, Any] = self.data["letters"]
         return rows
 
-    @property
+    @cached_property
     def equation_rows(self) -> dict[str, Any]:
+        self.toml.renamed(self.labels, "equations")
         rows: dict[str, Any] = self.data.get("equations", {})
         return rows
 
@@ -99,8 +100,15 @@ class Source:
         return tuple(displays(self.print, self.macros))
 
     @cached_property
+    def labels(self) -> dict[str, str]:
+        """By \\label the numbers of the equations that have a number beside it."""
+        found = self.displays if self.print.is_file() else ()
+        numbers = {one.number for one in found}
+        return {label: one.number for one in found for label in one.labels if label not in numbers}
+
+    @cached_property
     def steps(self) -> Steps:
-        return Steps(self.folder / STEPS, self.macros)
+        return Steps(self.folder / STEPS, self.macros, self.labels)
 
     def read(self, display: Display, latex: Iterable[str], letters: Iterable[Quantity]) -> tuple[Relation, ...]:
         """What a display says, its LaTeX as it is given.  Raises BoresightError at the place in the file."""

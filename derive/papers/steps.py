@@ -11,7 +11,7 @@ from boresight.derive.ledger.lines import read_lines
 from boresight.derive.ledger.passages import NEEDED, NEEDS, OPERATIONS, RATE
 from boresight.derive.ledger.reader import FUNCTIONS, UnreadError
 from boresight.derive.papers.macros import ARGUMENT, USE, expanded
-from boresight.derive.papers.toml import Toml, joined
+from boresight.derive.papers.toml import Toml, joined, numbered
 from boresight.errors import BoresightError, did_you_mean
 
 CLAIMS = ("exact", "definition", "identity", "first-order", "order", "limit", "approximation")
@@ -44,8 +44,10 @@ class Steps:
     Raises BoresightError with file, line and column of what is wrong.
     """
 
-    def __init__(self, path: Path, macros: Mapping[str, str] = MappingProxyType({})):
-        self.toml, self.known = Toml(path, needed=False), macros
+    def __init__(self, path: Path, macros: Mapping[str, str] = MappingProxyType({}),
+                 labels: Mapping[str, str] = MappingProxyType({})):  # fmt: skip
+        self.toml, self.known, self.labels = Toml(path, needed=False), macros, labels
+        self.toml.renamed(labels)
         self.numbers = tuple(number for number in self.toml.data if number not in TABLES)
 
     def refuse(self, number: str, index: int, what: str, *key: str) -> NoReturn:
@@ -121,6 +123,10 @@ class Steps:
             for key in ("letters", "with"):
                 if key in one:
                     one[key] = [expanded(str(part), self.macros) for part in one[key]]
+            if "of" in one:
+                one["of"] = numbered(one["of"], self.labels)
+            if "using" in one:
+                one["using"] = [numbered(str(part), self.labels) for part in one["using"]]
             yield one
 
     def judge_keys(self, number: str, index: int, step: Any, parts: Collection[str]) -> None:

@@ -62,6 +62,22 @@ class Toml:
                 found.setdefault(place[:k], at)
         return found
 
+    def renamed(self, names: Mapping[str, str], *place: str | int) -> None:
+        """The keys of a table that are called so become those names, and stand where they are written."""
+        table: Any = self.data
+        for key in place:
+            table = table.get(key, {}) if isinstance(key, str) else table[key]
+        if not isinstance(table, dict) or not names.keys() & table.keys():
+            return
+        for key in names.keys() & table.keys():
+            if names[key] in table:
+                self.refuse(f"{key!r} and {names[key]!r} are one equation: write one table of it", *place, key)
+            under, new = (*place, key), (*place, names[key])
+            self.places |= {(*new, *one[len(new) :]): at for one, at in self.places.items() if one[: len(new)] == under}
+        rows = {names.get(key, key): row for key, row in table.items()}
+        table.clear()
+        table.update(rows)
+
     def known(self, keys: Iterable[str], key: str, *place: str | int) -> None:
         if key not in keys:
             near, all_ = did_you_mean(key, keys), ", ".join(sorted(keys))
@@ -161,6 +177,12 @@ def places(text: str) -> Iterator[tuple[Place, tuple[int, int]]]:
             i += 1
             yield from value((*table, *names), at)
         blank()
+
+
+def numbered(text: str, labels: Mapping[str, str]) -> str:
+    """A line or an equation, as "(eq:x).2", by the number in the place of its label."""
+    label = text[1:].partition(")")[0] if text.startswith("(") else ""
+    return text.replace(label, labels[label], 1) if label in labels else text
 
 
 def joined(text: Any) -> Any:

@@ -8,6 +8,7 @@ from conftest import ROOT
 from tools import needs
 
 from boresight import BoresightError, cli
+from boresight.codegen.generate import load_model
 from boresight.derive.ledger import passages
 from boresight.derive.ledger.entries import ledger, unheld
 from boresight.derive.ledger.equation import Passage
@@ -15,6 +16,7 @@ from boresight.derive.ledger.lines import standing
 from boresight.derive.pages.booklet import pdf_from_latex
 from boresight.derive.pages.render import render
 from boresight.derive.papers.own import own
+from boresight.derive.papers.own_map import tied
 
 PAPER = r"""
 title = "Attitude error in a level frame"
@@ -253,3 +255,25 @@ def test_a_definition_whose_derivation_is_refused_gives_what_it_prints_and_what_
     assert "Its derivation is refused" in found["1"].found
     says = "(1) gives S as it is printed, since its derivation is refused."
     assert [says in entry.found for entry in found.values()] == [False, True, True, False]
+
+
+def test_a_label_of_the_print_names_its_equation_wherever_its_number_may(tmp_path):
+    labelled = PRINT.replace(r"\tag{1}", r"\tag{1} \label{eq:v}").replace(r"\tag{2}", r"\tag{2} \label{eq:w}")
+    rows = '[equations."{}"]\nnote = "a note"\n[model]\nname = "euler-matching"\nstates = ["eps", "dmu"]\n'
+    rows += 'noises = ["gyro_noise"]\nmatches = {{ "{}" = "A" }}\n'
+
+    def of(one, other):
+        steps = STEPS.replace('[["2"]]', f'[["{other}"]]').replace('of = "(1)"', f'of = "({one})"')
+        texts = PAPER + rows.format(other, one), labelled, steps
+        for name, text in zip(("paper.toml", "printed.tex", "derivation.toml"), texts, strict=True):
+            (tmp_path / name).write_text(text, encoding="utf-8")
+        return own(tmp_path)
+
+    by_label, by_number = of("eq:v", "eq:w"), of("1", "2")
+    assert by_label.equations == by_number.equations and by_label.equation("2").note == "a note"
+    assert render(by_label, "eq:w", "text") == render(by_number, "2", "text")
+    of("eq:v", "eq:w")
+    with pytest.raises(BoresightError, match=r"paper.toml:20:13: 'A' is nothing that a model makes"):
+        tied(tmp_path, load_model)  # where the label stands
+    with pytest.raises(BoresightError, match=r"paper.toml:\d+:1: 'eq:w' and '2' are one equation"):
+        of("1", 'eq:w"]\nnote = "another"\n[equations."2')
