@@ -1,6 +1,7 @@
 """How a name in code is written as a letter of a formula, and the number of an equation in prose."""
 
 import re
+from unicodedata import normalize
 
 GREEK = """alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi chi psi
 omega Phi"""
@@ -17,6 +18,12 @@ def is_number(number: str) -> bool:
 def number_label(number: str) -> str:
     """(19), or the letter of a definition without a number."""
     return f"({number})" if is_number(number) else number
+
+
+def dotted(name: str) -> str:
+    """The name of its rate: a dot over the last letter before the scripts."""
+    stem, under, scripts = name.partition("_")
+    return normalize("NFC", f"{stem}\u0307{under}{scripts}")
 
 
 def letter_latex(name: str) -> str:

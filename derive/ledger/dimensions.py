@@ -20,7 +20,7 @@ from sympy.functions.elementary.complexes import transpose
 from sympy.matrices import MatrixBase
 
 from boresight import BoresightError
-from boresight.derive.dimensions import Mismatch
+from boresight.derive.dimensions import SECOND, Mismatch
 from boresight.derive.ledger.equation import Quantity
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.units import ONE, RADIAN, Unit, of_base_units, unit
@@ -171,6 +171,10 @@ class Terms:
             return Grid(tuple((alike(a, b),) for a, b in pairs))
         if name in ("max", "min"):
             return reduce(added, parts)
+        if name == "rate":
+            return Grid(
+                tuple(tuple(entry and entry / SECOND for entry in row) for row in parts[0].rows), parts[0].scalar
+            )
         if name == "norm":
             return scalar(reduce(alike, parts[0]))
         if name == "conj":

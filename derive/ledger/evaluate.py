@@ -38,6 +38,7 @@ from sympy.matrices import MatrixBase
 from boresight.derive.constant import Constant
 from boresight.derive.ledger import numbers
 from boresight.derive.ledger.numbers import Matrix, zeros
+from boresight.derive.ledger.rates import RATE, rate_of
 from boresight.derive.ledger.witness import hamilton, skew, vector
 from boresight.derive.named import Named
 
@@ -95,6 +96,8 @@ def _evaluate(expression, point: Point) -> Value:
         return reduce(_sum, parts)
     if isinstance(expression, AppliedUndef) and expression.func.__name__ == "E":
         return _expected(expression.args[0], point)
+    if isinstance(expression, AppliedUndef) and expression.func == RATE:
+        return evaluate(rate_of(expression.args[0]), point)
     arguments = [evaluate(argument, point) for argument in expression.args]
     if isinstance(expression, AppliedUndef):
         return _applied(expression.func.__name__, arguments, point)

@@ -90,6 +90,7 @@ class Writer:
         return "E" + self.bracketed(text, "[", "]")
 
     NORM = CURLY = ("", "")
+    RATE = "d/dt"
     AT_MOST = CROSS = TRANSPOSED = VECTOR = ""
 
     # ---- the walk --------------------------------------------------------------------------------------------------
@@ -249,6 +250,8 @@ class Writer:
         if name == "entry":
             row, column = (self.write(*place)[0] for place in places[1:])
             return self.entry(self.held(*places[0], ATOM), row, column)
+        if name == "rate":
+            return f"{self.RATE} {self.bracketed(self.write(*places[0])[0])}", PRODUCT
         if name == "norm":
             return self.bracketed(self.write(*places[0])[0], *self.NORM), ATOM
         if name == "Σ":

@@ -510,6 +510,9 @@ class Line:
             return self.frames.of_letter(self.letters[name], self.number)
         if one is None or one is IDENTITY:
             return ANY
+        if name == "rate":
+            self.mixed = True  # of the rates of its letters it says nothing
+            return SCALAR if one is SCALAR else Framed(one.rows, one.columns)
         if name in ("E", "Σ", "conj"):
             return one.T if name == "conj" else one
         for arg in e.args:

@@ -14,6 +14,7 @@ from boresight.derive.ledger.equation import Equation, Relation
 from boresight.derive.ledger.evaluate import Point, evaluate, residual
 from boresight.derive.ledger.numbers import Matrix, largest, middle, near
 from boresight.derive.ledger.paper import Paper
+from boresight.derive.ledger.rates import RATE, rate_of
 from boresight.derive.ledger.reader import SUM, SUM_OVER, read
 from boresight.derive.ledger.witness import draw, scaled
 
@@ -250,7 +251,9 @@ def differs(a, b) -> bool:
 
 
 def names(relations: Iterable[Relation]) -> set[str]:
-    """The letters of relations; a sum is over the samples of its window."""
+    """The letters of relations; a sum is over the samples of its window, and a rate is made of those of its letters."""
     sides = [side for relation in relations for side in relation.sides]
     found = {symbol.name for side in sides for symbol in getattr(side, "free_symbols", ())}
-    return found | {SUM_OVER for side in sides if any(node.func == SUM for node in side.atoms(AppliedUndef))}
+    applied = [node for side in sides for node in side.atoms(AppliedUndef)]
+    found |= {SUM_OVER for node in applied if node.func == SUM}
+    return found | {s.name for node in applied if node.func == RATE for s in rate_of(node.args[0]).free_symbols}

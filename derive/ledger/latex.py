@@ -26,6 +26,7 @@ class _Latex(Writer):
     OPEN_MARK, CLOSE_MARK = r"\slip{", "}"
     NORM, CURLY = (r"\|", r"\|"), (r"\{", r"\}")
     AT_MOST, CROSS, TRANSPOSED, VECTOR = r"\leq", r"\times", "T", r"\vee"
+    RATE = r"\frac{d}{d t}"
 
     def letter(self, name):
         latex = self._spelled(name)

@@ -52,6 +52,7 @@ from boresight.derive.ledger.equation import (
     replaced,
     total,
 )
+from boresight.derive.ledger.rates import RATE, rate_of
 
 FUNCTIONS = {
     r"\sinh": sinh,
@@ -86,6 +87,9 @@ BLOCK = re.compile(
 )
 IDENTITY = re.compile(r"\\(?:mathbf|boldsymbol|mathbb|mathrm)\{I\}|I(?![A-Za-z_])")
 IDENTITY_OF_ITS_PLACE = Dummy("I", commutative=False)  # until its size is known
+D = r"(?P<d>d|\\mathrm\{d\}|\{\\rmd\})"
+BY_TIME = re.compile(rf"\\frac\{{{D}\}}\{{(?P=d)t\}}")
+OVER_TIME = re.compile(rf"\\frac\{{{D}(?=[(\[])")  # \frac{d(C v)}{dt}
 ENDS = (
     "=",
     "<",
@@ -201,7 +205,7 @@ HINTS = (
     (r"\\partial|\\nabla", "no derivative is read but a rate: give it a letter with a value"),
     (
         r"(?:\\frac\{)?(?:\\mathrm\{)?d[^/={}]*\}?[^/={}]*(?:/|\}\{)(?:\\mathrm\{)?d",
-        r"a rate is read of one letter that has a value: \dot{x}, \frac{dx}{dt}, dx/dt",
+        r"a rate is read of one letter that has a value, or of brackets: \dot{x}, \frac{dx}{dt}, \frac{d}{dt}(C x)",
     ),
     (r"\\begin\{cases\}", "write an equation for each case"),
     (r"\\begin\{[a-z]*\}", "of environments within an equation are read: aligned, split, bmatrix, pmatrix and array"),
@@ -328,6 +332,24 @@ def _minus(term):
         return as_written(Mul, (-first, *others) if first.is_Number else (S.NegativeOne, *term.args))
 
 
+def is_identity(part) -> bool:
+    """Whether it is an identity of open size, or what keeps that size: a multiple, a sum, a power, a transpose."""
+    if isinstance(part, Mul):
+        others = [factor for factor in part.args if not factor.is_commutative]
+        return len(others) == 1 and is_identity(others[0])
+    if isinstance(part, Add):
+        return all(map(is_identity, part.args))
+    return is_identity(part.args[0]) if part.is_Pow or isinstance(part, transpose) else part == IDENTITY_OF_ITS_PLACE
+
+
+def identity_of(part, sizes: set[int]):
+    """The part, if it is an identity of open size, in the one size that there is."""
+    if len(sizes) != 1 or not is_identity(part):
+        return part
+    (size,) = sizes
+    return replaced(part, {IDENTITY_OF_ITS_PLACE: Symbol(f"I_{size}x{size}", commutative=False)})
+
+
 class _Reader:
     """Recursive descent over one display; `at` is the position reached."""
 
@@ -340,6 +362,7 @@ class _Reader:
         self.shapes = {quantity.symbol: quantity.shape for quantity in table.values()}
         self.layout: dict = {}
         self.bars = 0  # that are open
+        self.identity_at = 0  # where the last one stands whose size is open
 
     def ahead(self, *tokens: str) -> bool:
         return self.text.startswith(tokens, self.at)
@@ -372,17 +395,44 @@ class _Reader:
     def sized(self, parts: list, sizes: Iterable) -> list:
         """Parts of a sum, or sides, with the size of an identity among them where the others have one."""
         square = {size for size in sizes if size and size[0] == size[1]}
-        if len(square) != 1:
-            return parts
-        ((size, _),) = square
-        mapping = {IDENTITY_OF_ITS_PLACE: Symbol(f"I_{size}x{size}", commutative=False)}
-        return [
-            replaced(part, mapping) if IDENTITY_OF_ITS_PLACE in getattr(part, "free_symbols", ()) else part
-            for part in parts
-        ]
+        return [identity_of(part, {rows for rows, _ in square}) for part in parts]
+
+    def sized_factors(self, factors: list) -> list:
+        """Factors with the size of an identity among them by what stands beside it."""
+        found = [factor for factor in factors if not factor.is_commutative or is_explicit(factor)]
+        for one in [one for one in found if is_identity(one)]:
+            i = next(i for i, other in enumerate(found) if other is one)
+            left, right = (self.size(beside[0]) if beside else None for beside in (found[:i][-1:], found[i + 1 :][:1]))
+            if (left and left[0] == 1) or (right and right[1] == 1):
+                self.at = self.identity_at
+                n = left[1] if left else right[0] if right else 3
+                self.refuse(f"before a vector it can be an identity, or a letter, as of inertia: write I_{n}, or add "
+                            "the letter to the table")  # fmt: skip
+            made = identity_of(one, {size for size in (left and left[1], right and right[0]) if size})
+            factors = [made if factor is one else factor for factor in factors]
+        return factors
+
+    def sized_blocks(self, rows: list[list]) -> list[list]:
+        """Blocks with the sizes of identities among them by those in the same rows and columns."""
+        changed = any(map(is_identity, (block for row in rows for block in row)))
+        while changed:
+            before, sizes = rows, [[self.size(block) or self.of_scalar(block) for block in row] for row in rows]
+            heights = [{size[0] for size in row if size} for row in sizes]
+            widths = [{size[1] for size in column if size} for column in zip(*sizes, strict=True)]
+            rows = [[identity_of(block, height | width) for block, width in zip(row, widths, strict=True)]
+                    for row, height in zip(rows, heights, strict=True)]  # fmt: skip
+            changed = rows != before
+        return rows
+
+    @staticmethod
+    def of_scalar(block) -> tuple[int, int] | None:
+        """A number among blocks is one entry, and 0 a block of zeros of any size."""
+        return (1, 1) if block.is_commutative and not is_explicit(block) and block != 0 else None
 
     def size(self, part) -> tuple[int, int] | None:
         """Rows and columns; None of a number, and of what is not known."""
+        if is_identity(part):
+            return None
         if isinstance(part, Symbol):
             if block := re.fullmatch(r"[0I]_(\d+)x(\d+)", part.name):
                 return int(block[1]), int(block[2])
@@ -395,7 +445,7 @@ class _Reader:
             return size and size[::-1]
         if part.func == SKEW:
             return 3, 3
-        if part.is_Pow or part.func in (OPERATORS[r"\exp"], CONJUGATE):
+        if part.is_Pow or part.func in (OPERATORS[r"\exp"], CONJUGATE, RATE):
             return self.size(part.args[0])
         if isinstance(part, Add):
             return next(filter(None, map(self.size, part.args)), None)
@@ -442,6 +492,7 @@ class _Reader:
                 factors = [Function("entry")(product(*factors), *map(Integer, entry.groups()))]
             else:
                 factors.append(self.factor())
+        factors = self.sized_factors(factors)
         try:
             whole = product(*factors)
         except ShapeError:  # the page has it so: it is read, and has no value
@@ -482,7 +533,17 @@ class _Reader:
                 if self.table[name].function:
                     self.at -= 1
                     return self.power(self.call(self.table[name]))
+                if BY_TIME.match(name):
+                    self.alone(r"\dot{x} y, or \frac{d}{dt}(x y)")
                 return self.power(self.table[name].symbol)
+        if found := BY_TIME.match(self.text, self.at):
+            if {found["d"], "t"} <= self.table.keys():
+                self.refuse(
+                    rf"it can be a rate, or a quotient of letters: write \frac{{{found['d']}}}{{t d}}, or rename"
+                )
+            return self.rate(found.end(), "")
+        if (found := OVER_TIME.match(self.text, self.at)) and found["d"] not in self.table:
+            return self.rate(found.end(), f"}}{{{found['d']}t}}")
         for name, function in FUNCTIONS.items():
             if self.take(name):
                 return self.elementary(function)
@@ -533,7 +594,7 @@ class _Reader:
         if block := BLOCK.match(self.text, self.at):
             return self.block(block)
         if identity := IDENTITY.match(self.text, self.at):
-            self.at = identity.end()
+            self.identity_at, self.at = self.at, identity.end()
             return self.power(IDENTITY_OF_ITS_PLACE)
         if self.take(r"\mathbf{0}") or self.take(r"\boldsymbol{0}"):
             return Integer(0)
@@ -557,6 +618,38 @@ class _Reader:
             self.at = start
             self.refuse(r"write \sin^2(x), or \sin((x)^2): this can be either")
         return function(argument) if exponent is None else function(argument) ** exponent
+
+    def rate(self, at: int, ends: str):
+        """Of what stands in brackets, up to what ends the fraction that they stand in."""
+        start, self.at = self.at, at
+        left = next((one for one in ("(", "[", r"\{") if self.take(one)), "")
+        if not left:
+            self.at = start
+            self.refuse()
+        right = {"(": ")", "[": "]", r"\{": r"\}"}[left]
+        inside = self.sum()
+        if self.take(r"\times" + right):
+            inside = SKEW(inside)
+        else:
+            self.need(right)
+        self.need(ends)
+        if not ends:
+            inside = turned(inside) if self.take("^T") else inside
+            self.alone(r"\left(\frac{d}{dt}(x)\right) y, or \frac{d}{dt}(x y)")
+        try:
+            letters = rate_of(inside).free_symbols - inside.free_symbols
+        except ValueError as error:
+            self.at = start
+            self.refuse(f"{error}")
+        if lost := [one.name for one in letters if one not in self.shapes]:
+            self.at = start
+            self.refuse(f"{', '.join(sorted(lost))} is no letter of the table, and the rate is made of it")
+        return RATE(inside)
+
+    def alone(self, readings: str) -> None:
+        """That no factor follows, nor a power."""
+        if self.at < len(self.text) and not self.ahead(*ENDS, *("|",) * bool(self.bars)):
+            self.refuse(f"write {readings}: this can be either")
 
     def exponential(self, inside):
         return exp(inside) if inside.is_commutative and not is_explicit(inside) else OPERATORS[r"\exp"](inside)
@@ -632,7 +725,7 @@ class _Reader:
             self.refuse("the rows of the matrix before it are not equally long")
         if any(is_explicit(entry) for row in rows for entry in row):
             self.refuse("a matrix stands within the matrix before it: give it a letter, which another equation defines")
-        return matrix(rows)
+        return matrix(self.sized_blocks(rows))
 
     def cell(self):
         """One entry, or a row of scalars apart by spaces as a block."""

@@ -25,6 +25,7 @@ from boresight.derive.ledger.numbers import Matrix, digits
 from boresight.derive.ledger.paper import Paper, Stated, Witness
 from boresight.derive.ledger.reader import UnreadError, plain, read
 from boresight.derive.ledger.witness import draw, scaled
+from boresight.derive.letters import dotted
 from boresight.derive.papers.displays import ASIDE, Display, aside
 from boresight.derive.papers.files import PYTHON
 from boresight.derive.papers.scenarios import Scenario, scenario
@@ -400,6 +401,7 @@ class Folder(Source):
         print_has = {one.symbol.name for one in self.used}
         rates = [one for one in self.quantities if one.symbol.name not in print_has]
         named = {one.symbol.name for one in rates if plain(one.latex) in text}
+        named |= names([one for lines, _ in self.lines.values() for line in lines for one in line.formulas])
         return tuple(one for one in rates if one.symbol.name in named)
 
     @cached_property
@@ -522,12 +524,6 @@ def timed(tree: ast.expr, letters: Mapping[str, ast.expr]) -> bool:
 
 def parsed_rate(name: str) -> ast.expr:
     return ast.Call(ast.Name("rate"), [ast.Name(name)], [])
-
-
-def dotted(name: str) -> str:
-    """The name of its rate: a dot over the last letter before the scripts."""
-    stem, under, scripts = name.partition("_")
-    return normalize("NFC", f"{stem}\u0307{under}{scripts}")
 
 
 RATES = tuple(  # of a letter, beside a dot

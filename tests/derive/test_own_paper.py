@@ -13,7 +13,7 @@ from tools import needs
 
 from boresight import BoresightError, cli, kept_ledger
 from boresight.derive.ledger.dimensions import listed
-from boresight.derive.ledger.entries import entry_of, ledger, unheld
+from boresight.derive.ledger.entries import entry_of, findings, ledger, unheld
 from boresight.derive.ledger.equation import Relation, letter, negative
 from boresight.derive.ledger.judge import judge
 from boresight.derive.ledger.latex import latex_name
@@ -237,6 +237,21 @@ def test_rates_and_macros_are_read_as_they_are_typed(tmp_path):
     tex.write_text(tex.read_text().replace(r"\vel = \rate", r"\vel + \unknown = \rate"))
     with pytest.raises(BoresightError, match=r"printed.tex:5:43: cannot read '\\unknown = \\rate"):
         own(tmp_path)
+
+
+def test_the_rate_of_brackets_is_judged_in_numbers_units_and_frames_and_shown_as_it_is_printed(tmp_path):
+    values = {"v": "v_n", "C": "C_b2n", "f": "f_b", "r": "p_n"}
+    letters = {name: f"{{ latex = '{name}', value = '{value}' }}" for name, value in values.items()}
+    prints = {"1": r"\frac{d}{dt}(C f) = \dot{C} f + C \dot{f}", "2": r"\frac{d}{dt}(C f) = C \dot{f} - \dot{C} f",
+              "3": r"\frac{d}{dt}(v + v) = \dot{r}", "4": r"\frac{d}{dt}(C f) = \dot{f}"}  # fmt: skip
+    one = written(tmp_path, "motion", letters, prints)
+    assert statuses(one) == {"1": "exact", "2": "erratum", "3": "erratum", "4": "erratum"}
+    assert [text for text in findings(one) if "do not fit" in text] == [
+        "The units of (3) do not fit: m/s^2 and m/s.", "The frames of (4) do not fit: n and b.",
+    ]  # fmt: skip
+    assert "d/dt (C⋅f) = Ċ⋅f + C⋅ḟ" in render(one, "1", "text")
+    assert r"\frac{d}{d t} \left(C \, f\right)" in render(one, "1", "latex")
+    assert "<mfrac><mi>d</mi><mrow><mi>d</mi><mi>t</mi></mrow></mfrac>" in render(one, "1", "html")
 
 
 def test_a_folder_without_a_paper_says_how_one_begins(tmp_path, monkeypatch, capsys):

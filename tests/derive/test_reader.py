@@ -5,6 +5,7 @@ from sympy import (
     Function,
     MatAdd,
     MatMul,
+    Mul,
     Rational,
     StrictLessThan,
     Symbol,
@@ -22,8 +23,11 @@ from sympy.functions.elementary.complexes import transpose
 from boresight import BoresightError
 from boresight.derive.ledger.equation import Quantity, column, matrix
 from boresight.derive.ledger.evaluate import Point, evaluate
-from boresight.derive.ledger.numbers import Matrix
+from boresight.derive.ledger.judge import names
+from boresight.derive.ledger.numbers import Matrix, digits, exact, largest
+from boresight.derive.ledger.rates import rate_of
 from boresight.derive.ledger.reader import read
+from boresight.derive.letters import dotted
 
 a, b = symbols("a b", real=True)
 A, B = symbols("A B", commutative=False)
@@ -222,7 +226,8 @@ def test_equations_of_one_row_stand_apart(between):
     (r"\mathbf{I} y", "as an identity its size is open: write I_3"),
     (r"y \wedge \int x", r"write \times for a cross product"),
     (r"y + \int_0^t x \, dt", r"cannot read '\int_0^t x \, dt' in 'x = y + \int_0^t x \, dt': no integral and no sum"),
-    (r"\frac{d}{dt} (x + y)", r"a rate is read of one letter that has a value"),
+    (r"\frac{d}{dt} (x + y)", r"ẋ, ẏ is no letter of the table, and the rate is made of it"),
+    (r"\frac{d}{dt} \int x", r"a rate is read of one letter that has a value, or of brackets"),
     (r"\{ x, y \}", "write an equation for each"),
 ])  # fmt: skip
 def test_what_stays_refused_is_shown_as_it_is_typed_with_what_to_do(latex, hint):
@@ -258,3 +263,90 @@ def test_a_conjugate_and_an_inverse_of_a_quaternion_have_values():
     assert [float(entry) for entry in evaluate(CONJ, point)] == [1, -2, -3, -4]
     inverse = [entry / 15 for entry in (1, -2, -3, -4)]
     assert [float(entry) for entry in evaluate(q**-1 * p, point)] == pytest.approx(inverse, abs=1e-15)
+
+
+I3, I2 = (Symbol(f"I_{n}x{n}", commutative=False) for n in (3, 2))
+B2 = Symbol("B", commutative=False)
+
+
+@pytest.mark.parametrize(("latex", "right"), [
+    (r"\begin{bmatrix} \mathbf I & -x A \\ 0 & \mathbf{I} \end{bmatrix}", matrix([[I3, -x * A], [0, I3]])),
+    (r"\begin{bmatrix} y\mathbf I & B \\ B^T & \mathbf I \end{bmatrix}", matrix([[y * I3, B2], [transpose(B2), I2]])),
+    (r"\begin{bmatrix} \mathbf I & 0 \\ \mathbf v^T & 1 \end{bmatrix}", matrix([[I3, 0], [transpose(v), 1]])),
+    (r"A \mathbf I B", A * I3 * B2),
+    (r"B \frac12 \mathbf I B^T", Mul(B2, Rational(1, 2), I2, transpose(B2), evaluate=False)),
+])  # fmt: skip
+def test_an_identity_has_the_size_of_what_stands_beside_it(latex, right):
+    (relation,) = read((f"x = {latex}",), (*TYPED, Quantity(B2, "B", "m", "", (3, 2))))
+    assert relation.sides[1] == right
+
+
+@pytest.mark.parametrize(("latex", "asked"), [
+    (r"\mathbf I \mathbf v", "before a vector it can be an identity, or a letter, as of inertia: write I_3, or add"),
+    (r"A \mathbf I \mathbf v", "before a vector it can be an identity"),
+    (r"\mathbf v^T \mathbf I A", "before a vector it can be an identity"),
+    (r"\begin{bmatrix} \mathbf I & 0 \\ 0 & \mathbf I \end{bmatrix}", "as an identity its size is open: write I_3"),
+    (r"\begin{bmatrix} \mathbf I & y \\ A & 0 \end{bmatrix}", "as an identity its size is open: write I_3"),
+    (r"A \mathbf I B^T", "as an identity its size is open: write I_3"),
+    (r"\frac{d}{dt} (x) y", r"write \left(\frac{d}{dt}(x)\right) y, or \frac{d}{dt}(x y): this can be either"),
+    (r"\frac{d}{dt} (x)^2", r"write \left(\frac{d}{dt}(x)\right) y, or"),
+    (r"\frac{d}{dt} x y", r"write \dot{x} y, or \frac{d}{dt}(x y): this can be either"),
+    (r"\frac{d}{dt} (x x_2)", "ẋ_2 is no letter of the table, and the rate is made of it"),
+    (r"\frac{d}{dt} \|\mathbf v\|", "a rate is read of one letter that has a value, or of brackets"),
+    (r"\frac{d}{dt} (\|\mathbf v\|)", "no rate of norm(v) is read"),
+])  # fmt: skip
+def test_what_can_be_an_identity_or_a_rate_is_asked_for(latex, asked):
+    with pytest.raises(BoresightError) as refused:
+        read((f"A = {latex}",), RATES)
+    assert asked in str(refused.value)
+
+
+DOTTED = [(x, r"\dot{x}", ()), (y, r"\dot{y}", ()), (v, r"\dot{\mathbf{v}}", (3,)), (A, r"\dot{A}", (3, 3))]
+RATES = (
+    *TYPED,
+    *(Quantity(rate_of(one), latex, "rate", "", shape) for one, latex, shape in DOTTED),
+    Quantity(rate_of(x), r"\frac{d}{d t} x", "rate", ""),
+    Quantity(Symbol("x_2", real=True), "x_2", "s", ""),
+    Quantity(B2, "B", "m", "", (3, 2)),
+)
+
+
+@pytest.mark.parametrize("latex", [
+    r"\frac{d}{dt} (A \mathbf v)", r"\frac{d}{dt} \left[ A \mathbf v \right]", r"\frac{d(A \mathbf v)}{dt}",
+    r"\frac{\mathrm d}{\mathrm d t} \left( A \mathbf v \right)", r"\frac{{\rm d}}{{\rm d} t} (A \mathbf v)",
+])  # fmt: skip
+def test_the_rate_of_a_product_has_the_value_of_the_sum_of_products_with_rates(latex):
+    (relation,) = read((rf"{latex} = \dot{{A}} \mathbf v + A \dot{{\mathbf v}}",), RATES)
+    made = Matrix([[1, 2, 3], [0, 1, 4], [5, 6, 0]])
+    values = {"A": made, "Ȧ": made.T, "v": Matrix([1, 2, 3]), "v̇": Matrix([7, 5, 3])}
+    left, right = ([*map(str, evaluate(side, Point(values)))] for side in relation.sides)
+    assert left == right
+    assert names([relation]) == {"A", "v", "Ȧ", "v̇"}
+
+
+@pytest.mark.parametrize("latex", [
+    r"y \sin x^2 - \frac{x}{\sqrt{y}}",
+    r"(A^T + A^{-1})^2 \mathbf v", r"[\mathbf v \times] A (\mathbf v \times A \mathbf v)",
+   
+    r"\begin{bmatrix} x \mathbf v \\ 1 \end{bmatrix}", r"\mathbf q \otimes \mathbf q^*",
+])  # fmt: skip
+def test_a_rate_is_the_limit_of_a_difference(latex):
+    (relation,) = read((f"x = {latex}",), RATES)
+    now = {
+        "x": Matrix([0.7])[0],
+        "y": Matrix([1.3])[0],
+        "v": Matrix([1, 2, 3]),
+        "A": Matrix([[1, 2, 3], [0, 1, 4], [5, 6, 1]]),
+    }
+    now["q"] = Matrix([1, 2, 3, 4])
+    rates = {"ẋ": -2, "ẏ": 1, "v̇": Matrix([7, 5, 3]), "Ȧ": now["A"].T, "q̇": Matrix([0, 1, 0, 1])}
+    with digits(60):
+        step = exact("1e-20")
+        found = evaluate(rate_of(relation.sides[1]), Point(now | rates))
+        sides = [
+            evaluate(relation.sides[1], Point({name: now[name] + rates[dotted(name)] * h for name in now}))
+            for h in (step, -step)
+        ]
+        off = (sides[0] - sides[1]) / (2 * step) - found
+        off, found = (list(one) if isinstance(one, Matrix) else [one] for one in (off, found))
+        assert largest(off) < 1e-30 < largest(found)
