@@ -62,14 +62,14 @@ def named(found, equation, at, claim, relation):
     return ""
 
 
-def test_a_rate_on_the_side_of_the_other_frame_is_named_where_the_witness_has_no_other():
-    """Of Kim (2), line 8; the witness's C_n^c is I."""
+def test_a_rate_on_the_side_of_the_other_frame_is_named():
+    """Of Kim (2), line 7."""
     one = paper("kim-2018")
     equation = one.equation("2")
-    step = equation.derivation.steps[7]
     wrong = r"\dot{C}_n^c = [\omega_{en}^n \times] C_n^c - C_n^c [\hat{\omega}_{en}^c \times]"
     (relation,) = read((wrong,), equation.alphabet)
-    assert named(known(one), equation, "8", step.claim, relation) == "n and c"
+    assert named(known(one), equation, "7", equation.derivation.steps[6].claim, relation) == "n and c"
+    assert not judge_line(one, equation, 6, relation).holds
 
 
 # ---------------------------------------------------------------- slips: one letter of a frame, drawn from all
@@ -126,6 +126,16 @@ def slips(one, names):
                             sides = list(relation.sides)
                             sides[side] = put(sides[side], path, letters[other].symbol)
                             yield equation, index, Relation(tuple(sides))
+
+
+def test_the_numbers_too_see_c_for_n_in_the_lines_of_kim_2_that_are_exact():
+    one, seen = paper("kim-2018"), 0
+    for equation, index, relation in slips(one, {"c", "n"}):
+        step = equation.derivation.steps[index]
+        if equation.number == "2" and step.claim.kind == "exact":
+            assert not judge_line(one, equation, index, relation).holds, (index + 1, relation)
+            seen += 1
+    assert seen > 10
 
 
 def test_of_a_hundred_slips_of_a_frame_that_are_errors_most_are_named():

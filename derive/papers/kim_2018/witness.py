@@ -251,7 +251,7 @@ def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Lette
         (RATES, lambda a: _rates(base)),
         (TRUE_MOTION, lambda a: _true_motion(base)),
         (COMPUTED_MOTION, lambda a: _computed_motion(base)),
-        (KNOWN_PLACE, lambda a: _known_place(base)),
+        (COMPUTED_AXES, lambda a: _in_computed_axes(base)),
         ("W_ie|W_ep|W_ev|W_g", lambda a: _slopes(truth(base))),
         ("∂l̇/∂L|∂l̇/∂h|∂l̇/∂v|∂L̇/∂L|∂L̇/∂h|∂L̇/∂v", lambda a: [a["F_k"][i, j] for i in (0, 1) for j in (1, 2, 3 + i)]),
         ("R_E|R_N|R_EE|R_NN|ρ_e|ρ_n|ρ_u", lambda a: curvature(base)),
@@ -273,7 +273,7 @@ def values(base: Base, definitions: Mapping[str, tuple[Relation, ...]]) -> Lette
 
 TRUE_MOTION = "ω_ie_n|ω_en_n|ω_in_n|g_n|C_n2b|Ċ_b2n|Ċ_n2b|l̇|L̇|ḣ"
 COMPUTED_MOTION = "v̂|v̂̇|f̂_b|ĝ_n|ω̂_ie_n|ω̂_en_n|ω̂_in_n|δω_in_n|ω̂_ib_b|Ĉ_b2n|Ĉ̇_b2n"
-KNOWN_PLACE = "v̂̇_c|ω̂_en_c|ω̂_in_c|Ĉ_b2c|Ĉ̇_b2c|C_n2c|C_c2n|Ċ_n2c|Ċ_c2n"
+COMPUTED_AXES = "v̂_c|v̂̇_c|ω̂_en_c|ω̂_in_c|Ĉ_b2c|Ĉ̇_b2c|C_n2c|C_c2n|Ċ_n2c|Ċ_c2n"
 RATES = "[ω_ie_n x]|[ω_en_n x]|[δω_ie_n x]|[δω_en_n x]|[f_n x]|δω_ie_n|δω_en_n|f_n|v̇|δg_n|δf_b|δω_ib_b"
 FILTER = "Φ_k-1|P(k-1+)|Q_k|P(k-)|R|K_k|P(k+)|W|Ṗ"
 TRANSFER = (
@@ -308,7 +308,7 @@ def _error_rates(base: Base) -> list:
     with digits(WORKING):
         noise = stack(base.gyro_noise, base.accel_noise)
         phi_rates = truth(base).phi_rates(errors(base), noise)
-        psi_rates = position_known(truth(base), errors(base)[3:9, 0])
+        psi_rates = against_computed_axes(base)
         return [
             phi_rates,
             truth(base).phi_rates(zeros(15, 1), noise),
@@ -359,17 +359,36 @@ def _computed_motion(base: Base) -> list:
         ]  # fmt: skip
 
 
+MOVED = exact(60)  # s, in which the velocity error has moved the computed place
+
+
 @lru_cache(maxsize=256)
-def _known_place(base: Base) -> list:
-    """Perfect sensors at the true position, but the computed velocity and attitude: the computed axes agree with the
-    true ones now, not in a moment."""
+def _computed_axes(base: Base) -> tuple[navigation.Navigator, Matrix, Matrix, Matrix]:
+    """Perfect sensors, and gravity as it is, but the computed velocity and attitude, and axes c where these lead to.
+
+    The navigator, the rate of its velocity, C_n2c and the rate of that.
+    """
     with digits(WORKING):
-        hat = truth(base).psi_hat(stack(zeros(3, 1), errors(base)[3:9, 0]))
-        exact = truth(base).exact
+        true, exact = truth(base), truth(base).exact
+        moved = exact.slope.solve(exact.axes * Matrix(base.velocity_error) * MOVED)
+        hat = true.psi_hat(stack(moved, errors(base)[3:9, 0]))
         turn, rate = hat.axes.T * exact.axes, hat.axes_rate.T * exact.axes + hat.axes.T * exact.axes_rate
-        return [
-            hat.velocity_rate, hat.omega_en_n, hat.omega_in_n, hat.C_b2n, hat.C_rate, turn, turn.T, rate, rate.T
-        ]  # fmt: skip
+        return hat, hat.velocity_rate - hat.gravity_n + turn * exact.gravity_n, turn, rate
+
+
+def against_computed_axes(base: Base) -> Matrix:
+    """(6) rates of velocity and attitude error against the axes c."""
+    true, (hat, velocity_rate, turn, rate) = truth(base), _computed_axes(base)
+    C_b2c, C_b2c_rate = turn * true.C, rate * true.C + turn * true.exact.C_rate
+    return stack(
+        velocity_rate - rate * true.v_n - turn * true.exact.velocity_rate,
+        navigation.rotation_rate(hat.C_b2n * C_b2c.T, hat.C_rate * C_b2c.T + hat.C_b2n * C_b2c_rate.T),
+    )
+
+
+def _in_computed_axes(base: Base) -> list:
+    hat, velocity_rate, turn, rate = _computed_axes(base)
+    return [hat.v_n, velocity_rate, hat.omega_en_n, hat.omega_in_n, hat.C_b2n, hat.C_rate, turn, turn.T, rate, rate.T]
 
 
 @lru_cache(maxsize=64)
