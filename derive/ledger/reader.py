@@ -53,6 +53,7 @@ from boresight.derive.ledger.equation import (
     total,
 )
 from boresight.derive.ledger.rates import RATE, rate_of
+from boresight.derive.ledger.tokens import COMMAND, TOKEN, joined, tokens
 
 FUNCTIONS = {
     r"\sinh": sinh,
@@ -87,7 +88,7 @@ BLOCK = re.compile(
 )
 IDENTITY = re.compile(r"\\(?:mathbf|boldsymbol|mathbb|mathrm)\{I\}|I(?![A-Za-z_])")
 IDENTITY_OF_ITS_PLACE = Dummy("I", commutative=False)  # until its size is known
-D = r"(?P<d>d|\\mathrm\{d\}|\{\\rmd\})"
+D = r"(?P<d>d|\\mathrm\{d\}|\{\\rm d\})"
 BY_TIME = re.compile(rf"\\frac\{{{D}\}}\{{(?P=d)t\}}")
 OVER_TIME = re.compile(rf"\\frac\{{{D}(?=[(\[])")  # \frac{d(C v)}{dt}
 ENDS = (
@@ -156,32 +157,67 @@ def read(
     Raises BoresightError at the first piece of LaTeX that is neither structure nor a quantity of the table.
     """
     displays = tuple(displays)
-    joined: list[str] = []
+    rows: list[str] = []
     for text in (plain(row).lstrip(";") for display in displays for row in _rows(display)):
-        if joined and text.startswith(("=", "+", "-", r"\times", r"\cdot")):
-            joined[-1] += text
+        if rows and text.startswith(("=", "+", "-", r"\times", r"\cdot")):
+            rows[-1] += text
         else:
-            joined.append(text)
-    # A letter with arguments is a letter of its own: \\hat{C}_b^n(...) beside \\hat{C}_b^n.
-    table = {
-        plain(quantity.latex) + mark: quantity
-        for quantity in quantities
-        for mark in (("(", "[") if quantity.function else ("",))
-    }
+            rows.append(text)
+    alphabet = _alphabet(tuple(quantities))
     try:
-        return tuple(_Reader(text, table, flown).relation() for text in joined)
+        return tuple(_Reader(text, alphabet, flown).relation() for text in rows)
     except UnreadError as error:
         error.found_in(displays)
         raise
 
 
-UPPER = r"\^(\w|\{\w+\})$"
+class Alphabet:
+    """The letters of a table by their LaTeX, as `plain` has it.
+
+    A letter with arguments is one of its own: \\hat{C}_b^n(...) beside \\hat{C}_b^n.
+    """
+
+    def __init__(self, quantities: tuple[Quantity, ...]):
+        self.quantities = quantities
+        marks = {True: ("(", "["), False: ("",)}
+        self.table = {plain(one.latex) + mark: one for one in quantities for mark in marks[one.function]}
+        turned = {turned_over(name): one for name, one in self.table.items() if UPPER.search(name)}
+        self.turned = {name: one for name, one in turned.items() if name not in self.table}
+        self.shapes = {one.symbol: one.shape for one in self.table.values()}
+        self.names: dict[
+            str, list[str]
+        ] = {}  # by their first token, the longest first: \\hat{\\phi}_b before \\hat{\\phi}
+        for name in sorted((*self.table, *self.turned), key=len, reverse=True):
+            self.names.setdefault(first_token(name, 0), []).append(name)
+
+
+_ALPHABETS: dict[tuple[int, ...], Alphabet] = {}  # by which objects the letters are: one table reads many lines
+
+
+def _alphabet(quantities: tuple[Quantity, ...]) -> Alphabet:
+    key = tuple(map(id, quantities))
+    if key not in _ALPHABETS:
+        _ALPHABETS[key] = Alphabet(quantities)
+    return _ALPHABETS[key]
+
+
+def first_token(text: str, at: int) -> str:
+    found = TOKEN.match(text, at)
+    return found[0] if found else ""
+
+
+@cache
+def ends_in_command(latex: str) -> bool:
+    return COMMAND.fullmatch(tokens(latex)[-1]) is not None
+
+
+UPPER = re.compile(r"\^(\w|\{\w+\})$")
 
 
 @cache
 def turned_over(name: str) -> str:
     """C_b^{nT}: how the transpose of C_b^n is printed too."""
-    return re.sub(UPPER, lambda found: f"^{{{found[1].strip('{}')}T}}", name)
+    return UPPER.sub(lambda found: f"^{{{found[1].strip('{}')}T}}", name)
 
 
 def transposed(entry):
@@ -255,7 +291,7 @@ def place_of(latex: str, error: UnreadError, expanded: Callable[[str], str] = st
     """Where in LaTeX, as it is typed, stands what was not read; expanded: puts macros in their places."""
 
     def bare(text: str) -> str:
-        return text.replace("&", "").replace("\\\\", "").lstrip(";")
+        return text.replace("&", "").replace("\\\\", "").lstrip(";").rstrip(" ")
 
     so_far = bare(error.text[: error.at])
     starts = (found.end() for found in re.finditer(r"^|\\\\|\\begin\{\w+\}|,|\\q?quad(?![a-z])", latex))
@@ -321,7 +357,7 @@ def plain(latex: str) -> str:
     latex = re.sub(r"(?<!\\)\\ |\\q?quad", ";", latex)  # [a \ b \ c]^T: the spaces separate
     for pattern, spelling in (*SETTING, *ALIKE):
         latex = re.sub(pattern, spelling, latex)
-    return re.sub(r"\s+", "", latex).replace("&=", "=").rstrip(",.;")
+    return joined(tokens(latex)).replace("&=", "=").rstrip(",.;")
 
 
 def _minus(term):
@@ -353,24 +389,32 @@ def identity_of(part, sizes: set[int]):
 class _Reader:
     """Recursive descent over one display; `at` is the position reached."""
 
-    def __init__(self, text: str, table: dict[str, Quantity], flown: Mapping[str, object]):
-        self.text, self.table, self.flown, self.at = text, table, flown, 0
-        # The longest letter first: \hat{\phi}_b before \hat{\phi}.
-        turned = {turned_over(name): quantity for name, quantity in table.items() if re.search(UPPER, name)}
-        self.turned = {name: quantity for name, quantity in turned.items() if name not in table}
-        self.letters = sorted((*table, *self.turned), key=len, reverse=True)
-        self.shapes = {quantity.symbol: quantity.shape for quantity in table.values()}
+    def __init__(self, text: str, alphabet: Alphabet, flown: Mapping[str, object]):
+        self.text, self.flown, self.at = text, flown, 0
+        self.table, self.turned, self.shapes = alphabet.table, alphabet.turned, alphabet.shapes
+        self.names = alphabet.names
         self.layout: dict = {}
         self.bars = 0  # that are open
         self.identity_at = 0  # where the last one stands whose size is open
 
-    def ahead(self, *tokens: str) -> bool:
-        return self.text.startswith(tokens, self.at)
+    def ahead(self, *parts: str) -> bool:
+        """Whether one of these stands here, as whole tokens."""
+        return self.text.startswith(parts, self.at) and any(map(self.after, parts))
 
-    def take(self, token: str) -> bool:
-        found = self.text.startswith(token, self.at)
-        self.at += len(token) if found else 0
-        return found
+    def after(self, part: str) -> int:
+        """The place behind this, with the space that sets it apart; 0 if it does not stand here."""
+        if not self.text.startswith(part, self.at):
+            return 0
+        end = self.at + len(part)
+        beside = self.text[end : end + 1]
+        if beside == " ":
+            return end + 1
+        return 0 if beside.isalpha() and ends_in_command(part) else end
+
+    def take(self, part: str) -> bool:
+        end = self.after(part)
+        self.at = end or self.at
+        return end > 0
 
     def need(self, token: str) -> None:
         if not self.take(token):
@@ -471,8 +515,7 @@ class _Reader:
             entry = ENTRY.match(self.text, self.at)
             if self.take("/"):
                 factors[-1] = self.divided(factors[-1], self.factor())
-            elif self.ahead(r"\cdot") and not self.ahead(r"\cdots"):
-                self.take(r"\cdot")
+            elif self.take(r"\cdot"):
                 factors.append(self.factor())
                 if sum(not one.is_commutative or is_explicit(one) for one in factors[:-1]) > 1:
                     factors = [product(*factors[:-1]), factors[-1]]  # C f . v
@@ -526,7 +569,8 @@ class _Reader:
         return whole
 
     def factor(self):
-        for name in self.letters:
+        token = first_token(self.text, self.at)
+        for name in self.names.get(token, ()):
             if self.take(name):
                 if name in self.turned:
                     return transpose(self.turned[name].symbol, evaluate=False)
@@ -544,9 +588,9 @@ class _Reader:
             return self.rate(found.end(), "")
         if (found := OVER_TIME.match(self.text, self.at)) and found["d"] not in self.table:
             return self.rate(found.end(), f"}}{{{found['d']}t}}")
-        for name, function in FUNCTIONS.items():
-            if self.take(name):
-                return self.elementary(function)
+        if token in FUNCTIONS:
+            self.take(token)
+            return self.elementary(FUNCTIONS[token])
         if self.take(r"\atan2"):
             return atan2(*self.list("(", ")", ","))
         for name in ("max", "min"):
@@ -632,8 +676,9 @@ class _Reader:
             inside = SKEW(inside)
         else:
             self.need(right)
-        self.need(ends)
-        if not ends:
+        if ends:
+            self.need(ends)
+        else:
             inside = turned(inside) if self.take("^T") else inside
             self.alone(r"\left(\frac{d}{dt}(x)\right) y, or \frac{d}{dt}(x y)")
         try:
@@ -661,7 +706,7 @@ class _Reader:
         if self.text[self.at : self.at + 1].isdigit():
             self.at += 1
             return Integer(self.text[self.at - 1])
-        for name in self.letters:
+        for name in self.names.get(first_token(self.text, self.at), ()):
             if name in self.table and self.take(name):
                 return self.table[name].symbol
         return self.refuse()

@@ -10,8 +10,8 @@ from boresight.derive.ledger.equation import Quantity, Relation
 from boresight.derive.ledger.formula import ELEMENTARY, Place
 from boresight.derive.ledger.latex import LETTERS as NAMED_LETTERS
 from boresight.derive.ledger.latex import MARKS, SIGNS, greek, latex_relation
+from boresight.derive.ledger.tokens import tokens
 
-TOKEN = re.compile(r"\\[A-Za-z]+|\\.|\d+|\s+|.")
 APPLY, TIMES = "<mo>&#x2061;</mo>", "<mo>&#x2062;</mo>"
 ACCENTS = {"hat": "^", "dot": "˙", "ddot": "¨", "bar": "¯", "overline": "¯", "check": "ˇ", "tilde": "~", "vec": "→"}
 OPERATORS = {
@@ -55,7 +55,7 @@ def bold(character: str) -> str:
 
 class _Translator:
     def __init__(self, latex: str):
-        self.tokens = [token for token in TOKEN.findall(latex) if not token.isspace()] + [""]
+        self.tokens = [*tokens(latex), ""]
         self.at = 0
 
     def ahead(self) -> str:

@@ -250,7 +250,7 @@ def test_the_rate_of_brackets_is_judged_in_numbers_units_and_frames_and_shown_as
         "The units of (3) do not fit: m/s^2 and m/s.", "The frames of (4) do not fit: n and b.",
     ]  # fmt: skip
     assert "d/dt (C⋅f) = Ċ⋅f + C⋅ḟ" in render(one, "1", "text")
-    assert r"\frac{d}{d t} \left(C \, f\right)" in render(one, "1", "latex")
+    assert r"\frac{d}{dt}(C f)" in render(one, "1", "latex")  # verbatim
     assert "<mfrac><mi>d</mi><mrow><mi>d</mi><mi>t</mi></mrow></mfrac>" in render(one, "1", "html")
 
 

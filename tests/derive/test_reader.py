@@ -14,6 +14,7 @@ from sympy import (
     cos,
     exp,
     sin,
+    sinh,
     sqrt,
     symbols,
     tan,
@@ -251,6 +252,15 @@ def test_what_stays_refused_is_shown_as_it_is_typed_with_what_to_do(latex, hint)
 def test_what_is_not_known_is_refused_and_never_read_otherwise(latex):
     with pytest.raises(BoresightError, match="cannot read"):
         read((f"x = {latex}",), TYPED)
+
+
+def test_what_latex_sets_apart_is_no_command_of_the_same_letters():
+    h, t = symbols("h t", real=True)
+    letters = (*TYPED, Quantity(h, "h", "s", ""), Quantity(t, r"\tau", "s", ""), Quantity(y, r"\tau h", "s", ""))
+    for latex, right in ((r"\sin h x", sin(h) * x), (r"\sinh x", sinh(x)), (r"\tau x h", t * x * h), (r"\tau h", y)):
+        assert read((f"x = {latex}",), letters)[0].sides[1] == right
+    with pytest.raises(BoresightError, match=r"cannot read '\\tauh'"):
+        read((r"x = \tauh",), letters)
 
 
 def test_what_can_be_read_in_two_ways_is_asked_for():
