@@ -74,7 +74,7 @@ def one_row(paper: str, number: str, check: Callable[[str, list[str]], object]) 
 
     one = papers.paper(paper, load_model)
     number = one.labels.get(number, number)
-    check(number, [each.number for each in one.equations])
+    check(number, list(one.numbers))
     return {
         "entries": [entry_of(one, one.equation(number)).to_dict()],
         "conditions": [one.conditions.text, one.point.text],

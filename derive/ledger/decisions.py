@@ -115,8 +115,7 @@ def _small(paper: Paper, equation: Equation) -> tuple[str, ...]:
 
 def _candidates(paper: Paper) -> tuple[str, ...]:
     """The errors, and whatever an equation of the paper calls small."""
-    named = (part for equation in paper.equations for part in equation.small)
-    return tuple(dict.fromkeys((*paper.witness.errors, *named)))
+    return tuple(dict.fromkeys((*paper.witness.errors, *paper.small)))
 
 
 def _judge_small(paper: Paper, equation: Equation, small: Iterable[str]) -> Verdict:
@@ -148,9 +147,7 @@ def _needed(paper: Paper, equation: Equation) -> tuple[str, ...]:
 def _misprinted(paper: Paper, equation: Equation) -> Iterator[Equation]:
     """The definitions which the print uses, and which are errata."""
     used = names(equation.read())
-    for definition in paper.equations:
-        if definition is equation or equation.defines or not definition.defines:
-            continue
+    for definition in paper.defining if not equation.defines else ():
         if used & {symbol.name for symbol in definition.defines} and definition.read() != definition.derived:
             yield definition
 

@@ -46,6 +46,19 @@ class Stated:
 
 
 @dataclass(frozen=True, eq=False)
+class Apart:
+    """Equations that can be read one without the others.
+
+    make: one by its number.  small: by number what is said to be small in it, in the paper's order; defining: the
+    numbers of those that define a letter.
+    """
+
+    make: Callable[[str], Equation]
+    small: Mapping[str, tuple[str, ...]]
+    defining: tuple[str, ...]
+
+
+@dataclass(frozen=True, eq=False)
 class Paper:
     """conditions: the paper's own numbers, for sizes.  point: where the numbers of an erratum are given.
 
@@ -57,7 +70,7 @@ class Paper:
     or another, and of lines that take one for another; see ledger/frames.py. conventions: the paper's own axes and
     signs, a sentence each. maps: to the models that make C from it; unflown: the equations of which no function that
     flies computes a side, each with why. folder: of a paper of one's own. labels: other names of equations, with their
-    numbers.
+    numbers. apart: where they can be read one by one.
     """
 
     name: str
@@ -80,6 +93,11 @@ class Paper:
     unflown: Mapping[str, str] = field(default_factory=dict)
     folder: str = ""
     labels: Mapping[str, str] = field(default_factory=dict)
+    apart: Callable[[], Apart] | None = None
+
+    @cached_property
+    def _apart(self) -> Apart | None:
+        return self.apart() if self.apart else None
 
     @cached_property
     def equations(self) -> tuple[Equation, ...]:
@@ -88,16 +106,35 @@ class Paper:
 
     def equation(self, number: str) -> Equation:
         """The equation of a number, with or without brackets.  Raises BoresightError with the right ones."""
-        for equation in self.equations:
-            if equation.number == self.labels.get(number.strip("()"), number.strip("()")):
-                return equation
-        numbers = ", ".join(equation.number for equation in self.equations)
-        raise BoresightError(f"{self.name} has no equation {number!r}; it has {numbers}")
+        bare = self.labels.get(number.strip("()"), number.strip("()"))
+        if bare not in self.numbers:
+            raise BoresightError(f"{self.name} has no equation {number!r}; it has {', '.join(self.numbers)}")
+        if self._apart:
+            return self._apart.make(bare)
+        return next(equation for equation in self.equations if equation.number == bare)
+
+    @cached_property
+    def numbers(self) -> tuple[str, ...]:
+        return tuple(self._apart.small) if self._apart else tuple(one.number for one in self.equations)
+
+    @cached_property
+    def defining(self) -> tuple[Equation, ...]:
+        """The equations that define a letter."""
+        if self._apart:
+            return tuple(map(self._apart.make, self._apart.defining))
+        return tuple(equation for equation in self.equations if equation.defines)
+
+    @cached_property
+    def small(self) -> tuple[str, ...]:
+        """What an equation says to be small, in their order."""
+        if self._apart:
+            return tuple(part for parts in self._apart.small.values() for part in parts)
+        return tuple(part for equation in self.equations for part in equation.small)
 
     @cached_property
     def definitions(self) -> dict[str, tuple[Relation, ...]]:
         """What the paper's definitions say, corrected, by number, for the witness to take as given."""
-        return {equation.number: equation.derived for equation in self.equations if equation.defines}
+        return {equation.number: equation.derived for equation in self.defining}
 
     def letter(self, name: str) -> Quantity:
         """The letter of a symbol's name.  Raises KeyError."""

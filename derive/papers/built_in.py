@@ -16,7 +16,7 @@ from unicodedata import normalize
 from sympy import Function
 
 from boresight.derive.ledger.equation import Derivation, Equation, Meaning, Quantity, Reading, letter
-from boresight.derive.ledger.paper import Paper
+from boresight.derive.ledger.paper import Apart, Paper
 from boresight.derive.ledger.reader import read
 from boresight.derive.papers.displays import Display
 from boresight.derive.papers.maps import maps
@@ -55,6 +55,7 @@ class BuiltIn(Source):
         self.name, self.python = name, python
         super().__init__(folder)
         self.computed = python(self.data["witness"].removesuffix(".py"))
+        self.made: dict[str, Equation] = {}
 
     def beside(self, name: str) -> ModuleType | None:
         return self.python(name) if (self.folder / f"{name}.py").is_file() else None
@@ -99,6 +100,11 @@ class BuiltIn(Source):
         """Those of the derivations alone, and those which they spell otherwise: rows of LaTeX alone."""
         return tuple(self.step_letter(name, row) for name, row in self.steps.letters.items())
 
+    @cached_property
+    def alphabet(self) -> tuple[Quantity, ...]:
+        """The letters in which derivations are written."""
+        return (*self.quantities, *self.step_letters)
+
     def step_letter(self, name: str, row: Mapping[str, Any]) -> Quantity:
         for key in row:
             self.steps.toml.known(self.KEYS["letters"], key, "letters", name, key)
@@ -134,18 +140,35 @@ class BuiltIn(Source):
     # ---- equations
 
     @cached_property
-    def equations(self) -> tuple[Equation, ...]:
-        """In the order of the print; where nothing is printed, of the derivations."""
-        shown = {display.number: display for display in self.displays} if self.print.is_file() else {}
-        numbers = shown or dict.fromkeys(self.steps.numbers, Display("", (), 0, 0, (0, 0)))
-        self.check_numbers(numbers)
-        letters = {one.symbol.name: one.symbol for one in (*self.quantities, *self.step_letters) if not one.function}
-        module = self.beside("flown")
-        flown = module.flown(letters) if module else {}
-        parts = [part.name for part in fields(self.computed.WITNESS.base)]
-        return tuple(self.equation(number, display, parts, flown) for number, display in numbers.items())
+    def shown(self) -> dict[str, Display]:
+        """By number, in the order of the print; where nothing is printed, of the derivations."""
+        printed = {display.number: display for display in self.displays} if self.print.is_file() else {}
+        shown = printed or dict.fromkeys(self.steps.numbers, Display("", (), 0, 0, (0, 0)))
+        self.check_numbers(shown)
+        return shown
 
-    def equation(self, number: str, display: Display, parts: list[str], flown: Mapping[str, object]) -> Equation:
+    @cached_property
+    def flown(self) -> Mapping[str, object]:
+        module = self.beside("flown")
+        letters = {one.symbol.name: one.symbol for one in self.alphabet if not one.function}
+        made: Mapping[str, object] = module.flown(letters) if module else {}
+        return made
+
+    def one(self, number: str) -> Equation:
+        if number not in self.made:
+            self.made[number] = self.equation(number, self.shown[number])
+        return self.made[number]
+
+    @cached_property
+    def equations(self) -> tuple[Equation, ...]:
+        return tuple(map(self.one, self.shown))
+
+    def apart(self) -> Apart:
+        rows = {number: self.equation_rows.get(number, {}) for number in self.shown}
+        small = {number: tuple(row.get("small", ())) for number, row in rows.items()}
+        return Apart(self.one, small, tuple(number for number, row in rows.items() if row.get("defines")))
+
+    def equation(self, number: str, display: Display) -> Equation:
         """The derived form is what the steps marked `result` say, and where none is, the print after its readings; what
         has no print is derived here, and its print is what is derived."""
         row, place = self.equation_rows.get(number, {}), ("equations", number)
@@ -154,7 +177,8 @@ class BuiltIn(Source):
         if row.get("as_vector"):
             vee = Function("vee", commutative=False)
             form = tuple(replace(r, sides=(r.sides[0], vee(r.sides[1]), *r.sides[2:])) for r in form)
-        steps = self.steps.of(number, (*self.quantities, *self.step_letters), parts, flown)
+        parts = [part.name for part in fields(self.computed.WITNESS.base)]
+        steps = self.steps.of(number, self.alphabet, parts, self.flown)
         results = tuple(step.relation for step in steps if step.result and step.relation is not None)
         defines, introduces = (
             tuple(one.symbol for one in self.named(row.get(key, ()), *place, key)) for key in ("defines", "introduces")
@@ -184,7 +208,7 @@ class BuiltIn(Source):
     def reading(self, number: str, row: Mapping[str, str]) -> Reading:
         def side(key: str) -> Any:
             try:
-                (relation,) = read((row[key],), (*self.quantities, *self.step_letters))
+                (relation,) = read((row[key],), self.alphabet)
             except (BoresightError, KeyError) as error:
                 self.refuse(f"a reading of ({number}) has no {key}: {error}", "equations", number, "readings")
             return relation.sides[0]
@@ -226,6 +250,7 @@ class BuiltIn(Source):
             maps=maps(self.toml, self.steps.macros, self.labels) if "model" in self.data else (),
             unflown=of_equations("unflown"),
             labels=self.labels,
+            apart=self.apart,
         )
 
 
