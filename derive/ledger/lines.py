@@ -29,7 +29,7 @@ from boresight.derive.ledger.judge import (
     paper_points,
     witness_point,
 )
-from boresight.derive.ledger.numbers import Matrix, digits, middle
+from boresight.derive.ledger.numbers import Matrix, digits, largest, middle
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.passages import judge_passage
 from boresight.derive.ledger.reader import read
@@ -161,7 +161,7 @@ def _known(name: str, point: Point) -> bool:
 
 def _exactly(relation: Relation, points: Iterable[Point]) -> LineVerdict:
     for point in points:
-        worst = max(abs(middle(entry)) for entry in residual(relation.sides, point))
+        worst = largest(residual(relation.sides, point))
         if worst > EXACT:
             return LineVerdict(False, f"the sides differ by {mp.nstr(worst, 3)}")
     return LineVerdict(True, "both sides agree to 28 digits")

@@ -104,7 +104,9 @@ def eye(size: int) -> Matrix:
 
 def exact(value: Any) -> fmpq:
     """A whole number, a float, a fraction or a decimal in a string, as it is."""
-    return value if isinstance(value, fmpq) else fmpq(*Fraction(value).as_integer_ratio())
+    if isinstance(value, fmpq):
+        return value
+    return fmpq(*(value if isinstance(value, int | float) else Fraction(value)).as_integer_ratio())
 
 
 def pi() -> arb:
@@ -188,9 +190,14 @@ def near(value: Any) -> float:
     return float(_judged(value))
 
 
+def magnitude(value: Any) -> arb:
+    """Of the middle of a ball, exactly.  Raises as `middle` does."""
+    return abs(_judged(value))
+
+
 def largest(values: Iterable[Any]) -> mp.mpf:
     """The largest magnitude.  Raises as `middle` does."""
-    return middle(max(abs(_judged(value)) for value in values))
+    return middle(max(map(magnitude, values)))
 
 
 def _judged(value: Any) -> arb:

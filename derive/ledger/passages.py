@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from itertools import pairwise, zip_longest
 from typing import Any
 
-import mpmath as mp
+from flint import arb
 from sympy import S, Symbol
 from sympy.core.function import AppliedUndef
 from sympy.matrices import MatrixBase
@@ -19,7 +19,7 @@ from boresight.derive.ledger.equation import Equation, Passage, Relation
 from boresight.derive.ledger.evaluate import OPERATORS, Point, evaluate, multiplied, power, residual, solve
 from boresight.derive.ledger.free import free_point
 from boresight.derive.ledger.judge import LineVerdict
-from boresight.derive.ledger.numbers import Matrix, digits, exact, eye, middle, sqrt, zeros
+from boresight.derive.ledger.numbers import Matrix, digits, exact, eye, magnitude, sqrt, zeros
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.reader import read
 from boresight.derive.ledger.witness import quaternion, rotation_vector
@@ -29,7 +29,7 @@ Replaced = dict[int, Relation]  # other relations of steps, by index
 SEEDS = (11, 12)
 WORKING = 100  # digits, of which differentiating takes 60
 STEP = exact("1e-20")  # for differences: they err by its square, 1e-40
-SAME = mp.mpf("1e-25")  # relative
+SAME = arb("1e-25")  # relative
 
 # What leads from the line `of`, or the one before, to this one.
 OPERATIONS = {
@@ -192,7 +192,7 @@ def _gradient(paper: Paper, passage: Passage, before: Relation, point: Point) ->
 
 def _factor(a: list, b: list):
     """The number that is b / a, entry by entry; None if there is none."""
-    k = max(range(len(a)), key=lambda i: abs(middle(a[i])))
+    k = max(range(len(a)), key=lambda i: magnitude(a[i]))
     if len(a) != len(b) or _same(a, [0] * len(a)) or _same([b[k]], [0]):
         return None
     return b[k] / a[k] if _same([entry * b[k] / a[k] for entry in a], b) else None
@@ -310,14 +310,14 @@ def _series(function: Callable, order: int):
 
 
 def _vector(value, passage: Passage):
-    if max(abs(middle(entry)) for entry in value + value.T) > SAME:
+    if max(map(magnitude, value + value.T)) > SAME:
         raise ValueError("a side is not skew-symmetric")
     return OPERATORS["vee"](value)
 
 
 def _of_rotation(take: Callable) -> Callable:
     def taken(value, passage: Passage):
-        if max(abs(middle(entry)) for entry in value * value.T - eye(value.rows)) > SAME:
+        if max(map(magnitude, value * value.T - eye(value.rows))) > SAME:
             raise ValueError("a side is no rotation")
         return take(value)
 
@@ -402,8 +402,8 @@ def _entries(value) -> list:
 def _same(a: Sequence, b: Sequence) -> bool:
     if len(a) != len(b):
         return len(b) == 1 and bool(b[0] == 0) and _same(a, [0] * len(a))
-    size = max(mp.mpf(1), *(abs(middle(entry)) for entry in (*a, *b)))
-    return all(abs(middle(x - y)) < SAME * size for x, y in zip(a, b, strict=True))
+    size = max(arb(1), *map(magnitude, (*a, *b)))
+    return all(magnitude(x - y) < SAME * size for x, y in zip(a, b, strict=True))
 
 
 def _symbols(paper: Paper, letters: Sequence[str]) -> list[Symbol]:

@@ -9,7 +9,7 @@ What it does not know it refuses by name, and what can be read in two ways it as
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from functools import cache
+from functools import cache, cached_property
 from types import MappingProxyType
 
 from sympy import (
@@ -167,7 +167,7 @@ def read(
     try:
         return tuple(_Reader(text, alphabet, flown).relation() for text in rows)
     except UnreadError as error:
-        error.found_in(displays)
+        error.displays = displays
         raise
 
 
@@ -256,29 +256,38 @@ HINTS = (
 class UnreadError(BoresightError):
     """What is neither structure nor a letter of the table: `text`, as `plain` has it, from `at` on.
 
-    place: where that stands in the display, as it is typed; typed: what stands there.
+    displays: in one of which it stands, as they are typed.
     """
 
     def __init__(self, text: str, at: int, why: str = ""):
         self.text, self.at, self.why = text, at, why
-        self.say(at, text)
+        self.displays: tuple[str, ...] = ()
 
-    def say(self, place: int, display: str) -> None:
-        self.place, self.typed = place, display[place:]
-        whole, why = f"'{short(display, 60)}'", self.why or self.hint or "add it to the table"
+    @cached_property
+    def found(self) -> tuple[int, str]:
+        """Where it stands in a display, and that display; looked for when somebody asks."""
+        places = ((place_of(display, self), display) for display in self.displays)
+        return next(((place, display) for place, display in places if place is not None), (self.at, self.text))
+
+    @property
+    def place(self) -> int:
+        return self.found[0]
+
+    @property
+    def typed(self) -> str:
+        """What stands there."""
+        place, display = self.found
+        return display[place:]
+
+    def __str__(self) -> str:
+        whole, why = f"'{short(self.found[1], 60)}'", self.why or self.hint or "add it to the table"
         what = f"'{short(self.typed)}' in {whole}: {why}" if self.text[self.at :] else f"{whole}: it ends too early"
-        super().__init__(f"cannot read {what}")
+        return f"cannot read {what}"
 
     @property
     def hint(self) -> str:
         """What to write in the place of what is not read."""
         return next((hint for pattern, hint in HINTS if re.match(pattern, self.text[self.at :])), "")
-
-    def found_in(self, displays: Iterable[str]) -> None:
-        for display in displays:
-            if (place := place_of(display, self)) is not None:
-                self.say(place, display)
-                return
 
 
 def short(latex: str, most: int = 24) -> str:
