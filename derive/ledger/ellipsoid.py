@@ -25,8 +25,9 @@ SEMI_MINOR = SEMI_MAJOR * (1 - FLATTENING)
 def axes(position) -> Matrix:
     """3x3 at (longitude, latitude, height), rad and m: columns east, north and up in Earth's axes."""
     lon, lat, _ = position
-    up = vector(cos(lat) * cos(lon), cos(lat) * sin(lon), sin(lat))
-    east = vector(-sin(lon), cos(lon), 0)
+    cos_lon, sin_lon, cos_lat = cos(lon), sin(lon), cos(lat)
+    up = vector(cos_lat * cos_lon, cos_lat * sin_lon, sin(lat))
+    east = vector(-sin_lon, cos_lon, 0)
     north = skew(up) * east
     return Matrix([[east[i], north[i], up[i]] for i in range(3)])
 

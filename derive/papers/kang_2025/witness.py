@@ -11,6 +11,8 @@ from dataclasses import dataclass, fields
 from functools import lru_cache, partial
 from typing import Any
 
+from flint import fmpq
+
 from boresight.derive.ledger import ellipsoid, navigation
 from boresight.derive.ledger.ellipsoid import WORKING
 from boresight.derive.ledger.equation import Relation
@@ -151,7 +153,8 @@ STATED_TEXT = (
 
 def _ned(position) -> Matrix:
     """Columns: north, east and down in Earth's axes."""
-    east, north, up = (ellipsoid.axes(position)[:, i] for i in range(3))
+    axes = ellipsoid.axes(position)
+    east, north, up = (axes[:, i] for i in range(3))
     return Matrix([[north[i], east[i], -up[i]] for i in range(3)])
 
 
@@ -182,6 +185,7 @@ class Motion:
         self.path = [level * part for part in (v_n, acceleration / 2, jerk / 6)]
         self.origin, self.inverse = ellipsoid.point(position), ellipsoid.slope(position).inv()
         self.C_b2e, self.rate, self.turn = level * C_b2n, rate, turn
+        self.levels: dict[tuple[str, fmpq], Matrix] = {}
 
     def body(self, t) -> Matrix:
         """C_b2e."""
@@ -201,19 +205,28 @@ class Motion:
             position = position + self.inverse * missing
         return _ned(position)
 
+    def level_at(self, where: Callable, t) -> Matrix:
+        """The same where one of them is at a time; many letters ask for one."""
+        if not isinstance(t, fmpq):
+            return self.level(where(t))
+        key = where.__name__, t
+        if key not in self.levels:
+            self.levels[key] = self.level(where(t))
+        return self.levels[key]
+
     def velocity(self, where: Callable, t) -> Matrix:
         """Over the ground, in the north, east and down of that place."""
-        return self.level(where(t)).T * after(where, t)
+        return self.level_at(where, t).T * after(where, t)
 
     def attitude(self, t) -> Matrix:
         """C_b2n, n at the slave."""
-        return self.level(self.slave(t)).T * self.body(t)
+        return self.level_at(self.slave, t).T * self.body(t)
 
     def lever_rate(self, t) -> Matrix:
         return after(lambda s: self.attitude(s) * self.lever, t)
 
     def omega_in_n(self, t) -> Matrix:
-        return _turning(lambda s: _inertial(s) * self.level(self.slave(s)), t)
+        return _turning(lambda s: _inertial(s) * self.level_at(self.slave, s), t)
 
     def omega_ib_b(self, t) -> Matrix:
         return _turning(lambda s: _inertial(s) * self.body(s), t)
@@ -278,7 +291,7 @@ def measured(base: Base) -> list[Matrix]:
         slave, zero = motion(base, True), exact(0)
         C_b2m = finite_rotation(-parts["dmu"]) * finite_rotation(parts["mounting"])
         C, omega_ib, omega_in = slave.attitude(zero), slave.omega_ib_b(zero), slave.omega_in_n(zero)
-        spin = slave.level(slave.slave(zero)).T * vector(0, 0, ellipsoid.SPIN)
+        spin = slave.level_at(slave.slave, zero).T * vector(0, 0, ellipsoid.SPIN)
 
         def expected(x) -> tuple[Matrix, Matrix]:
             """Velocity and attitude of the master once these errors are taken out."""
@@ -310,7 +323,7 @@ def _world(base: Base) -> dict:
         C, v_k, v_old = slave.attitude(zero), slave.velocity(slave.slave, zero), slave.velocity(slave.slave, -delay)
         C_old, C_rate, u_old = slave.attitude(-delay), after(slave.attitude, zero), -slave.lever_rate(-delay)
         omega_in_n, omega_ib_b = slave.omega_in_n(zero), slave.omega_ib_b(zero)
-        C_n2e, C_n2e_master = slave.level(slave.slave(zero)), slave.level(slave.master(zero))
+        C_n2e, C_n2e_master = slave.level_at(slave.slave, zero), slave.level_at(slave.master, zero)
         e = rotation_vector(C * C_M2S * C_M2n.T)
         height, frequency, time = base.wave
         # A point on a wheel as high as the wave, which turns `frequency` times a second and rises at the start.
@@ -352,7 +365,7 @@ def _world(base: Base) -> dict:
             "C_S2e": slave.body(zero),
             "Ċ_S2e": after(slave.body, zero),
             "C_e2n": C_n2e.T,
-            "Ċ_e2n": after(lambda t: slave.level(slave.slave(t)).T, zero),
+            "Ċ_e2n": after(lambda t: slave.level_at(slave.slave, t).T, zero),
             "ΔC_e2n": (C_n2e_master - C_n2e).T,
             "C_M2S": C_M2S,
             "C_M2n": C_M2n,
