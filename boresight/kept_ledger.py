@@ -8,7 +8,7 @@ import json
 import os
 import sys
 import tomllib
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from importlib.metadata import version
 from pathlib import Path
@@ -29,16 +29,20 @@ def compute(paper: str, progress: Progress = lambda done, total, text: None) -> 
     from boresight.codegen.generate import load_model
     from boresight.derive import papers
     from boresight.derive.ledger.entries import findings, ledger, unheld
-    from boresight.derive.ledger.lines import standing
 
     one = papers.paper(paper, load_model)
+    rows = rows_of(one, one.equations, ledger(one, progress))
+    return {**rows, "findings": list(findings(one)), "unheld": list(unheld(one)), "labels": dict(one.labels)}
+
+
+def rows_of(one: Any, equations: Iterable[Any], entries: Iterable[Any]) -> dict[str, Any]:
+    """Of equations of a paper their rows, and what `compute` says of these."""
+    from boresight.derive.ledger.lines import standing
+
     return {
-        "entries": [entry.to_dict() for entry in ledger(one, progress)],
-        "findings": list(findings(one)),
-        "unheld": list(unheld(one)),
+        "entries": [entry.to_dict() for entry in entries],
         "conditions": [one.conditions.text, one.point.text],
-        "refused": [equation.number for equation in one.equations if standing(one, equation).refused],
-        "labels": dict(one.labels),
+        "refused": [equation.number for equation in equations if standing(one, equation).refused],
     }
 
 
@@ -70,16 +74,12 @@ def one_row(paper: str, number: str, check: Callable[[str, list[str]], object]) 
     from boresight.codegen.generate import load_model
     from boresight.derive import papers
     from boresight.derive.ledger.entries import entry_of
-    from boresight.derive.ledger.lines import standing
 
     one = papers.paper(paper, load_model)
     number = one.labels.get(number, number)
     check(number, list(one.numbers))
-    return {
-        "entries": [entry_of(one, one.equation(number)).to_dict()],
-        "conditions": [one.conditions.text, one.point.text],
-        "refused": [number] * bool(standing(one, one.equation(number)).refused),
-    }
+    chosen = one.equation(number)
+    return rows_of(one, [chosen], [entry_of(one, chosen)])
 
 
 def page(paper: str, number: str | None, form: str, width: int) -> str:

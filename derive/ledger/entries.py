@@ -10,7 +10,7 @@ What is decided by hand is said with each status, and whether it survives each d
 """
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass
 from functools import cache
 from itertools import zip_longest
@@ -41,8 +41,8 @@ from boresight.derive.ledger.judge import (
 )
 from boresight.derive.ledger.latex import latex_relations
 from boresight.derive.ledger.lines import count_steps, fallen_definitions, standing, without_steps
-from boresight.derive.ledger.mends import contradicted, definition_mends, may_be_to_blame, mends, rivals, users
-from boresight.derive.ledger.numbers import Matrix, digits, middle
+from boresight.derive.ledger.mends import Mend, contradicted, definition_mends, may_be_to_blame, mends, rivals, users
+from boresight.derive.ledger.numbers import digits, entries, middle, middles
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.text import text_relation
 from boresight.derive.units import ONE
@@ -169,7 +169,7 @@ def _entry(paper: Paper, equation: Equation) -> Entry:
         if kind == "letter":
             found = f"It prints {', '.join(letters)}."
         else:
-            why = f"{verdict.why[:1].upper()}{verdict.why[1:]}."
+            why = f"{_capital(verdict.why)}."
             found = why if verdict.empty or not equation.note else re.split(r"(?<=\.) ", equation.note)[0]
         found += f" True with one edit: {edits[0].what}." if edits else ""
     else:
@@ -183,7 +183,7 @@ def _stands(paper: Paper, equation: Equation, status: str) -> tuple[str, str]:
     """The evidence for an equation that is no erratum, and what was found in a sentence."""
     evidence, found = _agrees(paper, equation, status)
     if left_out := _neglected(paper, equation):
-        return f"{evidence}; {left_out}", f"{found} {left_out[:1].upper()}{left_out[1:]}."
+        return f"{evidence}; {left_out}", f"{found} {_capital(left_out)}."
     return evidence, found
 
 
@@ -235,46 +235,56 @@ def _made(
 def _underived(paper: Paper, equation: Equation) -> Entry:
     """The line of an equation of which nothing is derived: the witness alone says whether it is true, and what single
     edits of a misprint are.  A definition may be to blame for what fails with it."""
-    verdict = judge(paper, equation, equation.read())
-    refused = f"Its derivation is refused: {equation.refused}. By the witness alone: " if equation.refused else ""
     failing = contradicted(paper, equation)
-    edits = definition_mends(paper, equation)
+    if edits := definition_mends(paper, equation):
+        return _misprinted(paper, equation, Verdict("refuted", f"with it {_fails(failing)}"), edits, failing)
     if failing and any(definition_mends(paper, other) for other in rivals(paper, equation)):
         failing = ()  # another one is to blame
-    if verdict.status != "refuted" and not edits:
+    verdict = judge(paper, equation, equation.read())
+    if verdict.status != "refuted":
         evidence, found = _stands(paper, equation, verdict.status)
         if failing:
             suspects = " or ".join(one.label for one in (equation, *rivals(paper, equation), *failing))
             evidence = f"with it {_fails(failing)}: {suspects} is wrong"
             for one in may_be_to_blame(paper, equation)[:1]:
                 evidence += f"; with one edit of this one it would hold: {one.what}"
-            found = f"{evidence[:1].upper()}{evidence[1:]}."
-        found = refused + found
-        status = (verdict.status, "", "")
-        return _made(paper, equation, verdict, status, (found, evidence, equation.note), equation.derived)
-    mended = _with_mended(paper, equation)
-    if verdict.status == "refuted" and mended:
+            found = f"{_capital(evidence)}."
+        return _alone(paper, equation, verdict, (evidence, _refused(equation) + found))
+    if mended := _with_mended(paper, equation):
         verdict, label = mended
         evidence, found = (f"with {label} as it is mended {text[:1].lower()}{text[1:]}"
                            for text in _stands(paper, equation, verdict.status))  # fmt: skip
-        status = (verdict.status, "", "")
-        found = f"{found[:1].upper()}{found[1:]}"
-        return _made(paper, equation, verdict, status, (found, evidence, equation.note), equation.derived)
-    if edits:
-        verdict = Verdict("refuted", f"with it {_fails(failing)}")
-    edits = edits or mends(paper, equation)
+        return _alone(paper, equation, verdict, (evidence, _capital(found)))
+    return _misprinted(paper, equation, verdict, mends(paper, equation), failing)
+
+
+def _alone(paper: Paper, equation: Equation, verdict: Verdict, text: tuple[str, str]) -> Entry:
+    """Of what is true by the witness alone; text: evidence, found."""
+    evidence, found = text
+    return _made(paper, equation, verdict, (verdict.status, "", ""), (found, evidence, equation.note), equation.derived)
+
+
+def _misprinted(
+    paper: Paper, equation: Equation, verdict: Verdict, edits: Sequence[Mend], failing: tuple[Equation, ...]
+) -> Entry:
     kinds = {slip.kind for slip in differences(equation.read(), edits[0].relations)} if edits else set()
     kind = "unknown" if not edits else kinds.pop() if len(kinds) == 1 else "structure"
     off = "" if edits else _off(paper, equation)
     if blamed := rivals(paper, equation) if not edits and not equation.defines else ():
         off = f" One edit of {' or of '.join(one.label for one in blamed)} would."
     edit = f"True with one edit: {edits[0].what}." if edits else f"No single edit makes it true.{off}"
-    found = f"{refused}{verdict.why[:1].upper()}{verdict.why[1:]}. {edit}"
-    evidence = f"{verdict.why}; {_true_and_printed(paper, equation)}" if not failing else verdict.why
-    status = ("erratum", kind, "")
-    return _made(
-        paper, equation, verdict, status, (found, evidence, equation.note), edits[0].relations if edits else ()
-    )
+    found = f"{_refused(equation)}{_capital(verdict.why)}. {edit}"
+    evidence = verdict.why if failing else f"{verdict.why}; {_true_and_printed(paper, equation)}"
+    text = found, evidence, equation.note
+    return _made(paper, equation, verdict, ("erratum", kind, ""), text, edits[0].relations if edits else ())
+
+
+def _refused(equation: Equation) -> str:
+    return f"Its derivation is refused: {equation.refused}. By the witness alone: " if equation.refused else ""
+
+
+def _capital(text: str) -> str:
+    return f"{text[:1].upper()}{text[1:]}"
 
 
 def _fails(equations: tuple[Equation, ...]) -> str:
@@ -317,8 +327,7 @@ def _true_and_printed(paper: Paper, equation: Equation) -> str:
         values = []
         for side in relation.sides:
             try:
-                value = evaluate(side, point)
-                values.append([middle(entry) for entry in (value if isinstance(value, Matrix) else [value])])
+                values.append(middles(evaluate(side, point)))
             except (ValueError, KeyError, ZeroDivisionError):
                 values.append([])
         count = len(values[0])
@@ -367,12 +376,8 @@ def _neglected(paper: Paper, equation: Equation) -> str:
     if equation.neglected is None:
         return ""
     term: Any = equation.neglected
-
-    def entries(_: Relation, point: Point) -> list:
-        value = evaluate(term, point)
-        return list(value) if isinstance(value, Matrix) else [value]
-
-    size = _at_most(paper, equation, (Relation((equation.printed[0].sides[0], term)),), entries)
+    form = (Relation((equation.printed[0].sides[0], term)),)
+    size = _at_most(paper, equation, form, lambda _, point: entries(evaluate(term, point)))
     needless = judge_with(paper, equation, (), equation.printed).status != "refuted"
     text = text_relation(Relation((term,)), equation.alphabet, 1000)
     return f"it neglects {text}, {size}" + ", and holds without it" * needless
@@ -431,21 +436,20 @@ def numbers_of(paper: Paper, equation: Equation) -> list[Numbers]:
     """The numbers of every side that is misprinted, at the paper's stated point."""
     point, rows, result = Point(paper.witness.values(paper.point.at, paper.definitions)), 0, []
 
-    def entries(side, factor: Any = 1) -> tuple[mp.mpf, ...]:
-        value = evaluate(side, point)
-        return tuple(middle(entry) * factor for entry in (value if isinstance(value, Matrix) else [value]))
+    def values(side, factor: Any = 1) -> tuple[mp.mpf, ...]:
+        return tuple(entry * factor for entry in middles(evaluate(side, point)))
 
     for printed, derived in zip(equation.read(), equation.derived, strict=False):
-        true = entries(derived.sides[0])
+        true = values(derived.sides[0])
         unit = dict.fromkeys(units_of(paper, equation, derived.sides[0], len(true), rows))
         factor, name = in_words(*unit) if len(unit) == 1 else (mp.mpf(1), "SI, by entry")
         true, rows = tuple(entry * factor for entry in true), rows + len(true)
         what = str(derived.sides[0]) if derived.sides[0].is_Symbol else ""
         last = printed.sides[-1]
         for ours, theirs in dict.fromkeys(zip_longest(derived.sides, printed.sides, fillvalue=last)):
-            right = entries(ours, factor)
+            right = values(ours, factor)
             try:
-                wrong = entries(theirs, factor)
+                wrong = values(theirs, factor)
             except (ValueError, KeyError):
                 wrong = ()
             if len(wrong) != len(right):

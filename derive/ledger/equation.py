@@ -316,11 +316,6 @@ def is_explicit(expression) -> bool:
     return isinstance(expression, MatrixBase | MatMul | MatAdd)
 
 
-def holds_matrix(expr) -> bool:
-    """Whether an explicit matrix is among the factors of a product."""
-    return any(isinstance(factor, MatrixBase) for factor in expr.args)
-
-
 def terms(relation: Relation) -> Iterator[tuple[str, object]]:
     """The terms of a chain in order, each with what stands before it: =, +, - or, at the start, nothing."""
     for i, side in enumerate(relation.sides):

@@ -37,7 +37,7 @@ from sympy.matrices import MatrixBase
 
 from boresight.derive.constant import Constant
 from boresight.derive.ledger import numbers
-from boresight.derive.ledger.numbers import Matrix, zeros
+from boresight.derive.ledger.numbers import Matrix, entries, zeros
 from boresight.derive.ledger.rates import RATE, rate_of
 from boresight.derive.ledger.witness import hamilton, skew, vector
 from boresight.derive.named import Named
@@ -181,15 +181,15 @@ def assembled(rows) -> Matrix:
     if not any(isinstance(entry, Matrix) for row in rows for entry in row):
         return Matrix(rows)
 
-    def extent(entries, axis: int) -> int:
-        sizes = {(_shape(entry) or (1, 1))[axis] for entry in entries if _shape(entry) or entry != 0} or {1}
+    def extent(line, axis: int) -> int:
+        sizes = {(_shape(entry) or (1, 1))[axis] for entry in line if _shape(entry) or entry != 0} or {1}
         if len(sizes) > 1:
             what = ("rows stand side by side", "columns stand over one another")[axis]
             raise ValueError(f"blocks of {' and '.join(map(str, sorted(sizes)))} {what}")
         return sizes.pop()
 
     heights = [extent(row, 0) for row in rows]
-    widths = [extent(entries, 1) for entries in zip(*rows, strict=True)]
+    widths = [extent(column, 1) for column in zip(*rows, strict=True)]
     result, top = zeros(sum(heights), sum(widths)), 0
     for row, height in zip(rows, heights, strict=True):
         left = 0
@@ -255,7 +255,7 @@ def residual(sides, point: Point) -> list:
             raise ValueError(f"shapes {_shape(a)} and {_shape(b)} are set equal")
         else:
             difference = a - b
-        result += list(difference) if isinstance(difference, Matrix) else [difference]
+        result += entries(difference)
     return result
 
 

@@ -29,7 +29,7 @@ from boresight.derive.dimensions import Mismatch
 from boresight.derive.ledger.equation import Claim, Equation, Quantity, Relation
 from boresight.derive.ledger.evaluate import DIGITS, Point, evaluate
 from boresight.derive.ledger.judge import EXACT, FULL, SCALES, SEEDS, witness_point
-from boresight.derive.ledger.numbers import Matrix, digits, eye, largest
+from boresight.derive.ledger.numbers import digits, entries, eye, largest
 from boresight.derive.ledger.paper import Paper
 
 FRAME = r"[A-Za-z]'?|ENU|NED"
@@ -671,7 +671,7 @@ def words(rate: Iterable[tuple[str, int]]) -> str:
 
 
 def size(value: Any) -> Any:
-    return largest(value if isinstance(value, Matrix) else [value])
+    return largest(entries(value))
 
 
 def claimed(claim: Claim | None) -> float:

@@ -12,7 +12,7 @@ from sympy.core.function import AppliedUndef
 
 from boresight.derive.ledger.equation import Equation, Relation
 from boresight.derive.ledger.evaluate import Point, evaluate, residual
-from boresight.derive.ledger.numbers import Matrix, largest, middle, near
+from boresight.derive.ledger.numbers import entries, largest, middle, middles, near
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.rates import RATE, rate_of
 from boresight.derive.ledger.reader import SUM, SUM_OVER, read
@@ -160,10 +160,9 @@ def _changes(relation: Relation, at: Sequence[Point], constant: bool) -> list[bo
     does not fall, if that is asked for."""
     values: list[Any] = [evaluate(relation.sides[-1], point) for point in at]
     columns = getattr(values[0], "cols", 1)
-    entries = [[middle(entry) for entry in (v if isinstance(v, Matrix) else [v])] for v in values]
     found = [
         abs(b - c) > abs(a - b) * SLACK / 4 or (constant and abs(c) > abs(b) * SLACK / 2)
-        for a, b, c in zip(*entries, strict=True)
+        for a, b, c in zip(*map(middles, values), strict=True)
     ]
     return [any(found[i : i + columns]) for i in range(0, len(found), columns)]
 
@@ -227,7 +226,7 @@ def shares(paper: Paper, equation: Equation) -> list[mp.mpf]:
         for relation in equation.read():
             last, less = (evaluate(relation.sides[-1], at) for at in (whole, half))
             left, columns = residual(relation.sides[-2:], whole), getattr(last, "cols", 1)
-            one, other = ([middle(e) for e in (v if isinstance(v, Matrix) else [v])] for v in (last, less))
+            one, other = map(middles, (last, less))
             one, other = (v * len(left) if len(v) < len(left) else v for v in (one, other))  # a lone 0
             for row in range(0, len(left), columns):
                 at = slice(row, row + columns)
@@ -247,7 +246,7 @@ def differs(a, b) -> bool:
     if a is b:
         return False
     difference = a - b
-    return largest(difference if isinstance(difference, Matrix) else [difference]) > EXACT
+    return largest(entries(difference)) > EXACT
 
 
 def names(relations: Iterable[Relation]) -> set[str]:

@@ -9,7 +9,6 @@ from dataclasses import dataclass, fields, replace
 from functools import cache
 from itertools import pairwise
 from types import MappingProxyType
-from typing import Any
 
 import mpmath as mp
 
@@ -29,7 +28,7 @@ from boresight.derive.ledger.judge import (
     paper_points,
     witness_point,
 )
-from boresight.derive.ledger.numbers import Matrix, digits, largest, middle
+from boresight.derive.ledger.numbers import digits, largest, middles
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.passages import judge_passage
 from boresight.derive.ledger.reader import read
@@ -191,8 +190,7 @@ def _falls(relation: Relation, point, power: int) -> LineVerdict:
 
 
 def _entries(side, point: Point) -> list:
-    value: Any = evaluate(side, point)
-    return [middle(entry) for entry in (value if isinstance(value, Matrix) else [value])]
+    return middles(evaluate(side, point))
 
 
 def _moves(values: tuple, most) -> bool:

@@ -47,10 +47,10 @@ class Matrix:
 
     def __setitem__(self, at: tuple, block: Any) -> None:
         rows, columns = _indices(at[0], self.rows), _indices(at[1], self.cols)
-        entries = iter(block if isinstance(block, Matrix) else [block])
+        parts = iter(entries(block))
         for i in rows:
             for j in columns:
-                self.balls[i, j] = next(entries)
+                self.balls[i, j] = next(parts)
 
     def __iter__(self) -> Iterator[Any]:
         return iter(self.balls.entries())
@@ -188,6 +188,16 @@ def middle(value: Any) -> mp.mpf:
 def near(value: Any) -> float:
     """The middle of a ball as a float.  Raises as `middle` does."""
     return float(_judged(value))
+
+
+def entries(value: Any) -> list:
+    """Of a matrix row by row; a number is its own."""
+    return list(value) if isinstance(value, Matrix) else [value]
+
+
+def middles(value: Any) -> list[mp.mpf]:
+    """Of each entry.  Raises as `middle` does."""
+    return [middle(entry) for entry in entries(value)]
 
 
 def magnitude(value: Any) -> arb:

@@ -19,7 +19,7 @@ from boresight.derive.ledger.equation import Equation, Passage, Relation
 from boresight.derive.ledger.evaluate import OPERATORS, Point, evaluate, multiplied, power, residual, solve
 from boresight.derive.ledger.free import free_point
 from boresight.derive.ledger.judge import LineVerdict
-from boresight.derive.ledger.numbers import Matrix, digits, exact, eye, magnitude, sqrt, zeros
+from boresight.derive.ledger.numbers import Matrix, digits, entries, exact, eye, magnitude, sqrt, zeros
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.reader import read
 from boresight.derive.ledger.witness import quaternion, rotation_vector
@@ -161,7 +161,7 @@ def _leads(paper: Paper, passage: Passage, before: Relation, after: Relation, re
             return LineVerdict(False, f"solve: {letter} is no side of the line")
         if _depends(paper, Relation(tuple(s for s in after.sides if s != letter)), letter, point):
             return LineVerdict(False, f"solve: {letter} is on both sides")
-        values = [_entries(evaluate(side, point)) for side in after.sides]
+        values = [entries(evaluate(side, point)) for side in after.sides]
         return _said(all(_same(a, b) for a, b in pairwise(values)), passage.operation)
     if before.sides == after.sides:
         return LineVerdict(False, f"{passage.operation}: the line before says the same")
@@ -182,12 +182,12 @@ def _gradient(paper: Paper, passage: Passage, before: Relation, point: Point) ->
     if not isinstance(before.sides[0], Symbol):
         raise ValueError(f"{before.sides[0]} is no letter of a rate")
     if not passage.letters:
-        return _entries(evaluate(before.sides[-1], point))
+        return entries(evaluate(before.sides[-1], point))
     (direction,) = _symbols(paper, passage.letters)
     (size,) = paper.letter(direction.name).shape
     units = [Matrix([int(i == j) for j in range(size)]) for i in range(size)]
     rates = (evaluate(before.sides[-1], point.changed({direction.name: unit})) for unit in units)
-    return [entry for rate in rates for entry in _entries(rate)]
+    return [entry for rate in rates for entry in entries(rate)]
 
 
 def _factor(a: list, b: list):
@@ -208,8 +208,8 @@ def _substituted(
 
 def _follows(values: list, after: Relation, point: Point, operation: str) -> LineVerdict:
     """Whether each side of the line after is one of the values, and not all of them are the same one."""
-    sides = [_entries(value) for value in values]
-    targets = [_entries(evaluate(side, point)) for side in after.sides]
+    sides = [entries(value) for value in values]
+    targets = [entries(evaluate(side, point)) for side in after.sides]
     if operation == "take the quaternion":
         targets = [[-part for part in target] if target[0] < 0 else target for target in targets]
     places = [next((i for i, side in enumerate(sides) if _same(side, target)), None) for target in targets]
@@ -240,7 +240,7 @@ def _carried(paper: Paper, passage: Passage, before: Relation, relation_of, poin
         return [a + b * sign for a, b in zip((values[0], values[-1]), (other[0], other[-1]), strict=True)]
     if name == "stack":
         rows = [before, *(relation_of(row) for row in passage.using)]
-        return [Matrix([e for row in rows for e in _entries(evaluate(row.sides[i], point))]) for i in (0, -1)]
+        return [Matrix([e for row in rows for e in entries(evaluate(row.sides[i], point))]) for i in (0, -1)]
     if name == "identify":
         (letter,) = (symbol.name for symbol in _symbols(paper, passage.letters))
         return [_jacobian(side, letter, point) for side in before.sides]
@@ -293,7 +293,7 @@ def _jacobian(side, letter: str, point: Point) -> Matrix:
     for i in range(at.rows):
         unit = at * 0
         unit[i, 0] = STEP
-        up, down = (_entries(evaluate(side, point.changed({letter: at + unit * sign}))) for sign in (1, -1))
+        up, down = (entries(evaluate(side, point.changed({letter: at + unit * sign}))) for sign in (1, -1))
         columns.append([(a - b) / (2 * STEP) for a, b in zip(up, down, strict=True)])
     return Matrix([list(row) for row in zip(*columns, strict=True)])
 
@@ -370,12 +370,12 @@ def _chained(lines: list[Relation], after: Relation, point: Point) -> LineVerdic
     """Sides of one value at free letters are one; each line ties its sides together."""
     groups: list[list] = []
     for relation in lines:
-        sides = [_entries(evaluate(side, point)) for side in relation.sides]
+        sides = [entries(evaluate(side, point)) for side in relation.sides]
         meeting = [group for group in groups if any(_same(a, b) for a in group for b in sides)]
         groups = [group for group in groups if group not in meeting] + [
             [one for group in meeting for one in group] + sides
         ]
-    targets = [_entries(evaluate(side, point)) for side in after.sides]
+    targets = [entries(evaluate(side, point)) for side in after.sides]
     holds = any(all(any(_same(a, b) for b in group) for a in targets) for group in groups)
     trivial = all(_same(a, b) for a, b in pairwise(targets))
     return LineVerdict(
@@ -393,10 +393,6 @@ def _depends(paper: Paper, relation: Relation, letter: Symbol, point: Point) -> 
 
 def _difference(relation: Relation, point: Point) -> list:
     return residual((relation.sides[0], relation.sides[-1]), point)
-
-
-def _entries(value) -> list:
-    return list(value) if isinstance(value, Matrix) else [value]
 
 
 def _same(a: Sequence, b: Sequence) -> bool:

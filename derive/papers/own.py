@@ -21,7 +21,7 @@ from boresight.derive.ledger.frames import NONE, SAME, TURN, UPPER
 from boresight.derive.ledger.frames import plain as plain_frames
 from boresight.derive.ledger.judge import differs, names
 from boresight.derive.ledger.lines import sound
-from boresight.derive.ledger.numbers import Matrix, digits
+from boresight.derive.ledger.numbers import Matrix, digits, entries
 from boresight.derive.ledger.paper import Paper, Stated, Witness
 from boresight.derive.ledger.reader import UnreadError, plain, read
 from boresight.derive.ledger.witness import draw, scaled
@@ -262,7 +262,7 @@ class Folder(Source):
             value = at.letter(symbol)
         except (ValueError, TypeError, IndexError, ZeroDivisionError, KeyError) as error:
             self.refuse(f"the value of {name} has no meaning: {error}", "letters", name, "value")
-        if not all(arb(entry).is_finite() for entry in (value if isinstance(value, Matrix) else [value])):
+        if not all(arb(entry).is_finite() for entry in entries(value)):
             self.refuse(f"the value of {name} is not finite", "letters", name, "value")
         if not isinstance(value, Matrix):
             return ()
