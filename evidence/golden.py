@@ -56,9 +56,9 @@ def golden(folder: Folder, out: Path, names: Collection[str] | None = None) -> d
     for precision in PRECISIONS:
         here = run_on_host(build(folder, GCC, precision, out), found)
         note(found, f"x86-64 {precision}", here, here)
-        for unit in folder.chosen(names):
-            if flies(unit.test):
-                found[unit.name].setdefault("flown", {})[precision] = from_words(here[unit.name].outputs[-1])
+        for one in folder.chosen(names):
+            if flies(one.test):
+                found[one.name].setdefault("flown", {})[precision] = from_words(here[one.name].outputs[-1])
         note(found, f"{CLANG.name} {precision}", run_on_host(build(folder, CLANG, precision, out), found), here)
         for core in CORES:
             made = build(folder, core, precision, out)
