@@ -82,26 +82,25 @@ def of_finding(rule: str, line: str) -> Deviation | None:
     return next((one for one in DEVIATIONS if one.rule == rule and re.search(one.words, words)), None)
 
 
-def split(of: dict[str, Any]) -> tuple[Counter[Deviation], Counter[str]]:
-    """How often a unit deviates, by deviation; and how often it breaks each other rule.
-
-    of: its result, as `evidence.misra` gives it.
-    """
-    deviated, broken = Counter[Deviation](), Counter[str]()
-    for rule, found in of["rules"].items():
-        if rule in EVERYWHERE:
-            deviated[EVERYWHERE[rule]] += found
-            continue
-        for line in found:
-            one = of_finding(rule, line)
-            if one is None:
-                broken[rule] += 1
-            else:
-                deviated[one] += 1
-    return deviated, broken
+def broken(of: dict[str, Any]) -> list[str]:
+    """Rules that a unit breaks without a reason, and how often; of: its result, as `evidence.misra` gives it."""
+    found = Counter(rule for rule, lines in by_lines(of) for line in lines if of_finding(rule, line) is None)
+    return [f"{rule} x{count}" for rule, count in sorted(found.items())]
 
 
-def of_folder(units: Iterable[dict[str, Any]]) -> list[tuple[Deviation, int]]:
-    """Each that these units make use of, in the order of DEVIATIONS, and how often."""
-    used = sum((split(of)[0] for of in units), Counter[Deviation]())
-    return [(one, used[one]) for one in DEVIATIONS if used[one]]
+def of_folder(units: Iterable[dict[str, Any]]) -> list[tuple[Deviation, int, str]]:
+    """Each that these units make use of, in the order of DEVIATIONS, how often, and one of its lines."""
+    used = Counter[Deviation]()
+    example: dict[Deviation, str] = {}
+    for of in units:
+        used.update({EVERYWHERE[rule]: count for rule, count in of["rules"].items() if rule in EVERYWHERE})
+        for rule, lines in by_lines(of):
+            for line in lines:
+                if one := of_finding(rule, line):
+                    used[one] += 1
+                    example.setdefault(one, line)
+    return [(one, used[one], example.get(one, "")) for one in DEVIATIONS if used[one]]
+
+
+def by_lines(of: dict[str, Any]) -> list[tuple[str, list[str]]]:
+    return [(rule, lines) for rule, lines in of["rules"].items() if rule not in EVERYWHERE]

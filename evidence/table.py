@@ -78,8 +78,8 @@ def deviated() -> str:
     """Where the C breaks a rule of MISRA C:2012 on purpose, with the reason."""
     units = (of for folder in folders() for of in results.read(folder).get("misra", {}).get("units", {}).values())
     rows: list[tuple[str, ...]] = [
-        (one.rule, str(count), f"`{one.words.replace('|', BAR)}`" if one.words else "all", one.reason)
-        for one, count in deviations.of_folder(units)
+        (one.rule, str(count), f"`{line.replace('|', BAR)}`" if line else "all", one.reason)
+        for one, count, line in deviations.of_folder(units)
     ]
     return section("MISRA: deviated", ("rule", "times", "in lines like", "reason"), rows)
 

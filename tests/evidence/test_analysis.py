@@ -5,7 +5,7 @@ from committed import NAMES, SMALL, committed, folder_of, spoilt
 from tools import needs
 
 from boresight import BoresightError
-from boresight.codegen import deviations, proof
+from boresight.codegen import deviations
 from boresight.evidence import eva, misra, trace
 from boresight.evidence.table import PAGE, page
 
@@ -66,7 +66,7 @@ def test_misra_is_broken_only_where_there_is_a_reason(name):
     results = committed(name, "misra")
     loops = {unit for unit in results if unit == "include" or unit.endswith(("_covariance", "_filter", "_live"))}
     assert len(deviations.EVERYWHERE) <= 5
-    assert not {unit: proof.beyond(of) for unit, of in results.items() if proof.beyond(of)}
+    assert not {unit: wrong for unit, of in results.items() if (wrong := deviations.broken(of))}
     assert all(set(of["rules"]) <= set(deviations.EVERYWHERE) for unit, of in results.items() if unit not in loops)
 
 
@@ -83,7 +83,7 @@ def test_misra_is_broken_only_where_there_is_a_reason(name):
 def test_a_reason_covers_no_other_line(rule, right, wrong):
     assert deviations.of_finding(rule, right)
     assert not deviations.of_finding(rule, wrong)
-    assert proof.beyond({"rules": {rule: [right, wrong], "15.5": 3}}) == [f"{rule} x1"]
+    assert deviations.broken({"rules": {rule: [right, wrong], "15.5": 3}}) == [f"{rule} x1"]
 
 
 @needs("cppcheck")
