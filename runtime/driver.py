@@ -19,6 +19,7 @@ from boresight.runtime.transfer.start import Increments, Message, first, straigh
 
 LEAST_MESSAGES = 3  # that the first seconds are looked at by
 KEPT_S = 2.0  # of the slave's increments, for the first message
+MOST = 60_000  # samples, and messages, that are kept until they are looked at, and those of twice check_s
 
 
 class Driver:
@@ -161,10 +162,11 @@ class Driver:
             )
             return int(taken)
         self._past.append((end - dt, end, dtheta, dv))
+        most, kept_s = (0, KEPT_S) if self._checked else (MOST, 2 * self.check_s)
+        while len(self._past) > most and end - self._past[0][0] > kept_s:
+            self._past.popleft()
         if not self._checked and end - self._past[0][0] >= self.check_s and len(self._messages) >= LEAST_MESSAGES:
             self._check()
-        while self._checked and end - self._past[0][0] > KEPT_S:
-            self._past.popleft()
         return 0
 
     def message(
@@ -216,6 +218,7 @@ class Driver:
             made = Message(float(time_s), R, v_m_n=np.asarray(v_m_n, float), q_m2n_wxyz=q, position=position)
             if not self._checked:
                 self._messages.append(made)
+                del self._messages[:-MOST]
             elif position is not None and self._reaches(made):
                 self._begin(made)
             return Fate.NOT_READY

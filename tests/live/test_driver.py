@@ -9,6 +9,7 @@ import pytest
 from conftest import ROOT
 from simulator import standard, turn_between
 
+import boresight.runtime.driver
 from boresight import BoresightError, Driver
 
 
@@ -61,6 +62,14 @@ def test_what_is_right_flies_and_knows_how_well(turning):
 def test_first_seconds_that_do_not_fit_the_master_are_named(turning, spoilt, named):
     with pytest.raises(BoresightError, match=named):
         through(turning, **spoilt)
+
+
+def test_a_slave_that_waits_long_for_its_master_keeps_a_bounded_past(monkeypatch):
+    monkeypatch.setattr(boresight.runtime.driver, "MOST", 100)
+    waiting = Driver("velocity-attitude", velocity_sigma=1, attitude_sigma=1, sigmas={}, check_s=1.0)
+    for k in range(1, 1001):
+        waiting.sample(0.01 * k, np.zeros(3), [0, 0, -0.098])
+        assert len(waiting._past) <= 202
 
 
 def test_sigmas_are_no_variances_and_are_above_zero(turning):
