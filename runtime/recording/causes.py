@@ -34,8 +34,8 @@ def of_track(master: Master) -> str:
     track, speed = moved[:, 0] + 1j * moved[:, 1], v[:, 0] + 1j * v[:, 1]
     factor = np.vdot(track, speed) / max(np.vdot(track, track).real, 1e-300)
     rest = float(np.sum(np.abs(speed - factor * track) ** 2) / max(np.sum(np.abs(speed) ** 2), 1e-300))
-    angle = float(np.degrees(np.angle(factor)))
-    if rest > FITS / 2 or abs(angle) < 4 or abs(abs(factor) - 1) > 0.05:
+    angle, unsure = float(np.degrees(np.angle(factor))), float(np.degrees(np.sqrt(rest / max(len(track) - 1, 1))))
+    if rest > FITS / 2 or abs(angle) < max(4, 5 * unsure) or abs(abs(factor) - 1) > 0.05:
         return ""
     return f"the velocity is turned by {angle:.1f} deg against the track of the position: grid or magnetic north"
 

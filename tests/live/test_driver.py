@@ -40,6 +40,11 @@ def turning():
     return standard("s-turns", runs=1, seconds=9.0)
 
 
+@pytest.mark.parametrize("check_s", [0.5, 2.0])
+def test_what_is_right_flies_however_short_it_is_looked_at(turning, check_s):
+    assert through(turning, check_s=check_s).flying
+
+
 def test_what_is_right_flies_and_knows_how_well(turning):
     driver, last = through(turning), len(turning.end) - 1
     nav = driver.output(1e-6 * int(turning.end_us[last]))
