@@ -65,6 +65,12 @@ def inmost(declared: Any) -> tuple[Any, int, tuple[str, ...]]:
     return inner, depth, tuple(getattr(getattr(inner, "type", None), "names", ()))
 
 
+def name_of(node: Any) -> str:
+    """That of a variable or a field; none of anything else."""
+    last = node.field if isinstance(node, c_ast.StructRef) else node
+    return str(last.name) if isinstance(last, c_ast.ID) else ""
+
+
 class Types(c_ast.NodeVisitor):
     """Names that hold, point to, or return real numbers, each with its depth: how often it must be indexed to be one
     (0 for a number and for a function that returns one); and the functions that those of the unit's own files call,
@@ -72,6 +78,7 @@ class Types(c_ast.NodeVisitor):
 
     def __init__(self, tree: Any):
         self.real: dict[str, int] = dict.fromkeys(LIBRARY, 0)
+        self.pointers: set[str] = set()  # and arrays: names, also of fields
         self.calls: dict[str, set[str]] = {}
         self.takes: dict[str, list[tuple[Any, ...]]] = {}  # the types of a function's parameters, and how deep
         self.function = ""
@@ -90,6 +97,8 @@ class Types(c_ast.NodeVisitor):
     def visit_Decl(self, node: Any) -> None:
         if isinstance(node.type, c_ast.FuncDecl) and node.type.args is not None:
             self.takes[node.name] = [inmost(p.type)[1:] for p in node.type.args.params]
+        if isinstance(node.type, (c_ast.PtrDecl, c_ast.ArrayDecl)):
+            self.pointers.add(node.name)
         inner, depth, _ = inmost(node.type)
         if set(getattr(getattr(inner, "type", None), "names", ())) & REAL:
             self.real[node.name] = depth
@@ -189,7 +198,8 @@ class Mutator(c_generator.CGenerator):
         pointer = isinstance(n.right, c_ast.Constant) and n.op in ("==", "!=")
         real = self.types.is_real(n.left) or self.types.is_real(n.right)
         swaps = SWAPS if not self.loops else SWAPS | BITS
-        if n.op not in swaps or self.fixed or not (real or pointer or self.loops):
+        apart = n.op == "-" and all(name_of(side) in self.types.pointers for side in (n.left, n.right))
+        if n.op not in swaps or self.fixed or apart or not (real or pointer or self.loops):
             return plain
         a, b = f"a{len(self.candidates)}", f"b{len(self.candidates)}"
         chosen = self.choice(n, f"{n.op} to {swaps[n.op]}", f"{a} {n.op} {b}", f"{a} {swaps[n.op]} {b}")
