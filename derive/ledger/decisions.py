@@ -29,7 +29,7 @@ from boresight.derive.ledger.judge import (
 )
 from boresight.derive.ledger.paper import Paper
 from boresight.derive.ledger.reader import plain, read
-from boresight.derive.ledger.text import text_relation
+from boresight.derive.ledger.text import on_one_line, text_relation
 
 NOTHING = "Nothing."
 
@@ -192,7 +192,7 @@ def _taken(paper: Paper, equation: Equation, verdict: Verdict, needed: tuple[str
     for convention in equation.conventions:
         yield f"{convention}."
     if equation.neglected is not None:
-        yield f"It neglects {text_relation(Relation((equation.neglected,)), equation.alphabet, 1000)}."
+        yield f"It neglects {on_one_line(equation.neglected, equation.alphabet)}."
     for meaning in equation.meanings:
         yield from _meaning(paper, equation, meaning)
     for definition in _misprinted(paper, equation):

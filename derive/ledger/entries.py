@@ -44,7 +44,7 @@ from boresight.derive.ledger.lines import count_steps, fallen_definitions, stand
 from boresight.derive.ledger.mends import Mend, contradicted, definition_mends, may_be_to_blame, mends, rivals, users
 from boresight.derive.ledger.numbers import digits, entries, middle, middles
 from boresight.derive.ledger.paper import Paper
-from boresight.derive.ledger.text import text_relation
+from boresight.derive.ledger.text import on_one_line
 from boresight.derive.units import ONE
 
 # In which a size is said, if not in its own unit.
@@ -335,7 +335,7 @@ def _true_and_printed(paper: Paper, equation: Equation) -> str:
         row += count
         factor, unit = in_words(*units) if len(units) == 1 else (mp.mpf(1), "")
         for side in values[1:]:
-            if len(side) != count:
+            if not count or len(side) != count:
                 parts.append("one side has no value")
             elif (apart := max(abs(a - b) for a, b in zip(values[0], side, strict=True))) > EXACT:
                 shown = told_apart(values[0], side)
@@ -379,8 +379,7 @@ def _neglected(paper: Paper, equation: Equation) -> str:
     form = (Relation((equation.printed[0].sides[0], term)),)
     size = _at_most(paper, equation, form, lambda _, point: entries(evaluate(term, point)))
     needless = judge_with(paper, equation, (), equation.printed).status != "refuted"
-    text = text_relation(Relation((term,)), equation.alphabet, 1000)
-    return f"it neglects {text}, {size}" + ", and holds without it" * needless
+    return f"it neglects {on_one_line(term, equation.alphabet)}, {size}" + ", and holds without it" * needless
 
 
 def units_of(paper: Paper, equation: Equation, side: Any, count: int, row: int = 0) -> list[str]:

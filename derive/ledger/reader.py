@@ -55,6 +55,7 @@ from boresight.derive.ledger.equation import (
 from boresight.derive.ledger.rates import RATE, rate_of
 from boresight.derive.ledger.tokens import COMMAND, TOKEN, joined, tokens
 
+LARGEST_POWER = 100
 FUNCTIONS = {
     r"\sinh": sinh,
     r"\cosh": cosh,
@@ -748,9 +749,12 @@ class _Reader:
             return CONJUGATE(base)
         if not self.take("^"):
             return base
-        exponent = self.argument()
+        at, exponent = self.at, self.argument()
         if not exponent.is_number and not base.is_commutative:
             self.refuse("no letter of the table has this above it, and it is no power")
+        if exponent.is_number and abs(exponent) > LARGEST_POWER:
+            self.at = at
+            self.refuse(f"a power above {LARGEST_POWER}")
         return base**exponent
 
     def group(self, left: str, right: str):

@@ -30,6 +30,12 @@ def text_relation(
     return writer.laid_out(pieces, columns() if width is None else width)
 
 
+def on_one_line(term: object, quantities: Iterable[Quantity]) -> str:
+    """Text of a term within a sentence; of a matrix, how many rows it has."""
+    text = text_relation(Relation((term,)), quantities, 1000)
+    return f"a term of {len(text.splitlines())} rows" if "\n" in text else text
+
+
 class _Text(Writer):
     TIMES = "⋅"
     OPEN_MARK, CLOSE_MARK = "›", "‹"

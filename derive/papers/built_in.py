@@ -187,7 +187,7 @@ class BuiltIn(Source):
             paper=self.name,
             number=number,
             latex=display.latex,
-            lines=display.source,
+            lines=display.source if any(display.source) else display.lines,
             printed=form or results,
             derived=form,
             derivation=Derivation(steps),

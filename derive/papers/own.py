@@ -39,6 +39,7 @@ UNIT_OF_FUNCTION = {
     **dict.fromkeys(("eye", "sin", "cos", "tan", "exp", "rotation", "quaternion"), "1"),
     **dict.fromkeys(("rotation_vector", "angles", "asin", "atan", "atan2"), "rad"),
 }
+LARGEST = 60  # rows of a letter
 POINTS = 4  # of the stated sizes, from which a remainder's size is taken
 
 
@@ -166,6 +167,10 @@ class Folder(Source):
                 self.refuse(f"{name} has the shape {list(shape)} by its value, not {entry['shape']}", "letters", name)
         elif "shape" in entry:
             shape = shaped(entry["shape"])
+            if not all(isinstance(size, int) and 0 < size <= LARGEST for size in shape):
+                self.refuse(
+                    f"{name} has the shape {entry['shape']}; a size is 1 to {LARGEST}", "letters", name, "shape"
+                )
         else:
             self.refuse(f"{name} has neither a value nor a shape: write value = \"...\" by the names of "
                         f"{self.scenario.name}, or shape = 3 of what an equation defines", "letters", name)  # fmt: skip
@@ -324,6 +329,18 @@ class Folder(Source):
                 name = letter_of(relation.sides[0])
                 if name and name not in self.bound:
                     found.setdefault(name, number)
+        by = {name: self.made_of(name, number) & found.keys() for name, number in found.items()}
+        for name, number in found.items():
+            reached, left = set[str](), [name]
+            while left:
+                new = by[left.pop()] - reached
+                reached |= new
+                left += new
+            if name in reached:
+                through = "" if name in by[name] else f", through {', '.join(sorted(reached - {name}))}"
+                what = f"({number}) would define {name} by itself{through}"
+                self.refuse(f'{what}: write value = "...", or give what it becomes a letter of its own, as P^+',
+                            "letters", name)  # fmt: skip
         for number, (_, relations) in self.prints.items():
             for name in sorted(names(relations)):
                 if name not in self.bound and name not in found:
@@ -331,12 +348,21 @@ class Folder(Source):
                                 f"defines it", "letters", name)  # fmt: skip
         return found
 
+    def made_of(self, name: str, number: str) -> set[str]:
+        """The letters that the equation of this number makes the letter of."""
+        _, relations = self.prints[number]
+        of = next(one for one in relations if letter_of(one.sides[0]) == name)
+        return names([replace(of, sides=of.sides[1:])])
+
     def equations(self, name: str) -> tuple[Equation, ...]:
         found = []
         for number, (display, relations) in self.prints.items():
             more = self.equation_rows.get(number, {})
             lines, refused = self.lines[number]
             results = tuple(line.relation for line in lines if line.result and line.relation is not None)
+            if results and len(lines) == len(results) and results == relations:
+                lines, results = (), ()
+                refused = "its only step is what is printed; give the steps that lead there"
             used = names([relation for line in lines for relation in line.formulas])
             for part in more.get("small", ()):
                 if part not in self.scenario.errors:
@@ -483,7 +509,23 @@ class Folder(Source):
             labels=self.labels,
             **more,
         )
+        self.check_shapes(made)
         return sound(made)
+
+    def check_shapes(self, made: Paper) -> None:
+        """That a letter which an equation defines has the shape that it is declared with."""
+        shapes = {one.symbol.name: one.shape for one in self.quantities}
+        with digits(DIGITS):
+            values = made.witness.values(made.point.at, made.definitions)
+            for name, number in self.defined.items():
+                try:
+                    value = values[name]
+                except (KeyError, ValueError, ZeroDivisionError):  # which the equation's row says
+                    continue
+                found = shaped([value.rows, value.cols]) if isinstance(value, Matrix) else ()
+                if found != shapes[name]:
+                    self.refuse(f"({number}) gives {name} the shape {list(found)}, not {list(shapes[name])}",
+                                "letters", name, "shape")  # fmt: skip
 
 
 BLOCK = re.compile(r"(?P<what>[0I])_(?P<rows>\d+)x(?P<columns>\d+)")

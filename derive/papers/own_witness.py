@@ -109,10 +109,12 @@ class OwnWitness(BuiltIn):
             found = self.computed.WITNESS.values(base, definitions)
         except (BoresightError, *UNDEFINED):
             raise
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             explain(error, self.file.resolve())
         if not isinstance(found, Mapping):
             self.wrong("WITNESS", f"the values of WITNESS are a {type(found).__name__}, not a dict by letter")
+        if isinstance(found, dict):
+            found = {name: arb(value) if isinstance(value, float) else value for name, value in found.items()}
         return ChainMap(found, self.blocks)  # type: ignore[arg-type]
 
     def check_values(self, made: Paper) -> None:

@@ -116,6 +116,9 @@ class Source:
             relations = read(latex, letters)
         except UnreadError as error:
             self.unread(display, error)
+        except RecursionError:
+            what = f"({display.number}) is nested too deeply to be read"
+            refuse(self.print, text_of(self.print), display.begins, what)
         if any(len(relation.sides) < 2 for relation in relations):
             refuse(self.print, text_of(self.print), display.begins, f"({display.number}) sets nothing equal")
         return relations

@@ -92,7 +92,7 @@ class Steps:
         commands = OWN.union(*(USE.findall(one.latex) for one in quantities)) if self.macros else OWN
         for name in self.macros.keys() & commands:
             self.toml.refuse(f"\\{name} has a meaning of its own here; call the macro otherwise", "macros", name)
-        for index, step in enumerate(self.toml.data.get(number, ())):
+        for index, step in enumerate(self.toml.typed(self.toml.data.get(number, []), list, "a list of steps", number)):
             self.judge_keys(number, index, step, parts)
             try:
                 found += read_lines([made(one) for one in self.written(step)], quantities, flown)

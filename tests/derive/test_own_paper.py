@@ -422,6 +422,23 @@ def test_a_kalman_step_has_josephs_form_for_any_gain_and_factors(tmp_path):
     assert "<math" in render(one, None, "html")
 
 
+@pytest.mark.parametrize(("prints", "says"), [
+    (("X = X + v",), r"\(1\) would define X by itself: write value"),
+    (("X = Z + v", "Z = X - v"), r"\(1\) would define X by itself, through Z: write value"),
+])  # fmt: skip
+def test_what_is_defined_by_itself_is_asked_for(tmp_path, prints, says):
+    letters = {"X": "{ latex = 'X', shape = 3 }", "v": "{ latex = 'v', value = 'v_n' }"}
+    letters |= {"Z": "{ latex = 'Z', shape = 3 }"} if len(prints) > 1 else {}
+    with pytest.raises(BoresightError, match=says):
+        written(tmp_path, "motion", letters, {str(k + 1): one for k, one in enumerate(prints)})
+
+
+def test_a_definition_of_another_shape_than_its_letter_is_refused(tmp_path):
+    letters = {"J": "{ latex = 'J', shape = [3, 3] }", "v": "{ latex = 'v', value = 'v_n' }"}
+    with pytest.raises(BoresightError, match=r"\(1\) gives J the shape \[3\], not \[3, 3\]"):
+        written(tmp_path, "motion", letters, {"1": "J = 2 v"})
+
+
 def test_a_step_is_taken_and_any_unit_is_said(tmp_path):
     letters = {
         "p": "{ latex = 'p', value = 'p_n' }",
@@ -607,6 +624,9 @@ WRONG = [  # file, what stands there, what is written in its place, line and col
     ("printed.tex", r"\tag{2}", "", "7:1", r"the equation has no number: add \tag{1}"),
     ("printed.tex", r"\tag{2}", r"\tag{1}", "7:1", "two equations are called 1; line 3 has the first"),
     ("printed.tex", r"\begin{equation}", "", "1:1", "no equation is displayed; write"),
+    ("printed.tex", "- n_g", "- n_g^{999999999}", "8:68", "cannot read '{999999999}' in (2): a power above 100"),
+    ("printed.tex", "- n_g", "- " + 999 * "(" + "n_g", "7:17", "(2) is nested too deeply to be read"),
+    ("paper.toml", BOUND, "shape = [0, 600000], ", "15:33", "θ has the shape [0, 600000]; a size is 1 to 60"),
 ]
 
 

@@ -123,6 +123,7 @@ def test_steps_in_a_list_with_macros_are_those_written_out(tmp_path):
     ('[["3"]]', '[["33"]]', "step 1 of (33): printed.tex has no such equation; it has 1, 2, 3"),
     (r"\hat{C} = C - ", r"\hat{C} = \zeta - ", r"step 2 of (3): cannot read '\zeta - [\phi"),
     ('[["2"]]', '[["2"]', "derivation.toml:2:6: Expected"),
+    ('[["2"]]', '"4" = 3\n[["2"]]', "derivation.toml:2:1: step 1 of (4): printed.tex has no such equation"),
 ])  # fmt: skip
 def test_what_does_not_follow_is_one_line(old, new, found, tmp_path):
     """Of the equation alone whose step it is; what is of no equation there is refuses the paper."""

@@ -70,7 +70,9 @@ def test_its_values_judge_the_print(tmp_path):
     first, second = ledger(one)
     assert (first.status, second.status, second.kind) == ("first-order", "erratum", "sign")
     assert "True with one edit" in second.found and one.equation("eq:b").number == "b"
-    assert not findings(one)
+    assert not findings(one) and one.equation("1").lines == (2, 2)
+    float_is_a_number = written(tmp_path, '"ρ": norm(r)', '"ρ": 0.1')
+    assert {entry.status for entry in ledger(of_folder(float_is_a_number))} == {"erratum"}
 
 
 def test_a_paper_that_comes_with_boresight_is_read_alike_as_a_folder_of_ones_own(tmp_path):
@@ -95,6 +97,7 @@ def test_a_paper_that_comes_with_boresight_is_read_alike_as_a_folder_of_ones_own
     ("norm(r + error)", "nrom(r)", 23, "NameError: name 'nrom' is not defined (did you mean 'norm'?)"),
     ("norm(r + error)", "{}[3]", 23, "KeyError: 3"),
     ("return {", "return {{", 23, "'{' was never closed"),
+    ("norm(r + error)", "exit(3)", 23, "SystemExit: 3"),
 ])  # fmt: skip
 def test_what_is_wrong_in_it_is_one_line_with_its_place(old, new, line, found, tmp_path):
     with pytest.raises(BoresightError) as refused:
