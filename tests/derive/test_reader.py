@@ -51,6 +51,7 @@ TABLE = (
         (r"[\alpha \ \hat{\alpha}_b]^T", column(a, b)),
         (r"\begin{bmatrix} \alpha & 0 \\ -1 & \hat{\alpha}_b \end{bmatrix}", matrix([[a, 0], [-1, b]])),
         (r"A_n^{n'} \varepsilon^n", A * B),
+        (r"\boxed{A_n^{n'} \epsilon^n}", A * B),
         (r"f(\alpha, \hat{\alpha}_b)", Function("f", commutative=False)(a, b)),
         (r"f[(\alpha), (\hat{\alpha}_b)]", Function("f", commutative=False)(a, b)),
         (r"A_n^{n'} A_n^{n'}^T \epsilon^n", A * transpose(A) * B),
@@ -182,7 +183,7 @@ NORM, CONJ = Function("norm")(w), Function("conj", commutative=False)(q)
     ],
 )
 def test_what_people_type_is_read(latex, right):
-    for sign in ("=", r"\triangleq", ":=", r"\approx"):
+    for sign in ("=", r"\triangleq", ":=", r"\approx", r"\cong"):
         (relation,) = read((rf"x {sign} {latex}",), TYPED)
         assert relation.sides == (x, right)
 
