@@ -16,6 +16,7 @@ from sympy import (
     MatMul,
     Mul,
     Pow,
+    S,
     StrictLessThan,
     Symbol,
     acos,
@@ -83,6 +84,8 @@ def _evaluate(expression, point: Point) -> Value:
         return evaluate(expression.exact, point)
     if isinstance(expression, Named):
         return evaluate(expression.value, point)
+    if expression in (S.ComplexInfinity, S.NaN, S.Infinity, S.NegativeInfinity):
+        raise ValueError("a quotient by zero")
     if expression.is_Number:
         return fmpq(int(expression.p), int(expression.q))
     if isinstance(expression, MatrixBase):

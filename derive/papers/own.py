@@ -266,7 +266,8 @@ class Folder(Source):
         try:
             value = at.letter(symbol)
         except (ValueError, TypeError, IndexError, ZeroDivisionError, KeyError) as error:
-            self.refuse(f"the value of {name} has no meaning: {error}", "letters", name, "value")
+            why = "one of its functions is of another shape" if "exceeds matrix" in str(error) else error
+            self.refuse(f"the value of {name} has no meaning: {why}", "letters", name, "value")
         if not all(arb(entry).is_finite() for entry in entries(value)):
             self.refuse(f"the value of {name} is not finite", "letters", name, "value")
         if not isinstance(value, Matrix):

@@ -17,7 +17,7 @@ from boresight.derive.ledger.equation import Quantity, Relation
 from boresight.derive.ledger.evaluate import DIGITS
 from boresight.derive.ledger.judge import names
 from boresight.derive.ledger.lines import sound
-from boresight.derive.ledger.numbers import Matrix, digits, eye, zeros
+from boresight.derive.ledger.numbers import Matrix, digits, entries, eye, zeros
 from boresight.derive.ledger.paper import Paper, Stated, Witness
 from boresight.derive.ledger.witness import draw
 from boresight.derive.papers.built_in import BuiltIn
@@ -121,14 +121,17 @@ class OwnWitness(BuiltIn):
         """That each letter of the print has a value, of its shape."""
         with digits(DIGITS):
             base = draw(made.witness.base, 1, made.witness.wide)
-            found = self.asked(lambda: made.witness.values(base, made.definitions), made)
+            found, again = (self.asked(lambda: made.witness.values(base, made.definitions), made) for _ in range(2))
             used = {name: one.number for one in reversed(made.equations) for name in names(one.printed)}
-            for quantity in made.quantities() if found is not None else ():
+            for quantity in made.quantities() if found is not None and again is not None else ():
                 name = quantity.symbol.name
                 if name in used and name not in set(found):
                     self.wrong("WITNESS", f"{name} of ({used[name]}) has no value{did_you_mean(name, set(found))}")
                 if name in used and not quantity.function:
-                    self.check_value(quantity, self.asked(partial(found.__getitem__, name), made))
+                    value, other = (self.asked(partial(one.__getitem__, name), made) for one in (found, again))
+                    self.check_value(quantity, value)
+                    if value is not None and [*map(str, entries(value))] != [*map(str, entries(other))]:
+                        self.wrong("WITNESS", f"{name} is another one when it is asked for again; draw it in Base")
 
     def check_value(self, quantity: Quantity, value: Any) -> None:
         name = quantity.symbol.name

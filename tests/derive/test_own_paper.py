@@ -594,6 +594,7 @@ WRONG = [  # file, what stands there, what is written in its place, line and col
     ("paper.toml", VALUE, '"θ + 1"', "15:42", "motion has no 'θ'"),
     ("paper.toml", VALUE, '"sqrt(-1)*p_n"', "15:33", "the value of θ has no meaning: the root of a negative number"),
     ("paper.toml", VALUE, '"p_n/0"', "15:33", "the value of θ is not finite"),
+    ("paper.toml", VALUE, '"quaternion(p_n)"', "15:33", "the value of θ has no meaning: one of its functions"),
     ("paper.toml", VALUE, '["p_n"]', "15:33", "value must be a text"),
     ("paper.toml", MEANING, 'unit = "furlong"', "15:69", "furlong is 201.168 m; declare m"),
     ("paper.toml", MEANING, 'unit = "3 m, 3 rad"', "15:69", "θ has 6 x 1 units for the shape [3]"),

@@ -98,6 +98,7 @@ def test_a_paper_that_comes_with_boresight_is_read_alike_as_a_folder_of_ones_own
     ("norm(r + error)", "{}[3]", 23, "KeyError: 3"),
     ("return {", "return {{", 23, "'{' was never closed"),
     ("norm(r + error)", "exit(3)", 23, "SystemExit: 3"),
+    ("norm(r + error)", "norm(r) * id(r)", 27, "ρ̂ is another one when it is asked for again; draw it in Base"),
 ])  # fmt: skip
 def test_what_is_wrong_in_it_is_one_line_with_its_place(old, new, line, found, tmp_path):
     with pytest.raises(BoresightError) as refused:
