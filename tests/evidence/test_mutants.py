@@ -7,19 +7,8 @@ from boresight.evidence.mutants import Types, candidates, mutants, parsed
 
 BAR = 0.99
 # Below the bar, as far as the self-test reaches today; what survives is told under "What fell short" in
-# docs/evidence.md: ends of norms, ties, what only saves work.
-BELOW = {
-    **dict.fromkeys((f"{prefix}_filter" for prefix in ("ah", "ahr")), 0.855),
-    **dict.fromkeys((f"{prefix}_filter" for prefix in ("va", "val")), 0.875),
-    "vd_filter": 0.86,
-    "em_filter": 0.825,
-    **dict.fromkeys((f"{prefix}_covariance" for prefix in ("ah", "ahr", "va", "val")), 0.93),
-    "vd_covariance": 0.89,
-    # of these with checks passed, integers, bits and swapped arguments
-    "em_covariance": 0.76,
-    "em_digest": 0.94,
-    "stationary_detector": 0.94,
-}
+# docs/evidence.md: ends of norms, ties, one number more, what only saves work.
+BELOW = {"filter": 0.86, "covariance": 0.815, "digest": 0.945, "live": 0.725, "detector": 0.945}
 
 
 def share(of):
@@ -29,7 +18,8 @@ def share(of):
 
 @pytest.mark.parametrize("name", SMALL)
 def test_the_committed_run_killed_99_of_100(name):
-    low = {unit: share(of) for unit, of in committed(name, "mutants").items() if share(of) < BELOW.get(unit, BAR)}
+    found = {unit: share(of) for unit, of in committed(name, "mutants").items()}
+    low = {unit: killed for unit, killed in found.items() if killed < BELOW.get(unit.rsplit("_", 1)[1], BAR)}
     assert not low, low
 
 
