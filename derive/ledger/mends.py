@@ -13,7 +13,7 @@ from itertools import pairwise
 from typing import Any
 
 import mpmath as mp
-from sympy import Add, Integer, MatAdd, MatMul, Mul, Rational, StrictLessThan, Symbol
+from sympy import Add, Function, Integer, MatAdd, MatMul, Mul, Rational, StrictLessThan, Symbol
 from sympy.functions.elementary.complexes import transpose
 from sympy.matrices import MatrixBase
 from sympy.matrices.exceptions import ShapeError
@@ -215,8 +215,8 @@ def _letters_everywhere(relations: tuple[Relation, ...], quantities: Iterable[Qu
 
 
 def _groupings(relations: tuple[Relation, ...], quantities: Iterable[Quantity]) -> Iterator[tuple[str, tuple]]:
-    """A pair of brackets around a sum, so that a number divides all of it; a sum transposed; bars around a vector; one
-    term more of a letter."""
+    """A pair of brackets around a sum, so that a number divides all of it; a sum transposed; the sign of an argument of
+    a function; bars around a vector; one term more of a letter."""
     scalars = [q.symbol for q in quantities if not q.function and not q.shape]
 
     def change(node) -> Iterator[tuple[str, Any]]:
@@ -232,6 +232,13 @@ def _groupings(relations: tuple[Relation, ...], quantities: Iterable[Quantity]) 
                 if isinstance(factor, Add | MatAdd) and not factor.is_commutative:
                     turned = transpose(factor, evaluate=False)
                     yield f"{short(factor)} -> transpose", product(*node.args[:i], turned, *node.args[i + 1 :])
+        if isinstance(node, Function):
+            for i, argument in enumerate(node.args):
+                other = negative(argument)
+                what = min(argument, other, key=lambda form: len(str(form)))
+                if not argument.is_Number:
+                    new = (*node.args[:i], other, *node.args[i + 1 :])
+                    yield f"sign of {short(what)} in {node.func.__name__}", node.func(*new)
         if isinstance(node, StrictLessThan):
             yield f"bars around {node.lhs}", StrictLessThan(NORM(node.lhs), node.rhs, evaluate=False)
         if isinstance(node, Add) and node.is_commutative:

@@ -7,6 +7,7 @@ anything, so digits lost by cancellation are never taken for a result.
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import reduce
+from math import isfinite
 from typing import Any
 
 import mpmath as mp
@@ -179,15 +180,17 @@ def norm(x: Any) -> arb:
 def middle(value: Any) -> mp.mpf:
     """The middle of a ball, exactly.
 
-    Raises ZeroDivisionError if the value is not finite, BoresightError if the ball is too wide.
+    Raises ZeroDivisionError if the value is not finite or too large to be known, BoresightError if the ball is too
+    wide otherwise.
     """
     man, exp = _judged(value).man_exp()
     return mp.mp.make_mpf(from_man_exp(int(man), int(exp)))
 
 
-def near(value: Any) -> float:
-    """The middle of a ball as a float.  Raises as `middle` does."""
-    return float(_judged(value))
+def near(value: Any) -> Any:
+    """The middle of a ball as a float, or exactly where no float is as large.  Raises as `middle` does."""
+    found = float(_judged(value))
+    return found if isfinite(found) else middle(value)
 
 
 def entries(value: Any) -> list:
@@ -215,6 +218,8 @@ def _judged(value: Any) -> arb:
     if not ball.is_finite():
         raise ZeroDivisionError("a value is not finite")
     if ball.rel_one_accuracy_bits() < BITS:
+        if ball.rad() > 1:
+            raise ZeroDivisionError("a value is too large to be known")
         raise BoresightError(f"a value is known to {float(ball.rad()):.0e} only: compute it with more digits")
     return ball.mid()
 

@@ -6,7 +6,10 @@ import pytest
 
 from boresight import BoresightError
 from boresight.derive.ledger.entries import entry_of
+from boresight.derive.ledger.evaluate import DIGITS
 from boresight.derive.ledger.mends import mends
+from boresight.derive.ledger.numbers import digits
+from boresight.derive.papers import of_folder
 from boresight.derive.papers.own import own
 
 KALMAN = {
@@ -111,3 +114,62 @@ def test_what_is_left_out_is_refused_with_its_line(tmp_path, latex, term, why):
     more = f"[equations.\"1\"]\nneglects = '{term}'"
     with pytest.raises(BoresightError, match=rf"paper.toml:\d+:\d+: \(1\): .*{why}"):
         assert paper(tmp_path, "strapdown-enu", ENU, {"1": latex}, more).equations
+
+
+# ---- What is no proof, and what is no mend ---------------------------------------------------------------------------
+
+PRESSURE = """
+from dataclasses import dataclass
+
+from boresight.derive.ledger.numbers import Matrix, exp
+from boresight.derive.ledger.paper import Stated, Witness
+from boresight.derive.ledger.witness import draw
+
+
+@dataclass(frozen=True, eq=False)
+class Base:
+    place: tuple
+    error: tuple
+
+
+@dataclass(frozen=True)
+class Sizes:
+    place: float = 1.0
+    error: float = 1e-3
+
+
+def values(base, definitions):
+    a, e = Matrix(base.place), Matrix(base.error)
+    p0, h, H = 101325 + 2000 * a[0], 3000 + 2000 * a[1], 8000 + 500 * a[2]
+    return {"p": p0 * exp(-h / H), "p0": p0, "h": h, "H": H, "δH": H * e[0]}
+
+
+WITNESS = Witness(Base, values, Sizes(), ("error",), "heights", {"error": "the error of the scale"})
+SIZES = Stated(Sizes(), "small errors", 4)
+POINT = Stated(draw(Base, 1, Sizes()), "a point")
+"""
+
+
+@pytest.mark.parametrize(
+    ("latex", "edits"),
+    [(r"p = p_0 \exp(h)", []), (r"p = p_0 \exp(h H)", []), (r"p = p_0 \exp(h^3 H^5)", []),
+     (r"p = p_0 \exp(h / \delta H)", []), (r"p = p_0 \exp(h / H)", ["sign of h/H in exp"])],
+)  # fmt: skip
+def test_what_no_float_holds_is_no_proof_and_no_mend(tmp_path, latex, edits):
+    """exp(3000) and exp(3000 * 8000) are finite, and larger than any float; the ball of exp(1e30) knows nothing."""
+    (tmp_path / "witness.py").write_text(PRESSURE)
+    letters = {"p": "p", "p0": "p_0", "h": "h", "H": "H", "δH": r"\delta H"}
+    rows = [f"'{name}' = {{ latex = '{latex}', unit = '{'Pa' if 'p' in name else 'm'}' }}"
+            for name, latex in letters.items()]  # fmt: skip
+    (tmp_path / "paper.toml").write_text("\n".join(['title = "A"\nwitness = "witness.py"\n[letters]', *rows]))
+    (tmp_path / "printed.tex").write_text(rf"\begin{{equation}} {latex} \tag{{1}} \end{{equation}}")
+    one = of_folder(tmp_path)
+    with digits(DIGITS):
+        assert entry_of(one, one.equation("1")).status == "erratum"
+        assert [mend.what for mend in mends(one, one.equation("1"))] == edits
+
+
+def test_the_sign_of_an_argument_is_an_edit(tmp_path):
+    letters = {"C": ("C", "C_b2n"), "Ĉ": (r"\hat{C}", "C_hat"), "θ": (r"\theta", "theta_local")}
+    one = found(paper(tmp_path, "motion", letters, {"1": r"C = \hat{C} \exp(-[\theta \times])"}))
+    assert one["1"][0] == "erratum" and one["1"][1].endswith("True with one edit: sign of [θ x] in exp.")
