@@ -36,6 +36,7 @@ from boresight.derive.ledger.judge import (
     judge,
     judge_with,
     largest_residual,
+    meant,
     paper_points,
     shares,
 )
@@ -44,6 +45,7 @@ from boresight.derive.ledger.lines import count_steps, fallen_definitions, stand
 from boresight.derive.ledger.mends import Mend, contradicted, definition_mends, may_be_to_blame, mends, rivals, users
 from boresight.derive.ledger.numbers import digits, entries, middle, middles
 from boresight.derive.ledger.paper import Paper
+from boresight.derive.ledger.remarks import needless
 from boresight.derive.ledger.text import on_one_line
 from boresight.derive.units import ONE
 
@@ -174,6 +176,7 @@ def _entry(paper: Paper, equation: Equation) -> Entry:
         found += f" True with one edit: {edits[0].what}." if edits else ""
     else:
         evidence, found = _stands(paper, equation, status)
+        found += _remarks(paper, equation, status)
     own = paper.evidence(equation.number)
     evidence += f"; {own}" if own else ""
     return _made(paper, equation, verdict, (status, kind, origin), (found, evidence, " ".join(notes)), equation.derived)
@@ -185,6 +188,25 @@ def _stands(paper: Paper, equation: Equation, status: str) -> tuple[str, str]:
     if left_out := _neglected(paper, equation):
         return f"{evidence}; {left_out}", f"{found} {_capital(left_out)}."
     return evidence, found
+
+
+def _remarks(paper: Paper, equation: Equation, status: str) -> str:
+    """What is measured beside the status of the print, a sentence each with a blank before it."""
+    form = meant(equation, equation.read(), (meaning.senses[0] for meaning in equation.meanings))
+    text = ""
+    for one in needless(paper, equation, form) if status == "first-order" else ():
+        sizes = []
+        for relation in (form[one.at], one.without):
+
+            def left(given: Relation, point: Point, at=form[one.at], relation=relation, one=one) -> list:
+                found = residual((relation if given is at else given).sides, point)
+                return [entry if given is at and k in one.changed else 0 for k, entry in enumerate(found)]
+
+            sizes.append(_at_most(paper, equation, form, left))
+        term = on_one_line(one.term, equation.alphabet)
+        text += f" The term {term} of second order does not bring it clearly nearer to the truth: what is left is "
+        text += f"{sizes[0]} with it, and {sizes[1]} without it."
+    return text
 
 
 def _agrees(paper: Paper, equation: Equation, status: str) -> tuple[str, str]:
@@ -249,6 +271,7 @@ def _underived(paper: Paper, equation: Equation) -> Entry:
             for one in may_be_to_blame(paper, equation)[:1]:
                 evidence += f"; with one edit of this one it would hold: {one.what}"
             found = f"{_capital(evidence)}."
+        found += _remarks(paper, equation, verdict.status)
         return _alone(paper, equation, verdict, (evidence, _refused(equation) + found))
     if mended := _with_mended(paper, equation):
         verdict, label = mended

@@ -1,6 +1,7 @@
 """Which of two equations is wrong, a term that is lost or left out on purpose, and by how much a row is off."""
 
 import json
+import re
 
 import pytest
 
@@ -169,7 +170,39 @@ def test_what_no_float_holds_is_no_proof_and_no_mend(tmp_path, latex, edits):
         assert [mend.what for mend in mends(one, one.equation("1"))] == edits
 
 
+MOTION = {
+    "C": ("C", "C_b2n"), "Ĉ": (r"\hat{C}", "C_hat"), "θ": (r"\theta", "theta_local"), "φ": (r"\phi", "theta_global"),
+    "δq": (r"\delta q", "quaternion(T(C_hat)*C_b2n)"), "l": (r"\ell", "lever_b"), "ω": (r"\omega", "omega_b"),
+}  # fmt: skip
+
+
 def test_the_sign_of_an_argument_is_an_edit(tmp_path):
-    letters = {"C": ("C", "C_b2n"), "Ĉ": (r"\hat{C}", "C_hat"), "θ": (r"\theta", "theta_local")}
-    one = found(paper(tmp_path, "motion", letters, {"1": r"C = \hat{C} \exp(-[\theta \times])"}))
+    one = found(paper(tmp_path, "motion", MOTION, {"1": r"C = \hat{C} \exp(-[\theta \times])"}))
     assert one["1"][0] == "erratum" and one["1"][1].endswith("True with one edit: sign of [θ x] in exp.")
+
+
+VAIN = {  # a term of second order, and how much of what is left without it is left with it
+    r"C = \hat{C} (I_3 + [\theta \times] + [\theta \times]^2)": ("[θ ×]^2", 1),
+    r"C = \hat{C} (I_3 + [\theta \times] - \frac{1}{2} [\theta \times]^2)": ("-1/2⋅[θ ×]^2", 2),
+    r"C = \hat{C} (I_3 + [\theta \times] + \frac{1}{4} [\theta \times]^2)": ("1/4⋅[θ ×]^2", 0.5),
+    r"\delta q = \begin{bmatrix} 1 - \frac{1}{4} \theta^T \theta \\ \frac{1}{2} \theta \end{bmatrix}": (
+        "-1/4⋅θ^T⋅θ", 1),
+    r"C - \hat{C} = \hat{C} [\theta \times] + \hat{C} [\theta \times] [\omega \times] [\theta \times]": (
+        "Ĉ⋅[θ ×]⋅[ω ×]⋅[θ ×]", None),
+    r"C = \hat{C} (I_3 + [\theta \times] + \frac{1}{2} [\theta \times]^2)": None,
+    r"C = \hat{C} (I_3 + [\theta \times] + \frac{1}{2} (\theta \theta^T - \theta^T \theta I_3))": None,
+    r"\delta q = \begin{bmatrix} 1 - \frac{1}{8} \theta^T \theta \\ \frac{1}{2} \theta \end{bmatrix}": None,
+    r"C = \hat{C} (I_3 + [\theta \times])": None,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("latex", VAIN)
+def test_a_printed_term_of_second_order_that_is_no_use_is_named_with_what_is_left(tmp_path, latex):
+    """The term is half [θ x]^2, or of the quaternion an eighth of θ^T θ."""
+    status, text = found(paper(tmp_path, "motion", MOTION, {"1": latex}))["1"]
+    assert status == "first-order" and ("second order" in text) == bool(VAIN[latex]), text
+    if VAIN[latex]:
+        term, share = VAIN[latex]
+        assert f" The term {term} of second order does not bring it clearly nearer to the truth: " in text
+        left = re.search(r"is at most (\S+) \(no unit\) with it, and at most (\S+) \(no unit\) without it.$", text)
+        assert share is None or float(left[1]) / float(left[2]) == pytest.approx(share, rel=0.01)
