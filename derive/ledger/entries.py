@@ -45,7 +45,7 @@ from boresight.derive.ledger.lines import count_steps, fallen_definitions, stand
 from boresight.derive.ledger.mends import Mend, contradicted, definition_mends, may_be_to_blame, mends, rivals, users
 from boresight.derive.ledger.numbers import digits, entries, middle, middles
 from boresight.derive.ledger.paper import Paper
-from boresight.derive.ledger.remarks import needless
+from boresight.derive.ledger.remarks import leans_on_zero, needless
 from boresight.derive.ledger.text import on_one_line
 from boresight.derive.units import ONE
 
@@ -206,6 +206,9 @@ def _remarks(paper: Paper, equation: Equation, status: str) -> str:
         term = on_one_line(one.term, equation.alphabet)
         text += f" The term {term} of second order does not bring it clearly nearer to the truth: what is left is "
         text += f"{sizes[0]} with it, and {sizes[1]} without it."
+    if zeros := leans_on_zero(paper, equation, form) if status in ("exact", "first-order") else []:
+        what = "it" if len(zeros) == 1 else "them"
+        text += f" The witness has {', '.join(zeros)} zero everywhere: what stands before {what} is not held."
     return text
 
 

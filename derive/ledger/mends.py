@@ -37,6 +37,7 @@ from boresight.derive.ledger.judge import EXACT, judge, judge_with, names
 from boresight.derive.ledger.mutation import commutes, free_values, mutants, short
 from boresight.derive.ledger.numbers import digits, middle
 from boresight.derive.ledger.paper import Paper
+from boresight.derive.ledger.remarks import shows_zero
 
 SHOWN = 3
 # How likely a slip is, by the first words of what takes it back; what is not here comes last.
@@ -56,6 +57,7 @@ class Mend:
 @cache
 def mends(paper: Paper, equation: Equation) -> tuple[Mend, ...]:
     """All single edits of the print that make it true, the likeliest first; of those that say the same the first.
+    None puts in a letter that the witness has as zero everywhere, or makes both sides zero.
 
     A definition is true if with it every equation holds that uses what it defines.
     """
@@ -70,7 +72,7 @@ def mends(paper: Paper, equation: Equation) -> tuple[Mend, ...]:
                 continue
             with suppress(ValueError, KeyError, ZeroDivisionError):
                 status = _status(paper, equation, relations)
-                if status != "refuted":
+                if status != "refuted" and not shows_zero(paper, equation, relations):
                     found.append(Mend(_in_words(what), relations, status))
         return tuple(found)
 

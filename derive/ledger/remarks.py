@@ -1,18 +1,31 @@
-"""What is measured beside the status of a true equation, as a term of second order that is wrong."""
+"""What is measured beside the status of a true equation, such as a term of second order that is of no use."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import cache
+from itertools import chain
+from random import Random
 from typing import Any
 
-from sympy import Add, MatAdd
+from sympy import Add, MatAdd, Symbol, preorder_traversal
 from sympy.core.function import AppliedUndef
 from sympy.matrices.exceptions import ShapeError
 
 from boresight.derive.ledger.equation import Equation, Relation, children, rebuild, total
-from boresight.derive.ledger.evaluate import evaluate, residual
-from boresight.derive.ledger.judge import EXACT, SCALES, SEEDS, SLACK, paper_points, witness_point
-from boresight.derive.ledger.numbers import middle, middles
+from boresight.derive.ledger.evaluate import Point, evaluate, residual
+from boresight.derive.ledger.judge import (
+    EXACT,
+    FULL,
+    SCALES,
+    SEEDS,
+    SLACK,
+    judge_at,
+    names,
+    paper_points,
+    witness_point,
+)
+from boresight.derive.ledger.numbers import Matrix, entries, exact, largest, middle, middles
 from boresight.derive.ledger.paper import Paper
 
 # Of the remainder without a term, what is left with it where it is clearly of use, and where it is of none.
@@ -93,3 +106,65 @@ def _in_vain(one: Sequence[Any], other: Sequence[Any]) -> bool:
     share = max(map(abs, one)) / max(EXACT, *map(abs, other))
     together = along(one, other) ** 2 > TOGETHER * along(one, one) * along(other, other)
     return share > NO_LESS or (share > NEARER and together)
+
+
+# ---- Letters that the witness has as zero ----------------------------------------------------------------------------
+
+
+@cache
+def vanishes(paper: Paper, name: str, small: tuple[str, ...]) -> bool:
+    """Whether a letter, not a zero by its name, is zero at every point; small: errors of the equation."""
+    with suppress(ValueError, KeyError, ZeroDivisionError):
+        points = chain([(SEEDS[0], SCALES[0])], ((seed, FULL) for seed in SEEDS))  # the first is known, others are dear
+        return not name.startswith("0_") and all(_zero(witness_point(paper, *at, small), name) for at in points)
+    return False
+
+
+def _zero(point: Point, name: str) -> bool:
+    value = point.values[name]
+    random = (of if isinstance(of, tuple) else (of,) for of in point.values.get("random", ()))
+    return not callable(value) and largest(entries(value)) < EXACT and not any(name in of for of in random)
+
+
+def shows_zero(paper: Paper, equation: Equation, relations: tuple[Relation, ...]) -> bool:
+    """Whether an edit of the print puts a letter in that is zero everywhere, or makes the sides of a relation zero."""
+    before = equation.read()
+    zeros = {name for name in names(relations) if vanishes(paper, name, equation.small)}
+    if zeros and _count(relations, zeros) > _count(before, zeros):
+        return True
+    points = [witness_point(paper, seed, FULL, equation.small) for seed in SEEDS]
+    return any(
+        all(largest(entries(evaluate(side, point))) < EXACT for side in one.sides for point in points)
+        for one in relations
+        if one not in before
+    )
+
+
+def _count(relations: Iterable[Relation], letters: set[str]) -> int:
+    nodes = (node for relation in relations for side in relation.sides for node in preorder_traversal(side))
+    return sum(isinstance(node, Symbol) and node.name in letters for node in nodes)
+
+
+def leans_on_zero(paper: Paper, equation: Equation, form: tuple[Relation, ...]) -> list[str]:
+    """The letters but for whose being zero everywhere the form would not hold; not one that is a side by itself, of
+    which the form says it, nor one that stands in a rate of brackets alone."""
+    alone = {side.name for relation in form for side in relation.sides if isinstance(side, Symbol)}
+    printed = sorted(names(form) - {name for name in alone if _count(form, {name}) == 1})
+    zeros = [name for name in printed if vanishes(paper, name, equation.small) and _count(form, {name})]
+    return [name for name in zeros if not _holds_with(paper, equation, form, name)]
+
+
+def _holds_with(paper: Paper, equation: Equation, form: tuple[Relation, ...], name: str) -> bool:
+    """Whether the form holds with the letter at will, or at will and as small as the errors."""
+    generator, zero = Random(7), witness_point(paper, SEEDS[0], FULL).values[name]
+    drawn = [exact(generator.uniform(0.2, 1.2)) for _ in entries(zero)]
+    columns = getattr(zero, "cols", 1)
+    rows = [drawn[i : i + columns] for i in range(0, len(drawn), columns)]
+    value: Any = Matrix(rows) if isinstance(zero, Matrix) else drawn[0]
+
+    def at(power: int) -> Callable[[int, float], Point]:
+        return lambda seed, scale: witness_point(paper, seed, scale, equation.small).changed(
+            {name: value * exact(scale) ** power}
+        )
+
+    return any(judge_at(form, at(power), constant=bool(paper.folder)).status != "refuted" for power in (0, 1))

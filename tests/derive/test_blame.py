@@ -206,3 +206,25 @@ def test_a_printed_term_of_second_order_that_is_no_use_is_named_with_what_is_lef
         assert f" The term {term} of second order does not bring it clearly nearer to the truth: " in text
         left = re.search(r"is at most (\S+) \(no unit\) with it, and at most (\S+) \(no unit\) without it.$", text)
         assert share is None or float(left[1]) / float(left[2]) == pytest.approx(share, rel=0.01)
+
+
+LEVER = r"C \ell - \hat{C} \ell = "
+
+
+@pytest.mark.parametrize(
+    ("latex", "status", "says"),
+    [(r"\frac{d}{dt}(C \ell) = C (\omega \times \ell - \dot{\ell})", "exact", True),
+     (r"\frac{d}{dt}(C \ell) = C (\omega \times \ell + \dot{\ell})", "exact", False),
+     (r"\frac{d}{dt}(C \ell) = C (\omega \times \ell)", "exact", False),
+     (rf"{LEVER} -\hat{{C}} [\ell \times] \theta + 3 C \dot{{\ell}}", "first-order", True),
+     (r"\dot{\ell} = 0_{3 \times 1}", "exact", False),
+     (rf"{LEVER} -\frac{{1}}{{3}} \hat{{C}} [\ell \times] \theta", "erratum", False),
+     (r"C \ell = C [\theta \times] \ell", "erratum", False)],
+)  # fmt: skip
+def test_a_letter_that_is_zero_everywhere_is_no_mend_and_what_it_hides_is_said(tmp_path, latex, status, says):
+    """The lever of the witness is constant: of its rate any sign and factor would do, and it would mend all."""
+    one = paper(tmp_path, "motion", MOTION, {"1": latex})
+    kind, text = found(one)["1"]
+    remark = " The witness has l̇ zero everywhere: what stands before it is not held."
+    assert kind == status and text.endswith(remark) == says == ("zero everywhere" in text), text
+    assert status != "erratum" or not any("l̇" in mend.what for mend in mends(one, one.equation("1")))
