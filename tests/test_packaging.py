@@ -125,7 +125,7 @@ def test_sdist_and_wheel_hold_the_package_and_an_installed_one_flies(built, tmp_
 def test_a_wheel_holds_what_a_user_uses(built):
     """The generated C in one file, evidence of that C, and neither campaigns nor explorations."""
     _, wheel, site = built
-    assert wheel.stat().st_size < 2.7e6
+    assert wheel.stat().st_size < 2.75e6
     package = site / "boresight"
     texts = json.loads(lzma.decompress((package / "generated.json.xz").read_bytes()))
     assert texts.keys() >= {"euler_matching/CMakeLists.txt", "velocity_dcm/src/vd_F_kernel.h"}

@@ -314,7 +314,7 @@ def test_library_headers_manifest_and_self_test_say_the_same(model, precision, f
     bits = "32" if precision == "float" else "64"
     assert macros.split("|") == [model, manifest["hash"], *[__version__] * 3, bits, form]
     tested = run("make", "-s", "-C", folder, "test", "CFLAGS=-O0")
-    assert tested.stdout.splitlines()[-2] == said
+    assert said in tested.stdout.splitlines()
     assert manifest["hash"] in (folder / "README.md").read_text()
 
 
